@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+
+#include "radiosity/patch_mesh.h"
+#include "radiosity/progress.h"
+#include "radiosity/scene.h"
+
+namespace meshing {
+
+/// How fine the patches are. Set at most one of max_edge and n_patches; with neither, each input
+/// polygon is one patch where it can be (--as-is): triangles and planar convex quads stay as they
+/// are, in file order, other polygons are triangulated.
+struct PatchOptions {
+  std::optional<double> max_edge;  ///< no patch edge is longer, m
+  std::optional<long> n_patches;   ///< about so many patches, of about equal size
+  radiosity::Progress progress;
+};
+
+/// Largest distance of a quad's corner from the plane of the others, relative to its diagonal, up
+/// to which it counts as planar; a quad further from planar becomes two triangles.
+inline constexpr double kPlanarQuad = 1e-6;
+
+/// Subdivides the scene's polygons into well-shaped patches: quads stay quads, triangles are split
+/// without slivers, an edge shared by two polygons (same vertex positions) is divided alike on both
+/// sides. Deterministic. Patches come in the order of their polygons. Throws MeshError naming
+/// surface and polygon for zero-area polygons, polygons that cross themselves, and edges on which
+/// more than two polygons of one one-sided surface meet (non-manifold).
+radiosity::PatchMesh make_patches(const radiosity::Scene& scene, const PatchOptions& options = {});
+
+}  // namespace meshing

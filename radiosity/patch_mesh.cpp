@@ -1,0 +1,46 @@
+#include "radiosity/patch_mesh.h"
+
+namespace radiosity {
+namespace {
+
+Vec3 triangle_cross(const Vec3& a, const Vec3& b, const Vec3& c) { return (b - a).cross(c - a); }
+
+}  // namespace
+
+void PatchMesh::add_patch(const std::array<std::int32_t, 4>& patch_corners,
+                          std::int32_t patch_surface, std::int32_t patch_polygon,
+                          std::int32_t patch_twin) {
+  const bool is_quad = patch_corners[3] >= 0;
+  const Vec3& a = vertices[patch_corners[0]];
+  const Vec3& b = vertices[patch_corners[1]];
+  const Vec3& c = vertices[patch_corners[2]];
+  const Vec3 first = triangle_cross(a, b, c);
+  const Vec3 second =
+      is_quad ? triangle_cross(a, c, vertices[patch_corners[3]]) : Vec3(Vec3::Zero());
+  const Vec3 twice_area = first + second;
+  const double length = twice_area.norm();
+
+  Vec3 center = (a + b + c) / 3;
+  const double sum = first.norm() + second.norm();
+  if (is_quad && sum > 0) {
+    const Vec3 second_center = (a + c + vertices[patch_corners[3]]) / 3;
+    center += second.norm() / sum * (second_center - center);
+  }
+  corners.push_back(patch_corners);
+  surface.push_back(patch_surface);
+  polygon.push_back(patch_polygon);
+  twin.push_back(patch_twin);
+  area.push_back(length / 2);
+  normal.push_back(length > 0 ? Vec3(twice_area / length) : Vec3(Vec3::Zero()));
+  centroid.push_back(center);
+}
+
+Box3 bounds(const PatchMesh& mesh) {
+  Box3 box;
+  for (Index i = 0; i < mesh.size(); ++i) {
+    for (int k = 0; k < mesh.n_corners(i); ++k) box.extend(mesh.corner(i, k));
+  }
+  return box;
+}
+
+}  // namespace radiosity

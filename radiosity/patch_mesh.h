@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "radiosity/geometry.h"
+
+namespace radiosity {
+
+/// The patches of a scene: triangles and planar convex quads, counter-clockwise seen from the side
+/// that emits and reflects. The back of a patch blocks light and does nothing else. A polygon of a
+/// two-sided surface has two patches, back to back, that name each other as `twin`.
+struct PatchMesh {
+  std::vector<Vec3> vertices;                        ///< m
+  std::vector<std::array<std::int32_t, 4>> corners;  ///< per patch; [3] = -1 for a triangle
+  std::vector<std::int32_t> surface;                 ///< per patch: index into surface_names
+  std::vector<std::int32_t> polygon;                 ///< per patch: input polygon, file order
+  std::vector<std::int32_t> twin;                    ///< per patch: its back, or -1
+  std::vector<double> area;                          ///< per patch, m², > 0
+  std::vector<Vec3> normal;                          ///< per patch, unit, emitting side
+  std::vector<Vec3> centroid;                        ///< per patch, m
+  std::vector<std::string> surface_names;
+  std::vector<bool> surface_two_sided;  ///< per surface
+
+  [[nodiscard]] Index size() const { return static_cast<Index>(corners.size()); }
+  [[nodiscard]] int n_corners(Index patch) const { return corners[patch][3] < 0 ? 3 : 4; }
+  [[nodiscard]] const Vec3& corner(Index patch, int k) const { return vertices[corners[patch][k]]; }
+
+  /// Appends a patch and computes its area, normal and centroid from its corners (corners[3] = -1
+  /// for a triangle). Vertices must be there already. A degenerate patch gets area 0 and normal 0.
+  void add_patch(const std::array<std::int32_t, 4>& patch_corners, std::int32_t patch_surface,
+                 std::int32_t patch_polygon, std::int32_t patch_twin = -1);
+};
+
+/// The box around all patches. Empty if there are none.
+Box3 bounds(const PatchMesh& mesh);
+
+}  // namespace radiosity

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <string_view>
+
+#include "radiosity/progress.h"
+#include "radiosity/transport.h"
+
+namespace radiosity {
+
+/// Iterations for (I - ρ F) B = M_e. Conjugate gradients on the symmetrised system is the fastest;
+/// the others are there to learn from and to compare with.
+enum class Method { conjugate_gradients, jacobi, gauss_seidel, southwell, chebyshev };
+
+/// "cg", "jacobi", "gauss-seidel", "southwell", "chebyshev".
+std::string_view method_name(Method method);
+
+struct SolveOptions {
+  Method method = Method::conjugate_gradients;
+  double tolerance = 1e-8;  ///< guaranteed bound on ‖ΔB‖/‖B‖ (energy norm) of the iteration
+  int max_products = 100000;  ///< operator products (or the work of as many) before giving up
+  /// Called after each product with the number of products and the bound reached, for plots.
+  std::function<void(int product, double error_bound)> observer;
+  Progress progress;
+};
+
+/// Where the power goes, W, one value per column of the solution. emitted = absorbed + escaped.
+struct EnergyBalance {
+  Eigen::VectorXd emitted;   ///< Σ A M_e
+  Eigen::VectorXd absorbed;  ///< Σ A (1 - ρ) H
+  Eigen::VectorXd escaped;  ///< Σ A B (1 - row sum): leaves the scene or meets the back of a patch
+};
+
+/// The radiosity of every patch, and what is known about its error.
+struct Solution {
+  Eigen::MatrixXd radiosity;        ///< B, W/m², n x k
+  Eigen::MatrixXd irradiance;       ///< H = F B, W/m², n x k
+  Eigen::MatrixXd exitance;         ///< M_e as given, W/m², n x k
+  Eigen::MatrixXd reflectance;      ///< ρ as given, n x k
+  Eigen::MatrixXd radiosity_error;  ///< one standard error of B (form factors and iteration), W/m²
+  EnergyBalance energy;             ///< per column
+  Method method = Method::conjugate_gradients;
+  int iterations = 0;      ///< steps of the method
+  double products = 0;     ///< operator products that these cost
+  double residual = 0;     ///< largest relative residual ‖r‖/‖M_e‖ over the columns
+  double error_bound = 0;  ///< guaranteed bound on ‖ΔB‖/‖B‖ of the iteration, energy norm
+  double transport_error_bound = 0;  ///< bound on ‖ΔB‖/‖B‖ from the form factors' standard errors
+  bool converged = false;            ///< whether error_bound <= tolerance
+  double seconds = 0;                ///< wall time
+};
+
+/// Solves B = M_e + ρ F B for every column at once. `exitance` is n x k; `reflectance` n x b, where
+/// b divides k: column c uses reflectance column c % b, so several right-hand sides (all bands of
+/// one, then of the next) share a solve. Throws SolveError if the sizes do not fit or if no
+/// solution exists (ρ = 1 everywhere in a closed scene with emission).
+Solution solve(const Transport& transport, const Eigen::MatrixXd& exitance,
+               const Eigen::MatrixXd& reflectance, const SolveOptions& options = {});
+
+}  // namespace radiosity

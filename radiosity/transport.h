@@ -1,0 +1,80 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <memory>
+
+#include "radiosity/patch_mesh.h"
+#include "radiosity/progress.h"
+#include "radiosity/visibility.h"
+
+namespace radiosity {
+
+/// What the assembly of the exchange areas did and how good it is.
+struct AssemblyReport {
+  double seconds = 0;          ///< wall time of the assembly
+  std::int64_t facing = 0;     ///< unordered pairs that face each other, at least in part
+  std::int64_t visible = 0;    ///< of these: proved to see each other wholly
+  std::int64_t hidden = 0;     ///< of these: proved not to see each other
+  std::int64_t undecided = 0;  ///< of these: needed visibility samples
+  std::int64_t partial = 0;    ///< of the undecided: found to be partly hidden
+  std::int64_t rays = 0;       ///< visibility rays cast
+  bool closed = false;         ///< the scene was taken as closed
+  Eigen::VectorXd row_sums;    ///< Σ_j F_ij before any correction, n_patches
+  double closure_mean = 0;     ///< mean |1 - Σ_j F_ij|, before any correction
+  double closure_max = 0;      ///< max |1 - Σ_j F_ij|, before any correction
+};
+
+/// The radiosity transport operator F of n patches, F_ij = G_ij / A_i with the exchange area
+/// G_ij = A_i F_ij = G_ji stored once per pair, so that reciprocity is exact.
+class Transport {
+ public:
+  virtual ~Transport() = default;
+
+  /// Number of patches n.
+  [[nodiscard]] virtual Index size() const = 0;
+  /// Patch areas, m², n.
+  [[nodiscard]] virtual const Eigen::VectorXd& area() const = 0;
+  /// Irradiance H = F B, W/m², n x k, of the radiosity B, n x k, for all k columns at once.
+  [[nodiscard]] virtual Eigen::MatrixXd apply(const Eigen::MatrixXd& radiosity) const = 0;
+  /// Row i of F: the fractions of the power leaving patch i that reach each patch, n.
+  [[nodiscard]] virtual Eigen::VectorXd row(Index i) const = 0;
+  /// One standard error of each entry of row i, n; exactly 0 where the entry is certified.
+  [[nodiscard]] virtual Eigen::VectorXd row_error(Index i) const = 0;
+  /// One standard error of each patch's irradiance F B caused by the entries' errors, for
+  /// independent entries: sqrt(Σ_j (σ_ij B_j)²), n x k.
+  [[nodiscard]] virtual Eigen::MatrixXd apply_error(const Eigen::MatrixXd& radiosity) const = 0;
+  /// Bound on ‖ΔF̂‖₂, F̂ = A^-½ G A^-½, from the entries' standard errors (Frobenius norm: one
+  /// sigma). Dimensionless.
+  [[nodiscard]] virtual double error() const = 0;
+  /// Memory held by the operator, bytes.
+  [[nodiscard]] virtual std::size_t bytes() const = 0;
+  /// How the operator was made.
+  [[nodiscard]] virtual const AssemblyReport& report() const = 0;
+};
+
+/// Whether the surfaces enclose the space that they light.
+enum class Closed {
+  no,        ///< light may escape; nothing is corrected
+  yes,       ///< row sums are 1; small sampling errors are corrected symmetrically
+  automatic  ///< found out from the form factors
+};
+
+struct TransportOptions {
+  double tolerance = 1e-2;            ///< relative error asked of the form factors, > 0
+  Closed closed = Closed::automatic;  ///< whether all row sums must be 1
+  std::uint64_t seed = 0;             ///< of the visibility samples
+  std::size_t memory = 0;             ///< bytes the operator may take; 0 = what the machine has
+  Progress progress;
+};
+
+/// Memory that a dense operator of n patches takes at most, bytes: 2 n² plus the entries' errors.
+std::size_t dense_transport_bytes(Index n_patches);
+
+/// Computes the exchange areas of all pairs of patches. Same input, same bits, at any number of
+/// threads. Throws SolveError if the operator does not fit into memory, with the figure and a way
+/// out, before it starts; Interrupted if asked to stop.
+std::unique_ptr<Transport> make_transport(const PatchMesh& mesh, const Visibility& visibility,
+                                          const TransportOptions& options = {});
+
+}  // namespace radiosity
