@@ -41,8 +41,9 @@ class Visibility {
   [[nodiscard]] std::optional<Hit> first_hit(const Vec3& origin, const Vec3& direction,
                                              std::int32_t source = -1) const;
 
+  struct Implementation;  ///< private to visibility.cpp
+
  private:
-  struct Implementation;
   std::unique_ptr<Implementation> implementation_;
 };
 

@@ -1,0 +1,251 @@
+#include "radiosity/visibility.h"
+
+#include <embree3/rtcore.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace radiosity {
+namespace {
+
+// Embree computes in float. The scene is moved into [-1, 1]³ beforehand, so that these lengths
+// are relative to half the scene's diagonal.
+
+/// How close to its ends a segment is not blocked: a few roundings of a float coordinate near 1.
+constexpr double kEndGap = 2e-6;
+/// Patches whose corners are this close to the plane of a segment's end cannot block it.
+constexpr double kCoplanar = 1e-6;
+
+struct Device {
+  RTCDevice handle = rtcNewDevice("set_affinity=0");
+  Device() = default;
+  ~Device() { rtcReleaseDevice(handle); }
+  Device(const Device&) = delete;
+  Device& operator=(const Device&) = delete;
+};
+
+struct EmbreeScene {
+  RTCScene handle;
+  explicit EmbreeScene(RTCDevice device) : handle(rtcNewScene(device)) {}
+  ~EmbreeScene() { rtcReleaseScene(handle); }
+  EmbreeScene(const EmbreeScene&) = delete;
+  EmbreeScene& operator=(const EmbreeScene&) = delete;
+};
+
+struct Plane {
+  Vec3 normal;
+  double offset;
+};
+
+}  // namespace
+
+struct Visibility::Implementation {
+  explicit Implementation(const PatchMesh& mesh);
+
+  [[nodiscard]] Vec3 scaled(const Vec3& point) const { return (point - center) * scale; }
+  void add_patch(const PatchMesh& mesh, std::int32_t i);
+  void build();
+  [[nodiscard]] bool is_in_plane_of(std::int32_t patch, std::int32_t of) const;
+  [[nodiscard]] bool ignores(std::int32_t patch, std::int32_t source, std::int32_t target) const;
+
+  Device device;
+  EmbreeScene scene{device.handle};
+  Vec3 center = Vec3::Zero();
+  double scale = 1;
+  std::vector<std::array<float, 3>> vertices;
+  std::vector<std::array<unsigned, 3>> triangles;
+  std::vector<std::int32_t> patch_of_triangle;
+  std::vector<std::int32_t> twin;
+  std::vector<Plane> planes;                       // per patch, scaled coordinates
+  std::vector<std::array<Vec3, 4>> patch_corners;  // per patch, scaled; a triangle's last is twice
+};
+
+namespace {
+
+/// What the filter function needs to know about the rays under way.
+struct FilterContext {
+  RTCIntersectContext embree;  // must come first: Embree hands back a pointer to it
+  const Visibility::Implementation* visibility;
+  std::int32_t source;
+  std::int32_t target;
+};
+
+}  // namespace
+
+Visibility::Implementation::Implementation(const PatchMesh& mesh) : twin(mesh.twin) {
+  const Box3 box = bounds(mesh);
+  if (!box.isEmpty()) {
+    center = box.center();
+    const double radius = 0.5 * box.diagonal().norm();
+    if (radius > 0) scale = 1 / radius;
+  }
+  planes.reserve(mesh.size());
+  patch_corners.reserve(mesh.size());
+  for (std::int32_t i = 0; i < mesh.size(); ++i) add_patch(mesh, i);
+  build();
+}
+
+void Visibility::Implementation::add_patch(const PatchMesh& mesh, std::int32_t i) {
+  std::array<Vec3, 4> corners;
+  for (int k = 0; k < 4; ++k) {
+    corners[k] = scaled(mesh.corner(i, std::min(k, mesh.n_corners(i) - 1)));
+  }
+  patch_corners.push_back(corners);
+  planes.push_back({mesh.normal[i], mesh.normal[i].dot(scaled(mesh.centroid[i]))});
+  const bool is_back_of_earlier = twin[i] >= 0 && twin[i] < i;
+  if (is_back_of_earlier) return;
+
+  const auto first = static_cast<unsigned>(vertices.size());
+  for (int k = 0; k < mesh.n_corners(i); ++k) {
+    const Eigen::Vector3f p = corners[k].cast<float>();
+    vertices.push_back({p.x(), p.y(), p.z()});
+  }
+  for (unsigned k = 2; k < static_cast<unsigned>(mesh.n_corners(i)); ++k) {
+    triangles.push_back({first, first + k - 1, first + k});
+    patch_of_triangle.push_back(i);
+  }
+}
+
+void Visibility::Implementation::build() {
+  rtcSetSceneFlags(scene.handle, RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
+  rtcSetSceneBuildQuality(scene.handle, RTC_BUILD_QUALITY_HIGH);
+  if (!triangles.empty()) {
+    RTCGeometry geometry = rtcNewGeometry(device.handle, RTC_GEOMETRY_TYPE_TRIANGLE);
+    void* vertex_buffer =
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                sizeof(vertices[0]), vertices.size());
+    std::copy(vertices.begin(), vertices.end(), static_cast<std::array<float, 3>*>(vertex_buffer));
+    void* index_buffer =
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                sizeof(triangles[0]), triangles.size());
+    std::copy(triangles.begin(), triangles.end(),
+              static_cast<std::array<unsigned, 3>*>(index_buffer));
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(scene.handle, geometry);
+    rtcReleaseGeometry(geometry);
+  }
+  rtcCommitScene(scene.handle);
+  vertices = {};
+  triangles = {};
+}
+
+bool Visibility::Implementation::is_in_plane_of(std::int32_t patch, std::int32_t of) const {
+  const Plane& plane = planes[of];
+  return std::all_of(patch_corners[patch].begin(), patch_corners[patch].end(),
+                     [&](const Vec3& corner) {
+                       return std::abs(plane.normal.dot(corner) - plane.offset) < kCoplanar;
+                     });
+}
+
+bool Visibility::Implementation::ignores(std::int32_t patch, std::int32_t source,
+                                         std::int32_t target) const {
+  for (const std::int32_t end : {source, target}) {
+    if (end >= 0 && (patch == end || patch == twin[end] || is_in_plane_of(patch, end))) return true;
+  }
+  return false;
+}
+
+namespace {
+
+/// Embree found something in the way: reject it where it belongs to the segment's own ends.
+void reject_own_ends(const RTCFilterFunctionNArguments* arguments) {
+  const auto* context = reinterpret_cast<const FilterContext*>(arguments->context);
+  const auto* implementation = context->visibility;
+  for (unsigned k = 0; k < arguments->N; ++k) {
+    if (arguments->valid[k] == 0) continue;
+    const unsigned triangle = RTCHitN_primID(arguments->hit, arguments->N, k);
+    const std::int32_t patch = implementation->patch_of_triangle[triangle];
+    if (implementation->ignores(patch, context->source, context->target)) arguments->valid[k] = 0;
+  }
+}
+
+FilterContext make_context(const Visibility::Implementation& implementation, std::int32_t source,
+                           std::int32_t target) {
+  FilterContext context{};
+  rtcInitIntersectContext(&context.embree);
+  context.embree.filter = reject_own_ends;
+  context.visibility = &implementation;
+  context.source = source;
+  context.target = target;
+  return context;
+}
+
+}  // namespace
+
+Visibility::Visibility(const PatchMesh& mesh)
+    : implementation_(std::make_unique<Implementation>(mesh)) {}
+Visibility::~Visibility() = default;
+Visibility::Visibility(Visibility&&) noexcept = default;
+Visibility& Visibility::operator=(Visibility&&) noexcept = default;
+
+std::uint32_t Visibility::blocked(std::span<const Vec3> from, std::span<const Vec3> to,
+                                  std::int32_t source, std::int32_t target) const {
+  assert(from.size() == to.size() && from.size() <= kPacket);
+  alignas(64) std::array<int, kPacket> valid{};
+  RTCRay16 rays;
+  std::fill(std::begin(rays.tfar), std::end(rays.tfar), -1.0F);
+  for (std::size_t k = 0; k < from.size(); ++k) {
+    const Vec3 origin = implementation_->scaled(from[k]);
+    const Vec3 way = implementation_->scaled(to[k]) - origin;
+    const double length = way.norm();
+    if (length <= 2 * kEndGap) continue;
+    const Vec3 direction = way / length;
+    valid[k] = -1;
+    rays.org_x[k] = static_cast<float>(origin.x());
+    rays.org_y[k] = static_cast<float>(origin.y());
+    rays.org_z[k] = static_cast<float>(origin.z());
+    rays.dir_x[k] = static_cast<float>(direction.x());
+    rays.dir_y[k] = static_cast<float>(direction.y());
+    rays.dir_z[k] = static_cast<float>(direction.z());
+    rays.tnear[k] = static_cast<float>(kEndGap);
+    rays.tfar[k] = static_cast<float>(length - kEndGap);
+    rays.time[k] = 0;
+    rays.mask[k] = ~0U;  // Debian's Embree tests masks: an unset one misses everything
+    rays.id[k] = static_cast<unsigned>(k);
+    rays.flags[k] = 0;
+  }
+  FilterContext context = make_context(*implementation_, source, target);
+  rtcOccluded16(valid.data(), implementation_->scene.handle, &context.embree, &rays);
+  std::uint32_t result = 0;
+  for (std::size_t k = 0; k < from.size(); ++k) {
+    const bool is_blocked = valid[k] != 0 && rays.tfar[k] < 0;  // Embree marks them with -inf
+    result |= static_cast<std::uint32_t>(is_blocked) << k;
+  }
+  return result;
+}
+
+std::optional<Hit> Visibility::first_hit(const Vec3& origin, const Vec3& direction,
+                                         std::int32_t source) const {
+  const Vec3 start = implementation_->scaled(origin);
+  const Vec3 unit = direction.normalized();
+  RTCRayHit ray{};
+  ray.ray.org_x = static_cast<float>(start.x());
+  ray.ray.org_y = static_cast<float>(start.y());
+  ray.ray.org_z = static_cast<float>(start.z());
+  ray.ray.dir_x = static_cast<float>(unit.x());
+  ray.ray.dir_y = static_cast<float>(unit.y());
+  ray.ray.dir_z = static_cast<float>(unit.z());
+  ray.ray.tnear = source >= 0 ? static_cast<float>(kEndGap) : 0.0F;
+  ray.ray.tfar = std::numeric_limits<float>::infinity();
+  ray.ray.mask = ~0U;
+  ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  FilterContext context = make_context(*implementation_, source, -1);
+  rtcIntersect1(implementation_->scene.handle, &context.embree, &ray);
+  if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+
+  Hit hit;
+  hit.patch = implementation_->patch_of_triangle[ray.hit.primID];
+  hit.distance = static_cast<double>(ray.ray.tfar) / implementation_->scale;
+  hit.front = unit.dot(implementation_->planes[hit.patch].normal) < 0;
+  if (const std::int32_t back = implementation_->twin[hit.patch]; !hit.front && back >= 0) {
+    hit.patch = back;
+    hit.front = true;
+  }
+  return hit;
+}
+
+}  // namespace radiosity
