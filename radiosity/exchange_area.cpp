@@ -1,0 +1,189 @@
+#include "radiosity/exchange_area.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "radiosity/contour_integral.h"
+#include "radiosity/convex_polygon.h"
+#include "radiosity/polygon_quadrature.h"
+
+namespace radiosity {
+namespace {
+
+/// Vertices this close to a plane, relative to the size of the pair, lie on it.
+constexpr double kOnPlane = 1e-14;
+
+struct Disc {
+  Vec3 center;
+  double radius;
+};
+
+Disc bounding_disc(std::span<const Vec3> polygon) {
+  Vec3 center = Vec3::Zero();
+  for (const Vec3& point : polygon) center += point;
+  center /= static_cast<double>(polygon.size());
+  double square = 0;
+  for (const Vec3& point : polygon) square = std::max(square, (point - center).squaredNorm());
+  return {center, std::sqrt(square)};
+}
+
+ConvexPolygon moved_and_scaled(const ConvexPolygon& polygon, const Vec3& origin, double scale) {
+  ConvexPolygon result;
+  for (const Vec3& point : polygon) result.push_back((point - origin) * scale);
+  return result;
+}
+
+/// ∫ over polygon1 of the point-to-polygon form factor, by Gauss rules on pieces that are halved
+/// until two levels agree to `tolerance`. For polygons that keep a distance.
+Estimate outer_quadrature(const ConvexPolygon& polygon1, const Vec3& normal1,
+                          const ConvexPolygon& polygon2, double tolerance, int depth) {
+  const auto integral = [&](int order) {
+    double sum = 0;
+    for_each_quadrature_point(polygon1.points(), order, [&](const Vec3& point, double weight) {
+      sum += weight * point_to_polygon(point, normal1, polygon2.points());
+    });
+    return sum;
+  };
+  const double coarse = integral(6);
+  const double fine = integral(10);
+  const double error = std::abs(fine - coarse);
+  if (error <= tolerance || depth == 0) return {fine, error};
+
+  const Vec3 middle = bounding_disc(polygon1.points()).center;
+  Estimate sum;
+  for (std::size_t k = 0; k < polygon1.size(); ++k) {  // one piece about each vertex
+    const Vec3& before = polygon1[(k + polygon1.size() - 1) % polygon1.size()];
+    const Vec3& after = polygon1[(k + 1) % polygon1.size()];
+    ConvexPolygon piece;
+    piece.push_back(polygon1[k]);
+    piece.push_back(0.5 * (polygon1[k] + after));
+    piece.push_back(middle);
+    piece.push_back(0.5 * (polygon1[k] + before));
+    const Estimate part = outer_quadrature(piece, normal1, polygon2, tolerance / 2, depth - 1);
+    sum.value += part.value;
+    sum.error += part.error;
+  }
+  return sum;
+}
+
+/// A pair moved to the origin and scaled to order 1, clipped to each other's front.
+struct FacingPair {
+  ConvexPolygon polygon1;
+  ConvexPolygon polygon2;
+  Vec3 normal1;
+  Vec3 normal2;
+};
+
+Estimate touching_or_near(const FacingPair& pair, double tolerance) {
+  Estimate best = contour_exchange_area(pair.polygon1.points(), pair.polygon2.points());
+  const auto is_good = [&] { return best.error <= tolerance * best.value; };
+  if (is_good()) return best;
+  const auto improve = [&](const Estimate& other) {
+    if (other.error < best.error) best = other;
+  };
+  improve(contour_exchange_area_adaptive(pair.polygon1.points(), pair.polygon2.points(),
+                                         0.1 * tolerance * std::abs(best.value)));
+  if (is_good()) return best;
+  constexpr int kDepth = 6;
+  const double goal = tolerance * std::abs(best.value);
+  const bool first_is_smaller =
+      bounding_disc(pair.polygon1.points()).radius <= bounding_disc(pair.polygon2.points()).radius;
+  improve(first_is_smaller
+              ? outer_quadrature(pair.polygon1, pair.normal1, pair.polygon2, goal, kDepth)
+              : outer_quadrature(pair.polygon2, pair.normal2, pair.polygon1, goal, kDepth));
+  return best;
+}
+
+double facing_exchange_area(const FacingPair& pair, double tolerance) {
+  const Disc disc1 = bounding_disc(pair.polygon1.points());
+  const Disc disc2 = bounding_disc(pair.polygon2.points());
+  const double distance = (disc1.center - disc2.center).norm();
+  const int order1 = area_rule_order((distance - disc2.radius) / disc1.radius, tolerance);
+  const int order2 = area_rule_order((distance - disc1.radius) / disc2.radius, tolerance);
+  if (order1 > 0 && order2 > 0) {
+    return area_rule_exchange_area(pair.polygon1.points(), pair.normal1, order1,
+                                   pair.polygon2.points(), pair.normal2, order2);
+  }
+  return std::max(0.0, touching_or_near(pair, tolerance).value);
+}
+
+double convex_exchange_area(std::span<const Vec3> polygon1, std::span<const Vec3> polygon2,
+                            double tolerance) {
+  const Vec3 area1 = vector_area(polygon1);
+  const Vec3 area2 = vector_area(polygon2);
+  const double size1 = area1.norm();
+  const double size2 = area2.norm();
+  if (size1 == 0 || size2 == 0) return 0;
+  const Vec3 normal1 = area1 / size1;
+  const Vec3 normal2 = area2 / size2;
+
+  Box3 box;
+  for (const Vec3& point : polygon1) box.extend(point);
+  for (const Vec3& point : polygon2) box.extend(point);
+  const double extent = box.diagonal().norm();
+  const double thickness = kOnPlane * extent;
+  const ConvexPolygon front1 = clip_to_half_space(polygon1, polygon2.front(), normal2, thickness);
+  if (front1.empty()) return 0;
+  const ConvexPolygon front2 = clip_to_half_space(polygon2, polygon1.front(), normal1, thickness);
+  if (front2.empty()) return 0;
+
+  const Vec3 origin = polygon1.front();
+  const double scale = 1 / extent;
+  const FacingPair pair{moved_and_scaled(front1, origin, scale),
+                        moved_and_scaled(front2, origin, scale), normal1, normal2};
+  return facing_exchange_area(pair, tolerance) * extent * extent;
+}
+
+/// Convex pieces that fit a ConvexPolygon: the polygon itself, or a fan of triangles.
+std::vector<std::array<Vec3, 3>> fan(std::span<const Vec3> polygon) {
+  std::vector<std::array<Vec3, 3>> triangles;
+  for (std::size_t k = 2; k < polygon.size(); ++k) {
+    triangles.push_back({polygon[0], polygon[k - 1], polygon[k]});
+  }
+  return triangles;
+}
+
+}  // namespace
+
+double exchange_area(std::span<const Vec3> polygon1, std::span<const Vec3> polygon2,
+                     double tolerance) {
+  constexpr std::size_t kLargest = ConvexPolygon::kCapacity - 2;
+  if (polygon1.size() > kLargest) {
+    double sum = 0;
+    for (const auto& triangle : fan(polygon1)) sum += exchange_area(triangle, polygon2, tolerance);
+    return sum;
+  }
+  if (polygon2.size() > kLargest) return exchange_area(polygon2, polygon1, tolerance);
+  return convex_exchange_area(polygon1, polygon2, tolerance);
+}
+
+double point_to_polygon(const Vec3& point, const Vec3& normal, std::span<const Vec3> polygon) {
+  const Vec3 area = vector_area(polygon);
+  if (area.dot(point - polygon.front()) <= 0) return 0;  // behind the polygon
+  const auto sum_over_edges = [&](std::span<const Vec3> visible) {
+    double sum = 0;
+    for (std::size_t k = 0; k < visible.size(); ++k) {
+      const Vec3 a = visible[k] - point;
+      const Vec3 b = visible[k + 1 < visible.size() ? k + 1 : 0] - point;
+      const Vec3 cross = a.cross(b);
+      const double length = cross.norm();
+      if (length > 0) sum += std::atan2(length, a.dot(b)) * normal.dot(cross) / length;
+    }
+    // Counter-clockwise about the polygon's normal is clockwise as seen from the point.
+    return std::max(0.0, -sum / (2 * kPi));
+  };
+  const bool is_above = std::all_of(polygon.begin(), polygon.end(), [&](const Vec3& corner) {
+    return normal.dot(corner - point) >= 0;
+  });
+  if (is_above) return sum_over_edges(polygon);
+  if (polygon.size() > ConvexPolygon::kCapacity - 2) {
+    double sum = 0;
+    for (const auto& triangle : fan(polygon)) sum += point_to_polygon(point, normal, triangle);
+    return sum;
+  }
+  return sum_over_edges(clip_to_half_space(polygon, point, normal, 0).points());
+}
+
+}  // namespace radiosity
