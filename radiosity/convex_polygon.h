@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <span>
@@ -15,6 +16,12 @@ class ConvexPolygon {
   static constexpr std::size_t kCapacity = 14;
 
   ConvexPolygon() = default;
+  ConvexPolygon(const ConvexPolygon& other) : ConvexPolygon(other.points()) {}
+  ConvexPolygon& operator=(const ConvexPolygon& other) {
+    size_ = other.size_;
+    std::copy(other.begin(), other.end(), points_.begin());
+    return *this;
+  }
   explicit ConvexPolygon(std::span<const Vec3> points) {
     for (const Vec3& point : points) push_back(point);
   }

@@ -21,6 +21,7 @@ struct AssemblyReport {
   std::int64_t rays = 0;       ///< visibility rays cast
   bool closed = false;         ///< the scene was taken as closed
   Eigen::VectorXd row_sums;    ///< Σ_j F_ij before any correction, n_patches
+  std::int64_t open_rows = 0;  ///< closed scenes: rows further from 1 than sampling explains; kept
   double closure_mean = 0;     ///< mean |1 - Σ_j F_ij|, before any correction
   double closure_max = 0;      ///< max |1 - Σ_j F_ij|, before any correction
 };
@@ -65,7 +66,7 @@ struct TransportOptions {
   Closed closed = Closed::automatic;  ///< whether all row sums must be 1
   std::uint64_t seed = 0;             ///< of the visibility samples
   std::size_t memory = 0;             ///< bytes the operator may take; 0 = what the machine has
-  Progress progress;
+  Progress progress{};
 };
 
 /// Memory that a dense operator of n patches takes at most, bytes: 2 n² plus the entries' errors.

@@ -1,0 +1,109 @@
+#include "radiosity/cluster_tree.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+namespace radiosity {
+namespace {
+
+/// How far apart opposite normals count, in units of the scene's longest side.
+constexpr double kNormalWeight = 1;
+
+using Point6 = std::array<double, 6>;
+
+class Builder {
+ public:
+  Builder(const PatchMesh& mesh, Index leaf_size) : mesh_(mesh), leaf_size_(leaf_size) {
+    const Box3 box = bounds(mesh);
+    const double scale = mesh.size() > 0 ? 1 / std::max(box.sizes().maxCoeff(), 1e-300) : 1;
+    points_.resize(mesh.size());
+    for (Index i = 0; i < mesh.size(); ++i) {
+      for (int axis = 0; axis < 3; ++axis) {
+        points_[i][axis] = scale * (mesh.centroid[i][axis] - box.min()[axis]);
+        points_[i][3 + axis] = 0.5 * kNormalWeight * mesh.normal[i][axis];
+      }
+    }
+    tree_.order.resize(mesh.size());
+    std::iota(tree_.order.begin(), tree_.order.end(), 0);
+  }
+
+  ClusterTree build() {
+    if (!tree_.order.empty()) add_cluster(0, mesh_.size());
+    return std::move(tree_);
+  }
+
+ private:
+  std::int32_t add_cluster(Index begin, Index end) {
+    const auto self = static_cast<std::int32_t>(tree_.clusters.size());
+    Cluster cluster;
+    cluster.begin = begin;
+    cluster.end = end;
+    for (Index k = begin; k < end; ++k) {
+      const std::int32_t patch = tree_.order[k];
+      for (int c = 0; c < mesh_.n_corners(patch); ++c) cluster.box.extend(mesh_.corner(patch, c));
+    }
+    tree_.clusters.push_back(cluster);
+    if (end - begin <= leaf_size_) {
+      tree_.leaves.push_back(self);
+      return self;
+    }
+    const Index middle = split(begin, end);
+    const std::int32_t left = add_cluster(begin, middle);
+    const std::int32_t right = add_cluster(middle, end);
+    tree_.clusters[self].left = left;
+    tree_.clusters[self].right = right;
+    return self;
+  }
+
+  /// Sorts order[begin..end) along its longest axis; returns where to cut: the widest gap near the
+  /// middle, so that a wall's patches stay together.
+  Index split(Index begin, Index end) {
+    Point6 low;
+    Point6 high;
+    low.fill(1e300);
+    high.fill(-1e300);
+    for (Index k = begin; k < end; ++k) {
+      for (int axis = 0; axis < 6; ++axis) {
+        low[axis] = std::min(low[axis], points_[tree_.order[k]][axis]);
+        high[axis] = std::max(high[axis], points_[tree_.order[k]][axis]);
+      }
+    }
+    int longest = 0;
+    for (int axis = 1; axis < 6; ++axis) {
+      if (high[axis] - low[axis] > high[longest] - low[longest]) longest = axis;
+    }
+    std::sort(tree_.order.begin() + begin, tree_.order.begin() + end,
+              [&](std::int32_t a, std::int32_t b) {
+                const double x = points_[a][longest];
+                const double y = points_[b][longest];
+                return x != y ? x < y : a < b;
+              });
+    const Index quarter = (end - begin) / 4;
+    Index best = begin + (end - begin) / 2;
+    const auto gap = [&](Index k) {
+      return points_[tree_.order[k]][longest] - points_[tree_.order[k - 1]][longest];
+    };
+    double widest = gap(best) + 1e-9;
+    for (Index k = begin + quarter + 1; k < end - quarter; ++k) {
+      if (gap(k) > widest) {
+        widest = gap(k);
+        best = k;
+      }
+    }
+    return best;
+  }
+
+  const PatchMesh& mesh_;
+  Index leaf_size_;
+  std::vector<Point6> points_;
+  ClusterTree tree_;
+};
+
+}  // namespace
+
+ClusterTree make_cluster_tree(const PatchMesh& mesh, Index leaf_size) {
+  return Builder(mesh, leaf_size).build();
+}
+
+}  // namespace radiosity

@@ -1,0 +1,366 @@
+#include "radiosity/exchange_assembly.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <mutex>
+#include <vector>
+
+#include "radiosity/cluster_tree.h"
+#include "radiosity/exchange_area.h"
+#include "radiosity/occluders.h"
+#include "radiosity/pair_kernel.h"
+#include "radiosity/parallel.h"
+#include "radiosity/shaft.h"
+#include "radiosity/visible_fraction.h"
+
+namespace radiosity {
+namespace {
+
+constexpr Index kTileSize = 64;
+constexpr Index kLeafSize = 8;
+/// Pairs with more candidate occluders than this are not tested one by one: rays are cheaper.
+constexpr std::size_t kMostTested = 32;
+/// Relative error of the unoccluded kernel, a matter of nanoseconds next to visibility.
+constexpr double kKernelTolerance = 1e-9;
+
+using Candidates = std::vector<std::int32_t>;
+
+/// Sums that many threads add to and that still come out the same: integers don't round.
+class OrderFreeSums {
+ public:
+  explicit OrderFreeSums(Index n) : sums_(n) {}
+  /// Adds a value of magnitude at most 1, rounded to 2^-52.
+  void add(Index i, double value) {
+    sums_[i].fetch_add(std::llround(value * 0x1p52), std::memory_order_relaxed);
+  }
+  [[nodiscard]] double operator[](Index i) const {
+    return static_cast<double>(sums_[i].load(std::memory_order_relaxed)) * 0x1p-52;
+  }
+
+ private:
+  std::vector<std::atomic<std::int64_t>> sums_;
+};
+
+struct Census {
+  std::int64_t facing = 0, visible = 0, hidden = 0, undecided = 0, partial = 0, rays = 0;
+
+  Census& operator+=(const Census& other) {
+    facing += other.facing;
+    visible += other.visible;
+    hidden += other.hidden;
+    undecided += other.undecided;
+    partial += other.partial;
+    rays += other.rays;
+    return *this;
+  }
+};
+
+/// Rays for a pair whose samples disagree. An entry's relative error falls a little faster than
+/// rays^-½; partly hidden pairs hold a few per cent of all exchange.
+int rays_per_pair(double tolerance) {
+  const double packets = std::clamp(4 * (1e-2 / tolerance), 2.0, 64.0);
+  return Visibility::kPacket * static_cast<int>(std::lround(packets));
+}
+
+PatchMesh centered(const PatchMesh& mesh) {
+  PatchMesh result = mesh;
+  const Box3 box = bounds(mesh);
+  if (box.isEmpty()) return result;
+  for (Vec3& vertex : result.vertices) vertex -= box.center();
+  for (Vec3& centroid : result.centroid) centroid -= box.center();
+  return result;
+}
+
+class Assembler {
+ public:
+  Assembler(const PatchMesh& mesh, const Visibility& visibility, const TransportOptions& options)
+      : options_(options),
+        visibility_(visibility),
+        table_(mesh),
+        areas_(mesh.area),
+        max_rays_(rays_per_pair(options.tolerance)),
+        sums_(mesh.size()) {
+    const Box3 box = bounds(mesh);
+    if (!box.isEmpty()) center_ = box.center();
+    const PatchMesh local = centered(mesh);
+    tree_ = make_cluster_tree(local, kLeafSize);
+    occluders_ = make_occluders(local, table_.thickness());
+    find_strips();
+  }
+
+  Assembly run() {
+    std::vector<Index> boundaries{0};
+    for (const std::int32_t strip : strips_) boundaries.push_back(tree_.clusters[strip].end);
+    Assembly result{tree_.order, ExchangeTiles(boundaries), {}, {}};
+    tiles_ = &result.tiles;
+    if (!strips_.empty()) {
+      Candidates all(occluders_.size());
+      for (std::size_t k = 0; k < all.size(); ++k) all[k] = static_cast<std::int32_t>(k);
+      visit_blocks(0, 0, all, false);
+    }
+    result.row_sums.resize(table_.size());
+    for (Index row = 0; row < table_.size(); ++row) {
+      result.row_sums[row] = sums_[row] * areas_[tree_.order[row]];
+    }
+    AssemblyReport& report = result.report;
+    report.facing = census_.facing;
+    report.visible = census_.visible;
+    report.hidden = census_.hidden;
+    report.undecided = census_.undecided;
+    report.partial = census_.partial;
+    report.rays = census_.rays;
+    return result;
+  }
+
+ private:
+  /// The largest clusters of at most kTileSize patches are the strips of the tiles.
+  void find_strips() {
+    strip_of_cluster_.assign(tree_.clusters.size(), -1);
+    std::vector<std::int32_t> open;
+    if (!tree_.clusters.empty()) open.push_back(0);
+    while (!open.empty()) {
+      const std::int32_t k = open.back();
+      open.pop_back();
+      const Cluster& cluster = tree_.clusters[k];
+      if (cluster.end - cluster.begin <= kTileSize) {
+        strip_of_cluster_[k] = static_cast<std::int32_t>(strips_.size());
+        strips_.push_back(k);
+      } else {
+        open.push_back(cluster.right);
+        open.push_back(cluster.left);
+      }
+    }
+  }
+
+  [[nodiscard]] bool is_strip(std::int32_t cluster) const {
+    return strip_of_cluster_[cluster] >= 0;
+  }
+
+  /// Keeps the candidates that may block something between the clusters. Sets `is_hidden` if one
+  /// blocks everything.
+  [[nodiscard]] Candidates filter(std::int32_t a, std::int32_t b, const Candidates& candidates,
+                                  bool& is_hidden) const {
+    Candidates kept;
+    if (is_hidden || candidates.empty()) return kept;
+    const BoxShaft shaft(tree_.clusters[a].box, tree_.clusters[b].box);
+    for (const std::int32_t k : candidates) {
+      const Blocking blocking = shaft.test(occluders_[k], table_.thickness());
+      if (blocking == Blocking::all) {
+        is_hidden = true;
+        return {};
+      }
+      if (blocking == Blocking::some) kept.push_back(k);
+    }
+    return kept;
+  }
+
+  /// Descends to pairs of strips, in parallel.
+  void visit_blocks(std::int32_t a, std::int32_t b, const Candidates& inherited, bool is_hidden) {
+    const Candidates candidates = filter(a, b, inherited, is_hidden);
+    if (is_strip(a) && is_strip(b)) {
+      make_tile(a, b, candidates, is_hidden);
+      return;
+    }
+    const Cluster& ca = tree_.clusters[a];
+    const Cluster& cb = tree_.clusters[b];
+    std::vector<std::pair<std::int32_t, std::int32_t>> children;
+    if (a == b) {
+      children = {{ca.left, ca.left}, {ca.left, ca.right}, {ca.right, ca.right}};
+    } else if (is_strip(b) || (!is_strip(a) && ca.end - ca.begin >= cb.end - cb.begin)) {
+      children = {{ca.left, b}, {ca.right, b}};
+    } else {
+      children = {{a, cb.left}, {a, cb.right}};
+    }
+    parallel_for(static_cast<std::ptrdiff_t>(children.size()), [&](std::ptrdiff_t k) {
+      visit_blocks(children[k].first, children[k].second, candidates, is_hidden);
+    });
+  }
+
+  /// A tile under construction.
+  struct TileWork {
+    Index first_row;
+    Index first_column;
+    bool is_diagonal;
+    Eigen::MatrixXd values;
+    std::vector<UncertainEntry> uncertain;
+    Census census;
+  };
+
+  void make_tile(std::int32_t a, std::int32_t b, const Candidates& candidates, bool is_hidden) {
+    options_.progress.check();
+    const Cluster& ca = tree_.clusters[a];
+    const Cluster& cb = tree_.clusters[b];
+    TileWork work{ca.begin, cb.begin,
+                  a == b,   Eigen::MatrixXd::Zero(ca.end - ca.begin, cb.end - cb.begin),
+                  {},       {}};
+    visit_pairs(a, b, candidates, is_hidden, work);
+    add_row_sums(work);
+    const double n_pairs = work.is_diagonal ? 0.5 * static_cast<double>(work.values.rows()) *
+                                                  static_cast<double>(work.values.rows() - 1)
+                                            : static_cast<double>(work.values.size());
+    tiles_->set(strip_of_cluster_[a], strip_of_cluster_[b], work.values, std::move(work.uncertain));
+    finish(work.census, n_pairs);
+  }
+
+  void add_row_sums(const TileWork& work) {
+    for (Index r = 0; r < work.values.rows(); ++r) {
+      sums_.add(work.first_row + r,
+                work.values.row(r).sum() / areas_[tree_.order[work.first_row + r]]);
+    }
+    if (work.is_diagonal) return;
+    for (Index c = 0; c < work.values.cols(); ++c) {
+      sums_.add(work.first_column + c,
+                work.values.col(c).sum() / areas_[tree_.order[work.first_column + c]]);
+    }
+  }
+
+  void finish(const Census& census, double n_pairs) {
+    const std::lock_guard lock(mutex_);
+    census_ += census;
+    done_ += n_pairs;
+    if (options_.progress.report) {
+      const auto n = static_cast<double>(table_.size());
+      options_.progress.report("form factors", done_, 0.5 * n * (n - 1), "pairs");
+    }
+  }
+
+  /// Descends within a tile to the tree's leaves, filtering the candidates on the way.
+  void visit_pairs(std::int32_t a, std::int32_t b, const Candidates& candidates, bool is_hidden,
+                   TileWork& work) {
+    const Cluster& ca = tree_.clusters[a];
+    const Cluster& cb = tree_.clusters[b];
+    if (ca.is_leaf() && cb.is_leaf()) {
+      for (Index r = ca.begin; r < ca.end; ++r) {
+        for (Index c = a == b ? r + 1 : cb.begin; c < cb.end; ++c) {
+          add_pair(r, c, candidates, is_hidden, work);
+        }
+      }
+      return;
+    }
+    const auto descend = [&](std::int32_t child_a, std::int32_t child_b) {
+      bool child_hidden = is_hidden;
+      const Candidates kept = filter(child_a, child_b, candidates, child_hidden);
+      visit_pairs(child_a, child_b, kept, child_hidden, work);
+    };
+    if (a == b) {
+      descend(ca.left, ca.left);
+      descend(ca.left, ca.right);
+      descend(ca.right, ca.right);
+    } else if (cb.is_leaf() || (!ca.is_leaf() && ca.end - ca.begin >= cb.end - cb.begin)) {
+      descend(ca.left, b);
+      descend(ca.right, b);
+    } else {
+      descend(a, cb.left);
+      descend(a, cb.right);
+    }
+  }
+
+  void add_pair(Index row, Index column, const Candidates& candidates, bool is_hidden,
+                TileWork& work) {
+    // Whichever cluster comes first, a pair is computed one way round.
+    const std::int32_t i = std::min(tree_.order[row], tree_.order[column]);
+    const std::int32_t j = std::max(tree_.order[row], tree_.order[column]);
+    const Blocking front_i = table_.in_front(i, j);
+    if (front_i == Blocking::none) return;
+    const Blocking front_j = table_.in_front(j, i);
+    if (front_j == Blocking::none) return;
+    ++work.census.facing;
+    if (is_hidden) {
+      ++work.census.hidden;
+      return;
+    }
+    const bool is_whole = front_i == Blocking::all && front_j == Blocking::all;
+    const Entry entry = candidates.empty()
+                            ? Entry{unoccluded(i, j, is_whole), 0, true}
+                            : occluded_entry(i, j, is_whole, candidates, work.census);
+    if (candidates.empty()) ++work.census.visible;
+    store(row - work.first_row, column - work.first_column, entry, work);
+  }
+
+  struct Entry {
+    double value;
+    double error;
+    bool is_certain;
+  };
+
+  static void store(Index r, Index c, const Entry& entry, TileWork& work) {
+    work.values(r, c) = entry.value;
+    if (work.is_diagonal) work.values(c, r) = entry.value;
+    if (entry.is_certain) return;
+    const auto add = [&](Index row, Index column) {
+      work.uncertain.push_back({static_cast<std::uint16_t>(row), static_cast<std::uint16_t>(column),
+                                static_cast<float>(entry.error)});
+    };
+    add(r, c);
+    if (work.is_diagonal) add(c, r);
+  }
+
+  [[nodiscard]] double unoccluded(std::int32_t i, std::int32_t j, bool is_whole) const {
+    if (is_whole) return table_.exchange_area_unclipped(i, j, kKernelTolerance);
+    return exchange_area(table_.polygon(i).points(), table_.polygon(j).points(), kKernelTolerance);
+  }
+
+  /// An entry that some candidate may block: proved visible or hidden for this pair alone, or else
+  /// sampled.
+  [[nodiscard]] Entry occluded_entry(std::int32_t i, std::int32_t j, bool is_whole,
+                                     const Candidates& candidates, Census& census) const {
+    const HalfSpace& plane_i = table_.plane(i);
+    const HalfSpace& plane_j = table_.plane(j);
+    const auto clip = [&](const ConvexPolygon& polygon, const HalfSpace& plane) {
+      return clip_to_half_space(polygon.points(), plane.normal * plane.offset, plane.normal,
+                                table_.thickness());
+    };
+    const ConvexPolygon polygon_i = is_whole ? table_.polygon(i) : clip(table_.polygon(i), plane_j);
+    const ConvexPolygon polygon_j = is_whole ? table_.polygon(j) : clip(table_.polygon(j), plane_i);
+    if (candidates.size() <= kMostTested) {
+      const PolygonShaft shaft(polygon_i, plane_i, polygon_j, plane_j, table_.thickness());
+      Blocking worst = Blocking::none;
+      for (const std::int32_t k : candidates) {
+        worst = std::max(worst, shaft.test(occluders_[k]));
+        if (worst == Blocking::all) break;
+      }
+      if (worst == Blocking::none) {
+        ++census.visible;
+        return {unoccluded(i, j, is_whole), 0, true};
+      }
+      if (worst == Blocking::all) {
+        ++census.hidden;
+        return {0, 0, true};
+      }
+    }
+    ++census.undecided;
+    const VisibleFraction fraction = sample_visible_fraction(
+        visibility_, {polygon_i, plane_i, polygon_j, plane_j, center_, i, j}, max_rays_,
+        pair_seed(options_.seed, i, j));
+    census.rays += fraction.rays;
+    census.partial += fraction.is_partial ? 1 : 0;
+    const double whole = unoccluded(i, j, is_whole);
+    return {fraction.value * whole, fraction.error * whole, false};
+  }
+
+  const TransportOptions& options_;
+  const Visibility& visibility_;
+  PatchTable table_;
+  const std::vector<double>& areas_;
+  Vec3 center_ = Vec3::Zero();
+  int max_rays_;
+  ClusterTree tree_;
+  std::vector<Occluder> occluders_;
+  std::vector<std::int32_t> strips_;            // clusters
+  std::vector<std::int32_t> strip_of_cluster_;  // per cluster, or -1
+  ExchangeTiles* tiles_ = nullptr;
+  OrderFreeSums sums_;  // Σ_j F_ij, tree order
+  std::mutex mutex_;    // guards the following
+  Census census_;
+  double done_ = 0;
+};
+
+}  // namespace
+
+Assembly assemble_exchange_areas(const PatchMesh& mesh, const Visibility& visibility,
+                                 const TransportOptions& options) {
+  return Assembler(mesh, visibility, options).run();
+}
+
+}  // namespace radiosity

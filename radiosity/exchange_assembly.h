@@ -1,0 +1,24 @@
+#pragma once
+
+#include "radiosity/exchange_tiles.h"
+#include "radiosity/patch_mesh.h"
+#include "radiosity/transport.h"
+#include "radiosity/visibility.h"
+
+namespace radiosity {
+
+/// Exchange areas of all pairs, in the order of a cluster tree.
+struct Assembly {
+  std::vector<std::int32_t> order;  ///< patch of each row
+  ExchangeTiles tiles;
+  Eigen::VectorXd row_sums;  ///< Σ_j G_ij before rounding and correction, m², tree order
+  AssemblyReport report;     ///< census and rays; the sums are filled in later
+};
+
+/// Computes every entry: facing test and clipping, shaft culling with candidate occluders inherited
+/// down the cluster tree, the exact kernel for pairs proved visible, sampled visibility for the
+/// rest.
+Assembly assemble_exchange_areas(const PatchMesh& mesh, const Visibility& visibility,
+                                 const TransportOptions& options);
+
+}  // namespace radiosity

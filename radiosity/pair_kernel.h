@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "radiosity/convex_polygon.h"
+#include "radiosity/patch_mesh.h"
+#include "radiosity/polygon_quadrature.h"
+#include "radiosity/shaft.h"
+
+namespace radiosity {
+
+/// What the pair computations need of each patch, laid out for speed. Coordinates are relative to
+/// the scene's centre, to keep digits when it lies far from the origin.
+class PatchTable {
+ public:
+  explicit PatchTable(const PatchMesh& mesh);
+
+  [[nodiscard]] Index size() const { return static_cast<Index>(polygons_.size()); }
+  [[nodiscard]] const ConvexPolygon& polygon(Index i) const { return polygons_[i]; }
+  /// The patch's plane; its front is normal · x > offset.
+  [[nodiscard]] const HalfSpace& plane(Index i) const { return planes_[i]; }
+  /// How far from a plane a point may be and still count as on it, m.
+  [[nodiscard]] double thickness() const { return thickness_; }
+
+  /// How much of patch j lies in front of patch i: nothing, some, or all of it.
+  [[nodiscard]] Blocking in_front(Index i, Index j) const;
+
+  /// Exchange area of two patches that wholly face each other, without occlusion, m².
+  [[nodiscard]] double exchange_area_unclipped(Index i, Index j, double tolerance) const;
+
+ private:
+  static constexpr int kOrders = kLargestAreaRule - 1;  // rules of 2, 3, ... points a direction
+
+  /// Points of a rule, in groups of kLanes for vector units; the last group is padded by weight 0.
+  static constexpr int kLanes = 4;
+  [[nodiscard]] static constexpr int padded_points(int order) {
+    return (order * order + kLanes - 1) / kLanes * kLanes;
+  }
+  struct Rule {
+    std::vector<double> x, y, z, weight;
+  };
+
+  [[nodiscard]] double area_rule(Index i, int order_i, Index j, int order_j) const;
+
+  std::vector<ConvexPolygon> polygons_;
+  std::vector<HalfSpace> planes_;
+  std::vector<Vec3> centers_;
+  std::vector<double> radii_;
+  std::array<Rule, kOrders> rules_;  // per order: padded_points(order) entries a patch
+  double thickness_ = 0;
+};
+
+}  // namespace radiosity

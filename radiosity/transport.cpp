@@ -1,0 +1,129 @@
+#include "radiosity/transport.h"
+
+#include <chrono>
+#include <cmath>
+#include <sstream>
+
+#include "radiosity/closure.h"
+#include "radiosity/exchange_assembly.h"
+
+namespace radiosity {
+namespace {
+
+class DenseTransport final : public Transport {
+ public:
+  DenseTransport(Assembly assembly, Eigen::VectorXd area)
+      : order_(std::move(assembly.order)),
+        tiles_(std::move(assembly.tiles)),
+        area_(std::move(area)),
+        report_(std::move(assembly.report)) {
+    const Eigen::MatrixXd inverse_area = to_tree(area_.cwiseInverse());
+    // ‖ΔF̂‖_F² = Σ σ_ij² / (A_i A_j)
+    error_ = std::sqrt(inverse_area.col(0).dot(tiles_.error_product(inverse_area).col(0)));
+  }
+
+  [[nodiscard]] Index size() const override { return area_.size(); }
+  [[nodiscard]] const Eigen::VectorXd& area() const override { return area_; }
+
+  [[nodiscard]] Eigen::MatrixXd apply(const Eigen::MatrixXd& radiosity) const override {
+    Eigen::MatrixXd result = from_tree(tiles_.product(to_tree(radiosity)));
+    result.array().colwise() /= area_.array();
+    return result;
+  }
+
+  [[nodiscard]] Eigen::VectorXd row(Index i) const override {
+    return from_tree(tiles_.row(place(i))) / area_[i];
+  }
+
+  [[nodiscard]] Eigen::VectorXd row_error(Index i) const override {
+    return from_tree(tiles_.row_error(place(i))) / area_[i];
+  }
+
+  [[nodiscard]] Eigen::MatrixXd apply_error(const Eigen::MatrixXd& radiosity) const override {
+    const Eigen::MatrixXd squares = to_tree(radiosity.cwiseAbs2());
+    Eigen::MatrixXd result = from_tree(tiles_.error_product(squares)).cwiseSqrt();
+    result.array().colwise() /= area_.array();
+    return result;
+  }
+
+  [[nodiscard]] double error() const override { return error_; }
+  [[nodiscard]] std::size_t bytes() const override { return tiles_.bytes(); }
+  [[nodiscard]] const AssemblyReport& report() const override { return report_; }
+
+ private:
+  [[nodiscard]] Eigen::MatrixXd to_tree(const Eigen::MatrixXd& x) const {
+    return x(order_, Eigen::all);
+  }
+  [[nodiscard]] Eigen::MatrixXd from_tree(const Eigen::MatrixXd& x) const {
+    Eigen::MatrixXd result(x.rows(), x.cols());
+    result(order_, Eigen::all) = x;
+    return result;
+  }
+  [[nodiscard]] Index place(Index patch) const {
+    return std::find(order_.begin(), order_.end(), patch) - order_.begin();
+  }
+
+  std::vector<std::int32_t> order_;  // patch of each row of the tiles
+  ExchangeTiles tiles_;
+  Eigen::VectorXd area_;
+  AssemblyReport report_;
+  double error_ = 0;
+};
+
+void check_memory(Index n_patches, std::size_t available) {
+  const std::size_t needed = dense_transport_bytes(n_patches);
+  if (available == 0 || needed <= available) return;
+  const auto fitting = static_cast<long>(std::sqrt(static_cast<double>(available) / 2.4));
+  std::ostringstream message;
+  message.precision(3);
+  message << "form factors of " << n_patches << " patches need "
+          << static_cast<double>(needed) * 1e-9 << " GB of memory, but "
+          << static_cast<double>(available) * 1e-9 << " GB are available; make the patches "
+          << "larger, so that there are at most " << fitting;
+  throw SolveError(message.str());
+}
+
+void finish_report(AssemblyReport& report, const Eigen::VectorXd& sums_in_tree_order,
+                   const std::vector<std::int32_t>& order, const Eigen::VectorXd& area) {
+  report.row_sums.resize(area.size());
+  for (Index row = 0; row < area.size(); ++row) {
+    report.row_sums[order[row]] = sums_in_tree_order[row] / area[order[row]];
+  }
+  if (area.size() == 0) return;
+  const Eigen::ArrayXd gap = (1 - report.row_sums.array()).abs();
+  report.closure_mean = gap.mean();
+  report.closure_max = gap.maxCoeff();
+}
+
+}  // namespace
+
+std::size_t dense_transport_bytes(Index n_patches) {
+  const auto n = static_cast<double>(n_patches);
+  return static_cast<std::size_t>(2.4 * n * n);
+}
+
+std::unique_ptr<Transport> make_transport(const PatchMesh& mesh, const Visibility& visibility,
+                                          const TransportOptions& options) {
+  check_memory(mesh.size(), options.memory);
+  const auto start = std::chrono::steady_clock::now();
+  const Eigen::VectorXd area = Eigen::Map<const Eigen::VectorXd>(mesh.area.data(), mesh.size());
+  Assembly assembly = assemble_exchange_areas(mesh, visibility, options);
+  const Eigen::VectorXd area_in_order = area(assembly.order);
+  finish_report(assembly.report, assembly.row_sums, assembly.order, area);
+
+  assembly.report.closed =
+      options.closed == Closed::yes ||
+      (options.closed == Closed::automatic &&
+       is_closed_within_errors(assembly.tiles, assembly.row_sums, area_in_order));
+  assembly.tiles.set_row_sums(assembly.row_sums);
+  if (assembly.report.closed) {
+    const ClosureCorrection correction =
+        correct_closure(assembly.tiles, assembly.row_sums, area_in_order);
+    assembly.report.open_rows = correction.n_open_rows;
+  }
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  assembly.report.seconds = elapsed.count();
+  return std::make_unique<DenseTransport>(std::move(assembly), area);
+}
+
+}  // namespace radiosity
