@@ -13,7 +13,7 @@ struct ReadOptions {
   /// Unit of the file's coordinates ("m", "mm", "cm", "in", "ft", "km", "um"); overrides what a
   /// JSON scene says. Absent: the JSON scene's `unit`, else metre.
   std::optional<std::string> unit;
-  radiosity::Progress progress;
+  radiosity::Progress progress{};
 };
 
 /// Reads a scene by its extension: .obj (with its .mtl), .ply, .stl, .off, .gltf, .glb, or .json

@@ -14,7 +14,7 @@ namespace meshing {
 struct PatchOptions {
   std::optional<double> max_edge;  ///< no patch edge is longer, m
   std::optional<long> n_patches;   ///< about so many patches, of about equal size
-  radiosity::Progress progress;
+  radiosity::Progress progress{};
 };
 
 /// Largest distance of a quad's corner from the plane of the others, relative to its diagonal, up

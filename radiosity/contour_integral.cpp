@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <complex>
 #include <limits>
 
 #include "radiosity/gauss.h"
@@ -11,10 +10,14 @@ namespace radiosity {
 namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+/// Roundings of this size add up in quadrature; a few epsilon leave room for unlucky cases.
+constexpr double kRounding = 4 * kEpsilon;
 /// Edges at a smaller angle than this (radian) count as parallel.
 constexpr double kParallel = 1e-14;
 /// Lines closer than this (of order-1 coordinates) count as intersecting.
 constexpr double kIntersecting = 1e-13;
+
+double square_of(double x) { return x * x; }
 
 struct Edge {
   Vec3 start;
@@ -55,36 +58,99 @@ Estimate parallel_edges(const Edge& e1, const Edge& e2, double c) {
       const double x = along + sign * i * e1.length - j * e2.length;
       const double term = second_antiderivative(x);
       sum.value += (i == j ? -sign : sign) * term;
-      sum.error += std::abs(term) + std::abs(x);
+      sum.error += square_of(term);
     }
   }
-  return {sum.value, 4 * kEpsilon * sum.error};
+  return {sum.value, kRounding * std::sqrt(sum.error)};
 }
 
-/// ∫ atan(tanh(x/2) cot(a/2)) dx, even in x.
-double angle_antiderivative(double x, double a) {
-  x = std::abs(x);
-  return 0.5 * (kPi - a) * x + imaginary_dilogarithm(x, a);
+/// An angle with what the dilogarithm needs of it.
+struct Angle {
+  double value;  ///< radian, in (0, π)
+  double sine;
+  double one_minus_cosine;
+};
+
+/// Im Li₂(u) = Im Σ B_n uⁿ⁺¹ / (n+1)! with u = -ln(1 - z), for z in the unit disk with Re z <= ½.
+double dilogarithm_series(double re, double im) {
+  static constexpr std::array kBernoulli{1.0 / 36,
+                                         -1.0 / 3600,
+                                         1.0 / 211680,
+                                         -1.0 / 10886400,
+                                         1.0 / 526901760,
+                                         -4.0647616451442256e-11,
+                                         8.9216910204564526e-13,
+                                         -1.9939295860721076e-14,
+                                         4.5189800296199182e-16,
+                                         -1.0356517612182470e-17};
+  const double square_re = re * re - im * im;
+  const double square_im = 2 * re * im;
+  double sum_re = 0;
+  double sum_im = 0;
+  for (std::size_t k = kBernoulli.size(); k-- > 0;) {
+    const double next = (sum_re + kBernoulli[k]) * square_re - sum_im * square_im;
+    sum_im = (sum_re + kBernoulli[k]) * square_im + sum_im * square_re;
+    sum_re = next;
+  }
+  const double factor_re = 1 + sum_re - 0.25 * re;
+  const double factor_im = sum_im - 0.25 * im;
+  return re * factor_im + im * factor_re;
+}
+
+/// Im Li₂(e^{-x + iα}) for x >= 0 with decay = e^{-x}: the series, or for Re z > ½ the reflection
+/// Li₂(z) = π²/6 - ln z ln(1 - z) - Li₂(1 - z). ('t Hooft & Veltman 1979, appendix A)
+double imaginary_dilogarithm(double x, double decay, const Angle& alpha) {
+  const double one_minus_decay = x < 0.5 ? -std::expm1(-x) : 1 - decay;
+  const double re = one_minus_decay + decay * alpha.one_minus_cosine;  // of 1 - z
+  const double im = -decay * alpha.sine;
+  const double norm = re * re + im * im;
+  if (norm == 0) return 0;
+  const double log_re = 0.5 * std::log(norm);
+  const double log_im = std::atan2(im, re);
+  if (re >= 0.5) return dilogarithm_series(-log_re, -log_im);
+  const double product = -x * log_im + alpha.value * log_re;  // Im(ln z ln(1 - z))
+  return -product - dilogarithm_series(x, -alpha.value);
+}
+
+/// ∫ atan(tanh(x/2) cot(a/2)) dx, even in x; `growth` is e^x.
+double angle_antiderivative(double x, double growth, const Angle& a) {
+  if (x < 0) {
+    x = -x;
+  } else {
+    growth = 1 / growth;
+  }
+  return 0.5 * (kPi - a.value) * x + imaginary_dilogarithm(x, growth, a);
 }
 
 /// h² ∬ ds dt / (s² + t² - 2 s t cos α + h²) over the rectangle s × t.
 Estimate skew_part(const std::array<double, 2>& s, const std::array<double, 2>& t, double h,
-                   double alpha) {
-  const double sine = std::sin(alpha);
+                   double cosine, double sine) {
+  const Angle alpha{std::atan2(sine, cosine), sine, 1 - cosine};
+  const Angle supplement{kPi - alpha.value, sine, 1 + cosine};
   const double k = h / sine;
-  const std::array p{std::asinh(s[0] / k), std::asinh(s[1] / k)};
-  const std::array q{std::asinh(t[0] / k), std::asinh(t[1] / k)};
+  std::array<double, 2> p;
+  std::array<double, 2> q;
+  std::array<double, 2> growth_p;  // e^p = s/k + sqrt(1 + (s/k)²), and its inverse for s < 0
+  std::array<double, 2> growth_q;
+  const auto substitute = [k](double length, double& exponent, double& growth) {
+    exponent = std::asinh(length / k);
+    growth = std::exp(exponent);
+  };
+  for (const int i : {0, 1}) {
+    substitute(s[i], p[i], growth_p[i]);
+    substitute(t[i], q[i], growth_q[i]);
+  }
   Estimate sum;
   for (const int i : {0, 1}) {
     for (const int j : {0, 1}) {
-      const double plus = angle_antiderivative(p[i] + q[j], kPi - alpha);
-      const double minus = angle_antiderivative(p[i] - q[j], alpha);
+      const double plus = angle_antiderivative(p[i] + q[j], growth_p[i] * growth_q[j], supplement);
+      const double minus = angle_antiderivative(p[i] - q[j], growth_p[i] / growth_q[j], alpha);
       sum.value += (i == j ? 1 : -1) * (plus - minus);
-      sum.error += plus + minus;
+      sum.error += square_of(plus) + square_of(minus);
     }
   }
   const double factor = h * h / sine;
-  return {factor * sum.value, 4 * kEpsilon * factor * sum.error};
+  return {factor * sum.value, kRounding * factor * std::sqrt(sum.error)};
 }
 
 /// Euler's theorem for the homogeneous ln r turns ∬ ln r ds dt into boundary terms and h² K, with
@@ -105,16 +171,17 @@ Estimate skew_edges(const Edge& e1, const Edge& e2, double c, const Vec3& cross,
     const double upper = log_antiderivative(range[1] - c * fixed, d);
     const double lower = log_antiderivative(range[0] - c * fixed, d);
     sum.value += sign * fixed * (upper - lower);
-    sum.error += std::abs(fixed) * (std::abs(upper) + std::abs(lower) + std::abs(fixed) +
-                                    std::abs(range[0]) + std::abs(range[1]));
+    // Terms round, and the feet are known to a rounding divided by the sine.
+    const double feet = (std::abs(fixed) + std::abs(range[0]) + std::abs(range[1])) / sine;
+    sum.error += square_of(fixed) * (square_of(upper) + square_of(lower)) + square_of(fixed * feet);
   };
   add_boundary(s[1], t, 1);
   add_boundary(s[0], t, -1);
   add_boundary(t[1], s, 1);
   add_boundary(t[0], s, -1);
-  sum.error *= 4 * kEpsilon / sine;  // the feet are known to a rounding divided by the sine
+  sum.error = kRounding * std::sqrt(sum.error);
   if (h > kIntersecting) {
-    const Estimate skew = skew_part(s, t, h, std::atan2(sine, c));
+    const Estimate skew = skew_part(s, t, h, c, sine);
     sum.value += skew.value;
     sum.error += skew.error;
   }
@@ -174,42 +241,17 @@ Estimate sum_over_edges(std::span<const Vec3> polygon1, std::span<const Vec3> po
       if (c == 0 || e2.length == 0) continue;
       const Estimate term = pair_integral(e1, e2, c);
       sum.value += c * term.value;
-      sum.error += std::abs(c) * (term.error + kEpsilon * std::abs(term.value));
+      sum.error += square_of(c) * (square_of(term.error) + square_of(kEpsilon * term.value));
     }
   }
-  return {sum.value / (2 * kPi), sum.error / (2 * kPi)};
+  return {sum.value / (2 * kPi), std::sqrt(sum.error) / (2 * kPi)};
 }
 
 }  // namespace
 
 double imaginary_dilogarithm(double x, double alpha) {
-  using Complex = std::complex<double>;
-  // Li₂(z) = Σ B_n uⁿ⁺¹ / (n+1)!, u = -ln(1 - z), for the half plane Re z <= ½ of the unit disk;
-  // the rest by Li₂(z) = π²/6 - ln z ln(1 - z) - Li₂(1 - z). ('t Hooft & Veltman 1979, appendix A)
-  static constexpr std::array kBernoulli{1.0 / 36,
-                                         -1.0 / 3600,
-                                         1.0 / 211680,
-                                         -1.0 / 10886400,
-                                         1.0 / 526901760,
-                                         -4.0647616451442256e-11,
-                                         8.9216910204564526e-13,
-                                         -1.9939295860721076e-14,
-                                         4.5189800296199182e-16,
-                                         -1.0356517612182470e-17};
-  const auto series = [](const Complex& u) {
-    const Complex square = u * u;
-    Complex sum = 0;
-    for (std::size_t k = kBernoulli.size(); k-- > 0;) sum = (sum + kBernoulli[k]) * square;
-    return u * (1.0 + sum - 0.25 * u);
-  };
-  const double decay = std::exp(-x);
-  const double half_sine = std::sin(0.5 * alpha);
-  const Complex one_minus_z(-std::expm1(-x) + 2 * decay * half_sine * half_sine,
-                            -decay * std::sin(alpha));
-  if (one_minus_z.real() >= 0.5) return series(-std::log(one_minus_z)).imag();
-  const Complex log_z(-x, alpha);
-  if (one_minus_z == Complex(0)) return 0;
-  return -(log_z * std::log(one_minus_z) + series(-log_z)).imag();
+  const double half = std::sin(0.5 * alpha);
+  return imaginary_dilogarithm(x, std::exp(-x), {alpha, std::sin(alpha), 2 * half * half});
 }
 
 Estimate contour_exchange_area(std::span<const Vec3> polygon1, std::span<const Vec3> polygon2) {

@@ -78,22 +78,28 @@ struct FacingPair {
 
 Estimate touching_or_near(const FacingPair& pair, double tolerance) {
   Estimate best = contour_exchange_area(pair.polygon1.points(), pair.polygon2.points());
-  const auto is_good = [&] { return best.error <= tolerance * best.value; };
-  if (is_good()) return best;
-  const auto improve = [&](const Estimate& other) {
-    if (other.error < best.error) best = other;
-  };
-  improve(contour_exchange_area_adaptive(pair.polygon1.points(), pair.polygon2.points(),
-                                         0.1 * tolerance * std::abs(best.value)));
-  if (is_good()) return best;
-  constexpr int kDepth = 6;
   const double goal = tolerance * std::abs(best.value);
-  const bool first_is_smaller =
-      bounding_disc(pair.polygon1.points()).radius <= bounding_disc(pair.polygon2.points()).radius;
-  improve(first_is_smaller
-              ? outer_quadrature(pair.polygon1, pair.normal1, pair.polygon2, goal, kDepth)
-              : outer_quadrature(pair.polygon2, pair.normal2, pair.polygon1, goal, kDepth));
-  return best;
+  if (best.error <= goal) return best;
+
+  const Disc disc1 = bounding_disc(pair.polygon1.points());
+  const Disc disc2 = bounding_disc(pair.polygon2.points());
+  const bool first_is_smaller = disc1.radius <= disc2.radius;
+  const auto by_area = [&] {
+    constexpr int kDepth = 6;
+    return first_is_smaller
+               ? outer_quadrature(pair.polygon1, pair.normal1, pair.polygon2, goal, kDepth)
+               : outer_quadrature(pair.polygon2, pair.normal2, pair.polygon1, goal, kDepth);
+  };
+  const auto by_contour = [&] {
+    return contour_exchange_area_adaptive(pair.polygon1.points(), pair.polygon2.points(),
+                                          0.1 * goal);
+  };
+  const bool is_apart = (disc1.center - disc2.center).norm() > disc1.radius + disc2.radius;
+  const Estimate second = is_apart ? by_area() : by_contour();
+  if (second.error < best.error) best = second;
+  if (best.error <= goal) return best;
+  const Estimate third = is_apart ? by_contour() : by_area();
+  return third.error < best.error ? third : best;
 }
 
 double facing_exchange_area(const FacingPair& pair, double tolerance) {

@@ -57,7 +57,7 @@ PatchTable::PatchTable(const PatchMesh& mesh) {
     planes_.push_back({mesh.normal[i], mesh.normal[i].dot(mesh.centroid[i] - center)});
     centers_.push_back(middle);
     radii_.push_back(radius);
-    for (int order = 2; order <= kLargestAreaRule; ++order) {
+    for (int order = 2; order <= kKeptOrder; ++order) {
       Rule& rule = rules_[order - 2];
       int n_points = 0;
       const auto add = [&](const Vec3& point, double weight) {
@@ -89,38 +89,53 @@ double PatchTable::exchange_area_unclipped(Index i, Index j, double tolerance) c
   const double distance = (centers_[i] - centers_[j]).norm();
   const int order_i = area_rule_order((distance - radii_[j]) / radii_[i], tolerance);
   const int order_j = area_rule_order((distance - radii_[i]) / radii_[j], tolerance);
-  if (order_i > 0 && order_j > 0) return area_rule(i, order_i, j, order_j);
-  return exchange_area(polygons_[i].points(), polygons_[j].points(), tolerance);
+  if (order_i == 0 || order_j == 0) {
+    return exchange_area(polygons_[i].points(), polygons_[j].points(), tolerance);
+  }
+  WeightedPoints points_i;
+  WeightedPoints points_j;
+  find_points(i, order_i, planes_[j], points_i);
+  find_points(j, order_j, planes_[i], points_j);
+  return sum_over_points(points_i.x, points_i.y, points_i.z, points_i.weight.data(),
+                         order_i * order_i, points_j.x, points_j.y, points_j.z,
+                         points_j.weight.data(), padded_points(order_j));
 }
 
-double PatchTable::area_rule(Index i, int order_i, Index j, int order_j) const {
-  constexpr int kMost = padded_points(kLargestAreaRule);
-  const int n_i = order_i * order_i;
-  const int n_j = padded_points(order_j);
-  const Rule& rule_i = rules_[order_i - 2];
-  const Rule& rule_j = rules_[order_j - 2];
-  const double* xi = &rule_i.x[i * padded_points(order_i)];
-  const double* yi = &rule_i.y[i * padded_points(order_i)];
-  const double* zi = &rule_i.z[i * padded_points(order_i)];
-  const double* wi = &rule_i.weight[i * padded_points(order_i)];
-  const double* xj = &rule_j.x[j * padded_points(order_j)];
-  const double* yj = &rule_j.y[j * padded_points(order_j)];
-  const double* zj = &rule_j.z[j * padded_points(order_j)];
-  const double* wj = &rule_j.weight[j * padded_points(order_j)];
-  // The patches are planar, so r cosθ_j depends on the point of i alone, and the reverse.
-  std::array<double, kMost> cos_i;
-  std::array<double, kMost> cos_j;
-  const HalfSpace& plane_i = planes_[i];
-  const HalfSpace& plane_j = planes_[j];
-  for (int a = 0; a < n_i; ++a) {
-    cos_i[a] = wi[a] * (plane_j.normal.x() * xi[a] + plane_j.normal.y() * yi[a] +
-                        plane_j.normal.z() * zi[a] - plane_j.offset);
+void PatchTable::find_points(Index i, int order, const HalfSpace& other,
+                             WeightedPoints& points) const {
+  const int n_points = padded_points(order);
+  const double* weight = nullptr;
+  std::array<double, WeightedPoints::kMost> own_weight;
+  if (order <= kKeptOrder) {
+    const Rule& rule = rules_[order - 2];
+    points.x = &rule.x[i * n_points];
+    points.y = &rule.y[i * n_points];
+    points.z = &rule.z[i * n_points];
+    weight = &rule.weight[i * n_points];
+  } else {
+    double* x = points.own.data();
+    double* y = x + n_points;
+    double* z = y + n_points;
+    int n = 0;
+    const auto add = [&](const Vec3& point, double point_weight) {
+      x[n] = point.x();
+      y[n] = point.y();
+      z[n] = point.z();
+      own_weight[n++] = point_weight;
+    };
+    for_each_quadrature_point(polygons_[i].points(), order, add);
+    while (n < n_points) add(centers_[i], 0);
+    points.x = x;
+    points.y = y;
+    points.z = z;
+    weight = own_weight.data();
   }
-  for (int b = 0; b < n_j; ++b) {
-    cos_j[b] = wj[b] * (plane_i.normal.x() * xj[b] + plane_i.normal.y() * yj[b] +
-                        plane_i.normal.z() * zj[b] - plane_i.offset);
+  // Patches are planar, so r cosθ at the other patch depends on this patch's point alone.
+  for (int k = 0; k < n_points; ++k) {
+    points.weight[k] =
+        weight[k] * (other.normal.x() * points.x[k] + other.normal.y() * points.y[k] +
+                     other.normal.z() * points.z[k] - other.offset);
   }
-  return sum_over_points(xi, yi, zi, cos_i.data(), n_i, xj, yj, zj, cos_j.data(), n_j);
 }
 
 }  // namespace radiosity

@@ -10,6 +10,10 @@
 
 namespace radiosity {
 
+/// Points of a product rule, in groups of four for vector units; the last group is padded by weight
+/// 0.
+constexpr int padded_points(int order) { return (order * order + 3) / 4 * 4; }
+
 /// What the pair computations need of each patch, laid out for speed. Coordinates are relative to
 /// the scene's centre, to keep digits when it lies far from the origin.
 class PatchTable {
@@ -30,24 +34,28 @@ class PatchTable {
   [[nodiscard]] double exchange_area_unclipped(Index i, Index j, double tolerance) const;
 
  private:
-  static constexpr int kOrders = kLargestAreaRule - 1;  // rules of 2, 3, ... points a direction
-
-  /// Points of a rule, in groups of kLanes for vector units; the last group is padded by weight 0.
-  static constexpr int kLanes = 4;
-  [[nodiscard]] static constexpr int padded_points(int order) {
-    return (order * order + kLanes - 1) / kLanes * kLanes;
-  }
+  /// Rules up to this order are kept for every patch; larger ones, for near pairs, are made anew.
+  static constexpr int kKeptOrder = 3;
   struct Rule {
     std::vector<double> x, y, z, weight;
   };
+  /// Points of one patch's rule and their weights times r cosθ at the other patch.
+  struct WeightedPoints {
+    static constexpr int kMost = padded_points(kLargestAreaRule);
+    const double* x;
+    const double* y;
+    const double* z;
+    std::array<double, kMost> weight;
+    std::array<double, 3 * kMost> own;  ///< coordinates, where they are not kept in a Rule
+  };
 
-  [[nodiscard]] double area_rule(Index i, int order_i, Index j, int order_j) const;
+  void find_points(Index i, int order, const HalfSpace& other, WeightedPoints& points) const;
 
   std::vector<ConvexPolygon> polygons_;
   std::vector<HalfSpace> planes_;
   std::vector<Vec3> centers_;
   std::vector<double> radii_;
-  std::array<Rule, kOrders> rules_;  // per order: padded_points(order) entries a patch
+  std::array<Rule, kKeptOrder - 1> rules_;  // orders 2, ...: padded_points(order) entries a patch
   double thickness_ = 0;
 };
 

@@ -43,7 +43,7 @@ void for_each_quadrature_point(std::span<const Vec3> polygon, int order, const V
 /// its centre; 0 if no rule of at most kLargestAreaRule points does.
 int area_rule_order(double distance_ratio, double tolerance);
 
-inline constexpr int kLargestAreaRule = 4;
+inline constexpr int kLargestAreaRule = 6;
 
 /// Exchange area of two polygons that wholly face each other, by product Gauss rules on both, m².
 double area_rule_exchange_area(std::span<const Vec3> polygon1, const Vec3& normal1, int order1,

@@ -23,7 +23,7 @@ struct RenderOptions {
   int height = 512;            ///< pixels
   int samples = 16;            ///< primary rays per pixel, a square number, for antialiasing
   double crease_angle = 0.35;  ///< radian; patches whose normals differ by more are not smoothed
-  Progress progress;
+  Progress progress{};
 };
 
 /// Radiosity at the corners of each patch, for smooth display: row 4 i + k is corner k of patch i

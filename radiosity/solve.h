@@ -22,7 +22,7 @@ struct SolveOptions {
   int max_products = 100000;  ///< operator products (or the work of as many) before giving up
   /// Called after each product with the number of products and the bound reached, for plots.
   std::function<void(int product, double error_bound)> observer;
-  Progress progress;
+  Progress progress{};
 };
 
 /// Where the power goes, W, one value per column of the solution. emitted = absorbed + escaped.

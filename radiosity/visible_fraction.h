@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "radiosity/convex_polygon.h"
@@ -17,6 +18,40 @@ struct SampledPair {
   Vec3 origin;     ///< of the polygons' coordinates, m
   std::int32_t i;  ///< patches, for Visibility
   std::int32_t j;
+};
+
+/// Quasi-random segments between the polygons of a pair: the additive recurrence with the
+/// generalised golden ratio of four dimensions (Roberts 2018), shifted at random by `seed`.
+class SegmentSampler {
+ public:
+  static constexpr int kPacket = Visibility::kPacket;
+  using Points = std::array<Vec3, kPacket>;
+  using Weights = std::array<double, kPacket>;
+
+  SegmentSampler(const SampledPair& pair, std::uint64_t seed);
+
+  /// The ends (m) and kernels cosθ_i cosθ_j / r², up to a constant, of the next segments.
+  struct Packet {
+    Points from;
+    Points to;
+    Weights weight;
+  };
+  Packet next();
+
+ private:
+  /// Maps the unit square to points of equal density on a convex polygon, by a fan of triangles.
+  struct Fan {
+    explicit Fan(const ConvexPolygon& polygon);
+    [[nodiscard]] Vec3 point(double u, double v) const;
+    const ConvexPolygon& polygon;
+    std::array<double, ConvexPolygon::kCapacity> cumulative{};
+    double total = 0;
+  };
+
+  const SampledPair& pair_;
+  Fan fan_i_;
+  Fan fan_j_;
+  std::array<double, 4> state_{};
 };
 
 /// Kernel-weighted visible fraction of a pair, in [0, 1], with its standard error.
