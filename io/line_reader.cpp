@@ -1,0 +1,126 @@
+#include "io/line_reader.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "radiosity/error.h"
+
+namespace io {
+namespace {
+
+constexpr std::string_view kBlanks = " \t\r\v\f";
+constexpr std::size_t kBufferSize = 1 << 16;
+constexpr long kLinesBetweenChecks = 1 << 16;
+
+}  // namespace
+
+void fail(const std::filesystem::path& path, const std::string& message) {
+  throw radiosity::SceneError(fmt::format("{}: {}", path.string(), message));
+}
+
+std::uint64_t input_size(const std::filesystem::path& path) {
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status)) fail(path, "no such file");
+  if (std::filesystem::is_directory(status)) fail(path, "is a folder, expected a file");
+  const auto size = std::filesystem::file_size(path, error);
+  if (error) fail(path, "cannot be read: " + error.message());
+  if (!std::ifstream(path, std::ios::binary)) fail(path, "cannot be opened for reading");
+  if (size == 0) fail(path, "is empty");
+  return size;
+}
+
+std::string_view trimmed(std::string_view text) {
+  const auto begin = text.find_first_not_of(kBlanks);
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
+}
+
+std::string_view Words::next() {
+  const auto begin = rest_.find_first_not_of(kBlanks);
+  if (begin == std::string_view::npos) {
+    rest_ = {};
+    return {};
+  }
+  const auto end = std::min(rest_.find_first_of(kBlanks, begin), rest_.size());
+  const auto word = rest_.substr(begin, end - begin);
+  rest_.remove_prefix(end);
+  return word;
+}
+
+LineReader::LineReader(const std::filesystem::path& path, const radiosity::Progress& progress,
+                       Continuation continuation)
+    : path_(path),
+      progress_(progress),
+      continuation_(continuation),
+      size_(input_size(path)),
+      buffer_(kBufferSize) {
+  file_.rdbuf()->pubsetbuf(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+  file_.open(path, std::ios::binary);
+}
+
+bool LineReader::read_physical_line(std::string& line) {
+  if (!std::getline(file_, line)) return false;
+  offset_ += line.size() + (file_.eof() ? 0 : 1);
+  if (!line.empty() && line.back() == '\r') line.pop_back();
+  if (++line_number_ % kLinesBetweenChecks == 0) {
+    progress_.check();
+    if (progress_.report) {
+      progress_.report("reading", static_cast<double>(offset_), static_cast<double>(size_),
+                       "bytes");
+    }
+  }
+  return true;
+}
+
+bool LineReader::next_line() {
+  if (!read_physical_line(line_)) return false;
+  first_line_number_ = line_number_;
+  if (continuation_ == Continuation::none) return true;
+  while (!line_.empty() && line_.back() == '\\') {
+    line_.back() = ' ';
+    if (!read_physical_line(joined_)) break;
+    line_ += joined_;
+  }
+  return true;
+}
+
+bool LineReader::next_content() {
+  while (next_line()) {
+    line_.resize(std::min(line_.find('#'), line_.size()));
+    if (line_.find_first_not_of(kBlanks) != std::string::npos) return true;
+  }
+  return false;
+}
+
+void LineReader::fail(const std::string& message) const {
+  throw radiosity::SceneError(
+      fmt::format("{}:{}: {}", path_.string(), first_line_number_, message));
+}
+
+double LineReader::number(Words& words, std::string_view what) const {
+  const std::string_view word = words.next();
+  if (word.empty()) fail(fmt::format("line ends where {} is expected", what));
+  const auto value = parse_number<double>(word);
+  if (!value) fail(fmt::format("expected a number for {}, found \"{}\"", what, word));
+  if (!std::isfinite(*value)) fail(fmt::format("{} is not finite: \"{}\"", what, word));
+  return *value;
+}
+
+std::int64_t LineReader::integer(Words& words, std::string_view what) const {
+  const std::string_view word = words.next();
+  if (word.empty()) fail(fmt::format("line ends where {} is expected", what));
+  const auto value = parse_number<std::int64_t>(word);
+  if (!value) fail(fmt::format("expected an integer for {}, found \"{}\"", what, word));
+  return *value;
+}
+
+radiosity::Vec3 LineReader::point(Words& words) const {
+  const double x = number(words, "coordinate x");
+  const double y = number(words, "coordinate y");
+  const double z = number(words, "coordinate z");
+  return {x, y, z};
+}
+
+}  // namespace io

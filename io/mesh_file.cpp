@@ -1,0 +1,54 @@
+#include "io/mesh_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <limits>
+
+#include "io/gltf_reader.h"
+#include "io/line_reader.h"
+#include "io/obj_reader.h"
+#include "io/off_reader.h"
+#include "io/ply_reader.h"
+#include "io/stl_reader.h"
+
+namespace io {
+namespace {
+
+using radiosity::Progress;
+using radiosity::Scene;
+
+Scene read_by_extension(const std::filesystem::path& path, const Progress& progress) {
+  const std::string extension = lower_extension(path);
+  if (extension == ".obj") return read_obj(path, progress);
+  if (extension == ".off") return read_off(path, progress);
+  if (extension == ".ply") return read_ply(path, progress);
+  if (extension == ".stl") return read_stl(path, progress);
+  if (extension == ".gltf" || extension == ".glb") return read_gltf(path, progress);
+  fail(path, fmt::format("unknown extension \"{}\", expected .obj, .off, .ply, .stl, .gltf, .glb "
+                         "or .json",
+                         extension));
+}
+
+}  // namespace
+
+std::string lower_extension(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+Scene read_mesh(const std::filesystem::path& path, const Progress& progress) {
+  Scene mesh = read_by_extension(path, progress);
+  if (mesh.n_polygons() == 0) fail(path, "has no polygons");
+  constexpr std::size_t kMax = std::numeric_limits<std::int32_t>::max();
+  if (mesh.vertices.size() > kMax || mesh.polygon_surface.size() > kMax) {
+    fail(path, fmt::format("has {} vertices and {} polygons, expected at most {} of each",
+                           mesh.vertices.size(), mesh.polygon_surface.size(), kMax));
+  }
+  return mesh;
+}
+
+}  // namespace io

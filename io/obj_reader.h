@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+
+#include "radiosity/progress.h"
+#include "radiosity/scene.h"
+
+namespace io {
+
+/// Reads a Wavefront .obj with the .mtl files that it names. Polygons in the order of their `f`
+/// lines; coordinates in the file's unit. Surfaces come from `o`, before the first `o` from `g`,
+/// and from `usemtl`; Surface::material is -1 where no `usemtl` was given. Three RGB bands.
+/// Throws SceneError with file and line.
+radiosity::Scene read_obj(const std::filesystem::path& path, const radiosity::Progress& progress);
+
+}  // namespace io

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+/// The keys that each object of a JSON scene file may have, as docs/scene.schema.json lists them.
+namespace io::keys {
+
+inline constexpr auto kScene =
+    std::to_array<std::string_view>({"$schema", "name", "description", "unit", "bands", "materials",
+                                     "surfaces", "camera", "closed"});
+
+inline constexpr auto kEmission =
+    std::to_array<std::string_view>({"radiance", "exitance", "power", "temperature"});
+
+/// An emission may stand in the material itself or in its "emission".
+inline constexpr auto kMaterial =
+    std::to_array<std::string_view>({"name", "description", "reflectance", "emissivity", "emission",
+                                     "radiance", "exitance", "power", "temperature"});
+
+inline constexpr auto kSpectrum = std::to_array<std::string_view>({"csv", "column"});
+
+inline constexpr auto kSurface =
+    std::to_array<std::string_view>({"name", "description", "material", "two_sided", "mesh",
+                                     "object", "transform", "unit", "polygons", "vertices"});
+
+inline constexpr auto kTransform =
+    std::to_array<std::string_view>({"scale", "rotate", "translate", "matrix"});
+
+inline constexpr auto kRotation = std::to_array<std::string_view>({"axis", "degrees"});
+
+inline constexpr auto kCamera = std::to_array<std::string_view>(
+    {"position", "look_at", "direction", "up", "vertical_fov_deg", "focal_length", "film"});
+
+}  // namespace io::keys
