@@ -12,9 +12,9 @@ namespace meshing {
 /// polygon is one patch where it can be (--as-is): triangles and planar convex quads stay as they
 /// are, in file order, other polygons are triangulated.
 struct PatchOptions {
-  std::optional<double> max_edge;  ///< no patch edge is longer, m
-  std::optional<long> n_patches;   ///< about so many patches, of about equal size
-  radiosity::Progress progress{};
+  std::optional<double> max_edge = {};  ///< no patch edge is longer, m
+  std::optional<long> n_patches = {};   ///< about so many patches, of about equal size
+  radiosity::Progress progress = {};
 };
 
 /// Largest distance of a quad's corner from the plane of the others, relative to its diagonal, up

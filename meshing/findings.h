@@ -1,0 +1,85 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "meshing/edge_table.h"
+#include "meshing/inspect.h"
+#include "meshing/polygon_shape.h"
+#include "meshing/weld.h"
+
+namespace meshing {
+
+/// A scene with what all examinations need of it. Polygons keep their numbers.
+struct ExaminedScene {
+  const radiosity::Scene& scene;
+  WeldedPolygons polygons;
+  EdgeTable edges;
+  std::vector<PolygonShape> shapes;  ///< per polygon
+  radiosity::Box3 bounds;            ///< of what polygons use, m; empty without polygons
+  double size = 0;                   ///< diagonal of the bounds, m
+
+  [[nodiscard]] std::int32_t surface(radiosity::Index polygon) const {
+    return scene.polygon_surface[polygon];
+  }
+  [[nodiscard]] bool is_two_sided(radiosity::Index polygon) const {
+    return scene.surfaces[surface(polygon)].two_sided;
+  }
+  [[nodiscard]] bool is_usable(radiosity::Index polygon) const {
+    return shapes[polygon].kind != PolygonKind::zero_area &&
+           shapes[polygon].kind != PolygonKind::self_crossing;
+  }
+  /// True if the polygon's material emits light.
+  [[nodiscard]] bool emits(radiosity::Index polygon) const;
+  /// Corner positions, m.
+  [[nodiscard]] std::vector<radiosity::Vec3> points(radiosity::Index polygon) const;
+  /// Mean of the corners, m.
+  [[nodiscard]] radiosity::Vec3 center(radiosity::Index polygon) const;
+  /// Unit normal; only of usable polygons.
+  [[nodiscard]] radiosity::Vec3 normal(radiosity::Index polygon) const {
+    return shapes[polygon].vector_area.normalized();
+  }
+  /// Half-edge direction of a corner: true if it runs from ends[0] to ends[1] of its edge.
+  [[nodiscard]] bool is_forward(std::int64_t corner) const {
+    return polygons.corners[corner] == edges.ends[edges.edge_of_corner[corner]][0];
+  }
+};
+
+/// Prepares a scene; never throws for bad geometry.
+ExaminedScene examine(const radiosity::Scene& scene);
+
+/// Gathers findings, one per kind and surface: the first of the most severe ones is described, the
+/// others are counted.
+class FindingList {
+ public:
+  explicit FindingList(const radiosity::Scene& scene) : scene_(scene) {}
+
+  /// `what` completes "surface 'x', polygon 3: ".
+  void add(Finding::Kind kind, Finding::Severity severity, radiosity::Index polygon,
+           const std::string& what);
+
+  [[nodiscard]] std::vector<Finding> take() { return std::move(findings_); }
+
+ private:
+  const radiosity::Scene& scene_;
+  std::map<std::pair<Finding::Kind, std::int32_t>, std::size_t> index_;
+  std::vector<Finding> findings_;
+};
+
+/// The examinations, each in its own source file.
+std::vector<Finding> find_bad_polygons(const ExaminedScene& examined);
+std::vector<Finding> find_duplicates(const ExaminedScene& examined);
+std::vector<Finding> find_coplanar_overlaps(const ExaminedScene& examined);
+std::vector<Finding> find_non_manifold_edges(const ExaminedScene& examined);
+std::vector<Finding> find_flipped_orientation(const ExaminedScene& examined);
+std::vector<Finding> find_gaps(const ExaminedScene& examined);
+
+/// How edges of one-sided polygons are shared; two-sided polygons neither open nor close a scene.
+struct Closure {
+  bool closed = false;
+  long n_boundary_edges = 0;  ///< edges of one polygon only
+};
+Closure examine_closure(const ExaminedScene& examined);
+
+}  // namespace meshing

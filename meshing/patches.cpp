@@ -1,0 +1,182 @@
+#include "meshing/patches.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "meshing/patch_builder.h"
+#include "meshing/text.h"
+#include "radiosity/error.h"
+
+namespace meshing {
+namespace {
+
+using radiosity::Index;
+using radiosity::MeshError;
+using radiosity::PatchMesh;
+using radiosity::Scene;
+using radiosity::Vec3;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// Patches and vertices are numbered by int32.
+constexpr double kMaxPatches = std::numeric_limits<std::int32_t>::max();
+
+[[noreturn]] void refuse_polygon(const Scene& scene, Index i, const PolygonShape& shape) {
+  const std::string where = source_prefix(scene) + polygon_name(scene, i);
+  if (shape.kind == PolygonKind::self_crossing) {
+    throw MeshError(where + ": its edges cross each other (a bow tie); expected the corners of a " +
+                    "simple polygon in order around it; reorder its corners");
+  }
+  throw MeshError(where + ": its " + std::to_string(scene.polygon(i).size()) +
+                  " corners enclose no area (" + number(shape.vector_area.norm()) +
+                  " m² within an extent of " + number(shape.extent) +
+                  " m: repeated corners or all on one line); remove it");
+}
+
+void measure_polygons(const Scene& scene, const radiosity::Progress& progress, Topology& topology) {
+  const WeldedPolygons& polygons = topology.polygons;
+  topology.kinds.resize(polygons.size());
+  topology.areas.resize(polygons.size());
+  std::vector<Vec3> points;
+  for (Index i = 0; i < polygons.size(); ++i) {
+    if (i % 4096 == 0) progress.check();
+    points.clear();
+    for (const std::int32_t v : polygons.polygon(i)) points.push_back(polygons.vertices[v]);
+    const PolygonShape shape = polygon_shape(points);
+    if (shape.kind == PolygonKind::zero_area || shape.kind == PolygonKind::self_crossing) {
+      refuse_polygon(scene, i, shape);
+    }
+    topology.kinds[i] = shape.kind;
+    topology.areas[i] = shape.vector_area.norm();
+  }
+}
+
+void check_manifold(const Scene& scene, const Topology& topology) {
+  const EdgeTable& edges = topology.edges;
+  for (Index e = 0; e < edges.size(); ++e) {
+    const std::vector<std::int32_t> meeting = non_manifold_polygons(scene, edges, e);
+    if (meeting.empty()) continue;
+    std::string list;
+    for (const std::int32_t p : meeting) list += (list.empty() ? "" : ", ") + std::to_string(p);
+    throw MeshError(source_prefix(scene) + "surface '" +
+                    scene.surfaces[scene.polygon_surface[meeting[0]]].name +
+                    "': " + std::to_string(meeting.size()) + " polygons (" + list +
+                    ") meet at the edge from " +
+                    place(topology.polygons.vertices[edges.ends[e][0]]) + " to " +
+                    place(topology.polygons.vertices[edges.ends[e][1]]) +
+                    "; expected at most two of one surface; put them in separate surfaces if "
+                    "that is meant");
+  }
+}
+
+Topology make_topology(const Scene& scene, const radiosity::Progress& progress) {
+  Topology topology;
+  topology.polygons = weld(scene);
+  measure_polygons(scene, progress, topology);
+  topology.edges = make_edge_table(topology.polygons);
+  check_manifold(scene, topology);
+  return topology;
+}
+
+/// Finds the mesh with about n patches, remembering what it has learnt about the scene.
+class PatchMaker {
+ public:
+  PatchMaker(const Scene& scene, const radiosity::Progress& progress)
+      : scene_(scene), progress_(progress), topology_(make_topology(scene, progress)) {}
+
+  [[nodiscard]] PatchMesh with_limit(const EdgeLimit& limit) const {
+    const EdgeDivision division = divide(limit);
+    const PatchCount count = count_patches(scene_, topology_, division);
+    if (count.certain + count.estimated > kMaxPatches) {
+      throw MeshError(source_prefix(scene_) + "a max edge of " + number(limit.coarse) +
+                      " m gives about " + number(count.certain + count.estimated) +
+                      " patches, but at most 2147483647 are possible; ask for a larger max edge "
+                      "or fewer patches");
+    }
+    return build_patches(scene_, topology_, division, progress_);
+  }
+
+  [[nodiscard]] PatchMesh with_about(double n_patches) const;
+
+ private:
+  [[nodiscard]] EdgeDivision divide(const EdgeLimit& limit) const {
+    return divide_edges(topology_.polygons, topology_.edges, topology_.kinds, limit);
+  }
+  [[nodiscard]] PatchCount count(const EdgeLimit& limit) const {
+    return count_patches(scene_, topology_, divide(limit));
+  }
+  [[nodiscard]] EdgeLimit limit_for(double n_patches, double fill_factor) const;
+
+  const Scene& scene_;
+  const radiosity::Progress& progress_;
+  Topology topology_;
+};
+
+/// The limit whose expected count is nearest to n_patches, if polygons that are filled get
+/// fill_factor times what is estimated.
+EdgeLimit PatchMaker::limit_for(double n_patches, double fill_factor) const {
+  const auto expected = [&](const EdgeLimit& limit) {
+    progress_.check();
+    const PatchCount c = count(limit);
+    return c.certain + fill_factor * c.estimated;
+  };
+  double area = 0;
+  for (const double a : topology_.areas) area += a;
+  double fine = std::sqrt(area / n_patches);
+  while (expected({.coarse = fine}) < n_patches) fine /= 2;
+  // At the coarsest nothing is divided but for the sake of good angles.
+  const double coarsest = std::sqrt(area) * static_cast<double>(topology_.kinds.size());
+  double coarse = 2 * fine;
+  while (expected({.coarse = coarse}) > n_patches && coarse < coarsest) coarse *= 2;
+  constexpr int kHalvings = 30;
+  for (int k = 0; k < kHalvings; ++k) {
+    const double middle = std::sqrt(fine * coarse);
+    (expected({.coarse = middle}) > n_patches ? fine : coarse) = middle;
+  }
+
+  // Edges of equal or commensurable lengths take the step from `coarse` to `fine` all at once.
+  EdgeLimit few{.coarse = coarse, .fine = fine, .n_fine = 0};
+  EdgeLimit many{.coarse = coarse, .fine = fine, .n_fine = topology_.edges.size()};
+  while (many.n_fine - few.n_fine > 1) {
+    EdgeLimit middle = few;
+    middle.n_fine += (many.n_fine - few.n_fine) / 2;
+    (expected(middle) > n_patches ? many : few) = middle;
+  }
+  return n_patches - expected(few) <= expected(many) - n_patches ? few : many;
+}
+
+PatchMesh PatchMaker::with_about(double n_patches) const {
+  PatchMesh best = with_limit({.coarse = kInfinity});
+  const auto error = [&](const PatchMesh& m) {
+    return std::abs(static_cast<double>(m.size()) - n_patches);
+  };
+  if (n_patches <= static_cast<double>(best.size())) return best;
+  constexpr double kCloseEnough = 0.02;
+  constexpr int kAttempts = 4;
+  double fill_factor = 1;
+  for (int k = 0; k < kAttempts; ++k) {
+    const EdgeLimit limit = limit_for(n_patches, fill_factor);
+    const PatchCount expected = count(limit);
+    PatchMesh mesh = with_limit(limit);
+    const double filled = static_cast<double>(mesh.size()) - expected.certain;
+    if (error(mesh) < error(best)) best = std::move(mesh);
+    if (error(best) <= kCloseEnough * n_patches || expected.estimated == 0) break;
+    fill_factor = filled / expected.estimated;
+  }
+  return best;
+}
+
+}  // namespace
+
+PatchMesh make_patches(const Scene& scene, const PatchOptions& options) {
+  assert(!(options.max_edge && options.n_patches));
+  assert(!options.max_edge || *options.max_edge > 0);
+  assert(!options.n_patches || *options.n_patches > 0);
+  const PatchMaker maker(scene, options.progress);
+  if (options.n_patches) return maker.with_about(static_cast<double>(*options.n_patches));
+  return maker.with_limit({.coarse = options.max_edge.value_or(kInfinity)});
+}
+
+}  // namespace meshing
