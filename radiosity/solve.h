@@ -20,9 +20,10 @@ struct SolveOptions {
   Method method = Method::conjugate_gradients;
   double tolerance = 1e-8;  ///< guaranteed bound on ‖ΔB‖/‖B‖ (energy norm) of the iteration
   int max_products = 100000;  ///< operator products (or the work of as many) before giving up
-  /// Called after each product with the number of products and the bound reached, for plots.
-  std::function<void(int product, double error_bound)> observer;
-  Progress progress{};
+  /// Called after each product with the number of products and the bound reached, for plots; with
+  /// the relative residual instead where no bound can be proved.
+  std::function<void(int product, double error_bound)> observer = {};
+  Progress progress = {};
 };
 
 /// Where the power goes, W, one value per column of the solution. emitted = absorbed + escaped.
@@ -32,7 +33,8 @@ struct EnergyBalance {
   Eigen::VectorXd escaped;  ///< Σ A B (1 - row sum): leaves the scene or meets the back of a patch
 };
 
-/// The radiosity of every patch, and what is known about its error.
+/// The radiosity of every patch, and what is known about its error. The energy norm of a field B is
+/// ‖B‖ = sqrt(Σ A B²); relative figures are the largest over the columns.
 struct Solution {
   Eigen::MatrixXd radiosity;        ///< B, W/m², n x k
   Eigen::MatrixXd irradiance;       ///< H = F B, W/m², n x k
@@ -41,19 +43,25 @@ struct Solution {
   Eigen::MatrixXd radiosity_error;  ///< one standard error of B (form factors and iteration), W/m²
   EnergyBalance energy;             ///< per column
   Method method = Method::conjugate_gradients;
-  int iterations = 0;      ///< steps of the method
-  double products = 0;     ///< operator products that these cost
-  double residual = 0;     ///< largest relative residual ‖r‖/‖M_e‖ over the columns
-  double error_bound = 0;  ///< guaranteed bound on ‖ΔB‖/‖B‖ of the iteration, energy norm
-  double transport_error_bound = 0;  ///< bound on ‖ΔB‖/‖B‖ from the form factors' standard errors
-  bool converged = false;            ///< whether error_bound <= tolerance
-  double seconds = 0;                ///< wall time
+  int iterations = 0;   ///< steps of the method
+  double products = 0;  ///< operator products that these cost (not those for radiosity_error)
+  double residual = 0;  ///< relative residual ‖r‖/‖M_e‖, r = M_e + ρ F B - B
+  double error_bound = 0;  ///< guaranteed bound on ‖ΔB‖/‖B‖ of the iteration; infinite if no bound
+                           ///< could be proved (closed white rooms), never NaN
+  double transport_error_bound = 0;  ///< bound on ‖ΔB‖/‖B‖ from the form factors' standard errors;
+                                     ///< may be infinite too
+  bool converged = false;  ///< whether error_bound <= tolerance
+  double seconds = 0;      ///< wall time
 };
 
 /// Solves B = M_e + ρ F B for every column at once. `exitance` is n x k; `reflectance` n x b, where
 /// b divides k: column c uses reflectance column c % b, so several right-hand sides (all bands of
-/// one, then of the next) share a solve. Throws SolveError if the sizes do not fit or if no
-/// solution exists (ρ = 1 everywhere in a closed scene with emission).
+/// one, then of the next) share a solve. The bound is ‖ΔB‖ <= ρ_max^½ ‖ρ^-½ r‖ / (1 - q) with a
+/// proved bound q < 1 on the spectral radius of ρ F, usually ρ_max or less; where white patches (ρ
+/// = 1) prevent a proof, the iteration ends at the residual that is asked for and `converged` is
+/// false. Throws SolveError if the sizes do not fit, a value is not finite, negative or a
+/// reflectance above 1, or if no solution exists (ρ = 1 on all patches of a closed room that is
+/// lit); Interrupted.
 Solution solve(const Transport& transport, const Eigen::MatrixXd& exitance,
                const Eigen::MatrixXd& reflectance, const SolveOptions& options = {});
 

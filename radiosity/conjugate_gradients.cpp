@@ -1,0 +1,65 @@
+#include "radiosity/conjugate_gradients.h"
+
+#include <cmath>
+
+namespace radiosity {
+namespace {
+
+/// The recursive residual is asked for slightly more than the true one has to reach, so that
+/// rounding does not cost a restart.
+constexpr double kMargin = 0.99;
+
+/// One run of conjugate gradients from the true residual of `start`, and a last product.
+Iterate descend(const IrradianceSystem& system, const Iterate& start, SolveMonitor& monitor) {
+  Eigen::MatrixXd irradiance = start.irradiance;
+  Eigen::MatrixXd residual = start.gathered - start.irradiance;
+  Eigen::MatrixXd direction = residual;
+  Eigen::VectorXd bounds = system.error_bounds(start);
+  const double limit = kMargin * monitor.tolerance();
+  std::vector<Index> columns = columns_above(bounds, limit);
+
+  while (!columns.empty() && monitor.may_spend(2)) {
+    const Eigen::MatrixXd reflected = system.reflect(direction, columns);
+    std::vector<Index> remaining;
+    for (std::size_t a = 0; a < columns.size(); ++a) {
+      const Index c = columns[a];
+      const Eigen::VectorXd image = direction.col(c) - reflected.col(static_cast<Index>(a));
+      const double curvature = system.inner(c, direction.col(c), image);
+      const double squared = system.inner(c, residual.col(c), residual.col(c));
+      // Rounding, or row sums above 1: this column cannot go on.
+      if (!(curvature > 0)) continue;
+      irradiance.col(c) += squared / curvature * direction.col(c);
+      residual.col(c) -= squared / curvature * image;
+      const double next_squared = system.inner(c, residual.col(c), residual.col(c));
+      direction.col(c) = residual.col(c) + next_squared / squared * direction.col(c);
+      bounds[c] = system.error_bound(c, std::sqrt(next_squared), irradiance.col(c));
+      if (!(bounds[c] <= limit) && next_squared > 0) remaining.push_back(c);
+    }
+    columns = remaining;
+    monitor.step(1, 1, bounds.maxCoeff());
+  }
+  Iterate result{irradiance, system.transport->apply(system.radiosity(irradiance))};
+  monitor.spend(1);
+  return result;
+}
+
+}  // namespace
+
+Iterate conjugate_gradients(const IrradianceSystem& system, SolveMonitor& monitor) {
+  // From darkness, B = M_e: patches that no light can reach then stay exactly 0.
+  Iterate iterate{Eigen::MatrixXd::Zero(system.size(), system.n_columns()), system.direct};
+  double bound = system.error_bounds(iterate).maxCoeff();
+  while (bound > monitor.tolerance() && monitor.may_spend(2)) {
+    const Iterate next = descend(system, iterate, monitor);
+    const double next_bound = system.error_bounds(next).maxCoeff();
+    const bool is_stuck = !(next_bound <= 0.5 * bound);
+    if (next_bound <= bound) {
+      iterate = next;
+      bound = next_bound;
+    }
+    if (is_stuck) break;
+  }
+  return iterate;
+}
+
+}  // namespace radiosity

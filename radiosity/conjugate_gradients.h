@@ -1,0 +1,12 @@
+#pragma once
+
+#include "radiosity/irradiance_system.h"
+
+namespace radiosity {
+
+/// Conjugate gradients (Hestenes & Stiefel 1952) on (I - F ρ) H = F M_e in the inner product
+/// Σ A ρ u v, which is the same as on the symmetrised I - R F̂ R. One independent iteration per
+/// column, one product per step for all columns that have not converged yet.
+Iterate conjugate_gradients(const IrradianceSystem& system, SolveMonitor& monitor);
+
+}  // namespace radiosity

@@ -1,0 +1,169 @@
+#include "radiosity/irradiance_system.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace radiosity {
+namespace {
+
+/// Row sums this close to 1 count as closed: what single-precision exchange areas can tell.
+constexpr double kClosedRowSum = 1 - 1e-6;
+/// Products spent at most on proving that light dies out among patches with ρ = 1.
+constexpr int kMaxProofProducts = 60;
+
+/// Marks (1, else 0) the patches with ρ = 1 that exchange light only among themselves.
+Eigen::VectorXd trapping_patches(const Transport& transport, const Eigen::VectorXd& rho,
+                                 SolveMonitor& monitor) {
+  Eigen::VectorXd trapping = (rho.array() >= 1).cast<double>();
+  for (int k = 0; k < kMaxProofProducts && (trapping.array() > 0).any(); ++k) {
+    const Eigen::VectorXd kept = transport.apply(trapping);
+    monitor.spend(1);
+    monitor.check();
+    const Eigen::VectorXd remaining = (kept.array() >= kClosedRowSum).select(trapping, 0);
+    if (remaining == trapping) return trapping;
+    trapping = remaining;
+  }
+  return Eigen::VectorXd::Zero(rho.size());
+}
+
+void require_no_trapped_light(const IrradianceSystem& system, Index band, SolveMonitor& monitor) {
+  const Eigen::VectorXd trapping =
+      trapping_patches(*system.transport, system.reflectance.col(band), monitor);
+  Index patch = 0;
+  if (trapping.maxCoeff(&patch) == 0) return;
+  for (Index c = band; c < system.n_columns(); c += system.reflectance.cols()) {
+    const Eigen::VectorXd light =
+        system.exitance.col(c).cwiseAbs() + system.direct.col(c).cwiseAbs();
+    if (trapping.dot(light) == 0) continue;
+    throw SolveError("no solution: " + std::to_string(static_cast<long>(trapping.sum())) + " of " +
+                     std::to_string(system.size()) + " patches (such as patch " +
+                     std::to_string(patch) + ") have reflectance 1 in column " +
+                     std::to_string(band) +
+                     ", let no light escape, and are lit; expected a reflectance below 1 or an "
+                     "opening somewhere among them");
+  }
+}
+
+/// Lowers q by power iteration: max_i (F ρ x)_i / x_i never grows from one x to the next. Entries
+/// that have become 0 belong to a nilpotent block and do not count.
+double refine_contraction(const IrradianceSystem& system, Index band, SolveMonitor& monitor) {
+  double q = system.contraction[band];
+  Eigen::VectorXd x = system.seen_reflectance.col(band);
+  for (int k = 0; k < kMaxProofProducts && x.maxCoeff() > 0; ++k) {
+    const Eigen::VectorXd next =
+        system.transport->apply(system.reflectance.col(band).cwiseProduct(x));
+    monitor.spend(1);
+    monitor.check();
+    double ratio = 0;
+    for (Index i = 0; i < x.size(); ++i) {
+      if (x[i] > 0) ratio = std::max(ratio, next[i] / x[i]);
+    }
+    const bool settled = ratio < 1 && 1 - ratio < 1.1 * (1 - q);
+    q = std::min(q, ratio);
+    if (settled) break;
+    x = next / next.maxCoeff();
+  }
+  return q;
+}
+
+}  // namespace
+
+Eigen::MatrixXd IrradianceSystem::radiosity(const Eigen::MatrixXd& irradiance) const {
+  Eigen::MatrixXd result = exitance;
+  for (Index c = 0; c < n_columns(); ++c) {
+    result.col(c) += rho(c).cwiseProduct(irradiance.col(c));
+  }
+  return result;
+}
+
+Eigen::MatrixXd IrradianceSystem::reflect(const Eigen::MatrixXd& u,
+                                          const std::vector<Index>& columns) const {
+  Eigen::MatrixXd reflected(size(), static_cast<Index>(columns.size()));
+  for (Index a = 0; a < reflected.cols(); ++a) {
+    reflected.col(a) = rho(columns[a]).cwiseProduct(u.col(columns[a]));
+  }
+  return transport->apply(reflected);
+}
+
+double IrradianceSystem::inner(Index c, const Eigen::VectorXd& u, const Eigen::VectorXd& v) const {
+  return (transport->area().array() * rho(c).array() * u.array() * v.array()).sum();
+}
+
+double IrradianceSystem::error_bound(Index c, double residual_norm,
+                                     const Eigen::VectorXd& irradiance) const {
+  // The residual itself is known to a few roundings of H only.
+  const double rounding =
+      4 * std::numeric_limits<double>::epsilon() * std::sqrt(inner(c, irradiance, irradiance));
+  const double amplification = has_bound(c) ? 1 / (1 - contraction[band(c)]) : 1;
+  const double absolute =
+      std::sqrt(largest_reflectance[band(c)]) * amplification * (residual_norm + rounding);
+  if (absolute == 0) return 0;
+
+  const Eigen::ArrayXd area = transport->area().array();
+  const Eigen::ArrayXd emitted = exitance.col(c).array();
+  const Eigen::ArrayXd b = emitted + rho(c).array() * irradiance.array();
+  // B >= M_e >= 0 bounds ‖B‖ from below even while the iterate is poor.
+  const double least = emitted.minCoeff() >= 0 ? std::sqrt((area * emitted.square()).sum()) : 0.;
+  const double norm = std::max(least, std::sqrt((area * b.square()).sum()) - absolute);
+  return norm > 0 ? absolute / norm : std::numeric_limits<double>::infinity();
+}
+
+Eigen::VectorXd IrradianceSystem::error_bounds(const Iterate& iterate) const {
+  Eigen::VectorXd bounds(n_columns());
+  for (Index c = 0; c < n_columns(); ++c) {
+    const Eigen::VectorXd residual = iterate.gathered.col(c) - iterate.irradiance.col(c);
+    bounds[c] = error_bound(c, std::sqrt(inner(c, residual, residual)), iterate.irradiance.col(c));
+  }
+  return bounds;
+}
+
+IrradianceSystem make_irradiance_system(const Transport& transport, const Eigen::MatrixXd& exitance,
+                                        const Eigen::MatrixXd& reflectance, SolveMonitor& monitor) {
+  const Index n = exitance.rows();
+  const Index n_bands = reflectance.cols();
+  Eigen::MatrixXd fields(n, 1 + n_bands + exitance.cols());
+  fields << Eigen::VectorXd::Ones(n), reflectance, exitance;
+  const Eigen::MatrixXd gathered = transport.apply(fields);
+  monitor.spend(1);
+  monitor.check();
+
+  IrradianceSystem system;
+  system.transport = &transport;
+  system.exitance = exitance;
+  system.reflectance = reflectance;
+  system.row_sums = gathered.col(0);
+  system.seen_reflectance = gathered.middleCols(1, n_bands);
+  system.direct = gathered.rightCols(exitance.cols());
+  system.largest_reflectance = reflectance.colwise().maxCoeff().transpose();
+  system.contraction.resize(n_bands);
+  for (Index band = 0; band < n_bands; ++band) {
+    system.contraction[band] =
+        std::min(reflectance.col(band).cwiseProduct(system.row_sums).maxCoeff(),
+                 system.seen_reflectance.col(band).maxCoeff());
+    if (system.contraction[band] < kClosedRowSum) continue;
+    require_no_trapped_light(system, band, monitor);
+    system.contraction[band] = refine_contraction(system, band, monitor);
+  }
+  return system;
+}
+
+IrradianceSystem with_exitance(const IrradianceSystem& system, const Eigen::MatrixXd& exitance,
+                               SolveMonitor& monitor) {
+  IrradianceSystem result = system;
+  result.exitance = exitance;
+  result.direct = system.transport->apply(exitance);
+  monitor.spend(1);
+  return result;
+}
+
+std::vector<Index> columns_above(const Eigen::VectorXd& bounds, double limit) {
+  std::vector<Index> columns;
+  for (Index c = 0; c < bounds.size(); ++c) {
+    if (!(bounds[c] <= limit)) columns.push_back(c);
+  }
+  return columns;
+}
+
+}  // namespace radiosity

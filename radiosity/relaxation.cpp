@@ -1,0 +1,121 @@
+#include "radiosity/relaxation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace radiosity {
+namespace {
+
+/// How often per product's work Southwell's bound is evaluated.
+constexpr Index kChecksPerProduct = 8;
+
+Iterate with_last_product(const IrradianceSystem& system, const Eigen::MatrixXd& irradiance,
+                          SolveMonitor& monitor) {
+  monitor.spend(1);
+  return {irradiance, system.transport->apply(system.radiosity(irradiance))};
+}
+
+struct Sweep {
+  Eigen::MatrixXd irradiance;
+  Eigen::VectorXd change;  ///< ‖H_new - H_old‖_w of each column
+};
+
+/// One Gauss-Seidel sweep over all patches.
+Sweep sweep(const IrradianceSystem& system, Eigen::MatrixXd irradiance,
+            const SolveMonitor& monitor) {
+  Eigen::MatrixXd b = system.radiosity(irradiance);
+  Eigen::VectorXd squared = Eigen::VectorXd::Zero(system.n_columns());
+  for (Index i = 0; i < system.size(); ++i) {
+    monitor.check();
+    const Eigen::VectorXd row = system.transport->row(i);
+    const Eigen::RowVectorXd gathered = row.transpose() * b;
+    for (Index c = 0; c < system.n_columns(); ++c) {
+      const double rho = system.rho(c)[i];
+      const double change = (gathered[c] - irradiance(i, c)) / (1 - row[i] * rho);
+      irradiance(i, c) += change;
+      b(i, c) = system.exitance(i, c) + rho * irradiance(i, c);
+      squared[c] += system.transport->area()[i] * rho * change * change;
+    }
+  }
+  return {std::move(irradiance), squared.cwiseSqrt()};
+}
+
+/// Light on its way: what has arrived, and what has not been sent yet.
+struct Shooting {
+  Eigen::MatrixXd irradiance;
+  Eigen::MatrixXd unshot;
+
+  /// Sends the unshot radiosity of the patch with the most unshot power (over all columns) to the
+  /// others: by reciprocity the column of F needed is F_ji = A_i F_ij / A_j.
+  void shoot(const IrradianceSystem& system) {
+    const Eigen::VectorXd& area = system.transport->area();
+    Index source = 0;
+    unshot.cwiseAbs().rowwise().sum().cwiseProduct(area).maxCoeff(&source);
+    const Eigen::VectorXd received =
+        area[source] * system.transport->row(source).cwiseQuotient(area);
+    for (Index c = 0; c < system.n_columns(); ++c) {
+      const double sent = unshot(source, c);
+      unshot(source, c) = 0;
+      irradiance.col(c) += sent * received;
+      unshot.col(c) += sent * system.rho(c).cwiseProduct(received);
+    }
+  }
+};
+
+}  // namespace
+
+Iterate gauss_seidel(const IrradianceSystem& system, SolveMonitor& monitor) {
+  Eigen::MatrixXd irradiance = Eigen::MatrixXd::Zero(system.size(), system.n_columns());
+  double bound = system.error_bounds({irradiance, system.direct}).maxCoeff();
+  if (!(bound > monitor.tolerance()) || !monitor.may_spend(2)) return {irradiance, system.direct};
+
+  while (bound > monitor.tolerance() && monitor.may_spend(2)) {
+    Sweep next = sweep(system, std::move(irradiance), monitor);
+    irradiance = std::move(next.irradiance);
+    // Row i was exact when it was set, and only later rows have changed since: the residual is the
+    // upper triangle of F ρ times the change. F is not negative, so the norm of the triangle is at
+    // most that of the whole, q.
+    Eigen::VectorXd bounds(system.n_columns());
+    for (Index c = 0; c < system.n_columns(); ++c) {
+      const double residual_norm = system.contraction[system.band(c)] * next.change[c];
+      bounds[c] = system.error_bound(c, residual_norm, irradiance.col(c));
+    }
+    bound = bounds.maxCoeff();
+    monitor.step(1, 1, bound);
+  }
+  return with_last_product(system, irradiance, monitor);
+}
+
+Iterate southwell(const IrradianceSystem& system, SolveMonitor& monitor) {
+  const Index n = system.size();
+  const Index n_shots = std::max<Index>(1, n / kChecksPerProduct);
+  const double work = static_cast<double>(n_shots) / static_cast<double>(n);
+  Shooting light{Eigen::MatrixXd::Zero(n, system.n_columns()), system.exitance};
+  double bound = system.error_bounds({light.irradiance, system.direct}).maxCoeff();
+  if (!(bound > monitor.tolerance()) || !monitor.may_spend(2)) {
+    return {light.irradiance, system.direct};
+  }
+
+  while (bound > monitor.tolerance() && monitor.may_spend(1 + work)) {
+    for (Index shot = 0; shot < n_shots; ++shot) {
+      monitor.check();
+      light.shoot(system);
+    }
+    // B counts the unshot radiosity U too, so the residual is F U:
+    // ‖F U‖_w <= ρ_max^½ ‖F̂‖₂ ‖U‖, and ‖F̂‖₂ is at most the largest row sum of F.
+    Eigen::VectorXd bounds(system.n_columns());
+    for (Index c = 0; c < system.n_columns(); ++c) {
+      const double norm =
+          std::sqrt(system.transport->area().dot(light.unshot.col(c).cwiseAbs2().matrix()));
+      const double residual_norm =
+          std::sqrt(system.largest_reflectance[system.band(c)]) * system.row_sums.maxCoeff() * norm;
+      bounds[c] = system.error_bound(c, residual_norm, light.irradiance.col(c));
+    }
+    bound = bounds.maxCoeff();
+    monitor.step(static_cast<int>(n_shots), work, bound);
+  }
+  return with_last_product(system, light.irradiance, monitor);
+}
+
+}  // namespace radiosity
