@@ -2,14 +2,21 @@
 
 #include <filesystem>
 #include <functional>
+#include <iosfwd>
 
 namespace io {
 
 /// Calls `write_to` with the name of a temporary file beside `path`, then renames it to `path`, so
 /// that `path` is either the old file or the whole new one. The temporary file is removed if
-/// `write_to` throws. Throws OutputError if the folder is missing or not writable, or the rename
-/// fails (the message names `path` and the system's reason).
+/// `write_to` throws. If `path` is a link to a file, that file is replaced and the link kept.
+/// Throws OutputError if the folder is missing or not writable, if `path` is a folder or device,
+/// or if the rename fails (the message names `path` and the system's reason).
 void write_atomically(const std::filesystem::path& path,
                       const std::function<void(const std::filesystem::path&)>& write_to);
+
+/// The same for a writer to a binary stream. Throws OutputError also if anything that the writer
+/// put into the stream did not reach the file (a full disk).
+void write_stream_atomically(const std::filesystem::path& path,
+                             const std::function<void(std::ofstream&)>& write_to);
 
 }  // namespace io

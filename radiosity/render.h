@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "radiosity/corner_values.h"
 #include "radiosity/patch_mesh.h"
 #include "radiosity/progress.h"
 #include "radiosity/scene.h"
@@ -21,25 +22,21 @@ struct Image {
 struct RenderOptions {
   int width = 512;             ///< pixels
   int height = 512;            ///< pixels
-  int samples = 16;            ///< primary rays per pixel, a square number, for antialiasing
+  int samples = 16;            ///< primary rays per pixel, for antialiasing; a square number
   double crease_angle = 0.35;  ///< radian; patches whose normals differ by more are not smoothed
-  Progress progress{};
+  Progress progress = {};      ///< stage "picture", in rows
 };
 
-/// Radiosity at the corners of each patch, for smooth display: row 4 i + k is corner k of patch i
-/// (the fourth row of a triangle repeats its third), n_bands columns, W/m². Values are averaged
-/// over the patches that meet at a corner, lie on the same surface and bend by less than the crease
-/// angle; a corner that lies on another patch's edge (T-vertex) takes that edge's value, so that
-/// no crack shows.
-Eigen::MatrixXd corner_values(const PatchMesh& mesh, const Eigen::MatrixXd& patch_values,
-                              double crease_angle = 0.35);
-
-/// Radiance π⁻¹ B seen by the camera, interpolated between patches. The backs of one-sided
-/// surfaces are not drawn (one looks through them into the scene).
+/// Radiance π⁻¹ B seen by the camera, W/(m² sr) per band: the mean over the samples of a pixel of
+/// `corner_values` interpolated within the patch (bilinear in quads, barycentric in triangles), 0
+/// where a sample meets nothing. `radiosity` is n_patches x n_bands. The backs of one-sided
+/// surfaces are not drawn (one looks through them into the scene). Same input, same picture, at
+/// any number of threads. Throws Interrupted if asked to stop.
 Image render(const PatchMesh& mesh, const Visibility& visibility, const Eigen::MatrixXd& radiosity,
              const Camera& camera, const RenderOptions& options = {});
 
-/// A camera that sees the whole scene, for scenes without one.
+/// A camera that sees the whole scene from outside, from the right and above, for scenes without
+/// one: y is up, and pictures at least as wide as high hold everything. Needs a patch.
 Camera fit_camera(const PatchMesh& mesh);
 
 }  // namespace radiosity

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+
+#include "radiosity/patch_mesh.h"
+#include "radiosity/solve.h"
+
+namespace io {
+
+/// Writes the patches as binary PLY with smooth vertex colours: the radiosity at the patches'
+/// corners in 8-bit sRGB, exposed for the patches that do not emit. A vertex appears once per
+/// colour. Coordinates (m) are rounded to float. Throws OutputError.
+void write_color_ply(const std::filesystem::path& path, const radiosity::PatchMesh& mesh,
+                     const radiosity::Solution& solution);
+
+}  // namespace io

@@ -1,0 +1,68 @@
+#include "io/patch_csv.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "io/atomic_file.h"
+
+namespace io {
+namespace {
+
+using radiosity::Index;
+using radiosity::PatchMesh;
+using radiosity::Solution;
+
+/// A text field as RFC 4180 wants it: in quotes if it holds a separator, inner quotes doubled.
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"') quoted += '"';
+    quoted += c;
+  }
+  return quoted + '"';
+}
+
+std::string csv_header(Index n_bands) {
+  std::string header = "patch,surface,polygon,x,y,z,area";
+  for (const char* quantity : {"B", "H", "error"}) {
+    for (Index band = 0; band < n_bands; ++band) {
+      fmt::format_to(std::back_inserter(header), ",{}_{}", quantity, band);
+    }
+  }
+  return header + '\n';
+}
+
+}  // namespace
+
+void write_patch_csv(const std::filesystem::path& path, const PatchMesh& mesh,
+                     const Solution& solution) {
+  std::vector<std::string> names;
+  for (const std::string& name : mesh.surface_names) names.push_back(csv_field(name));
+
+  write_stream_atomically(path, [&](std::ofstream& stream) {
+    stream << csv_header(solution.radiosity.cols());
+    fmt::memory_buffer row;
+    for (Index i = 0; i < mesh.size() && stream; ++i) {
+      row.clear();
+      const auto out = std::back_inserter(row);
+      const radiosity::Vec3& x = mesh.centroid[i];
+      fmt::format_to(out, "{},{},{},{},{},{},{}", i, names[mesh.surface[i]], mesh.polygon[i], x[0],
+                     x[1], x[2], mesh.area[i]);
+      for (const Eigen::MatrixXd* values :
+           {&solution.radiosity, &solution.irradiance, &solution.radiosity_error}) {
+        for (Index band = 0; band < values->cols(); ++band) {
+          fmt::format_to(out, ",{}", (*values)(i, band));
+        }
+      }
+      row.push_back('\n');
+      stream.write(row.data(), static_cast<std::streamsize>(row.size()));
+    }
+  });
+}
+
+}  // namespace io

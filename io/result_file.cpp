@@ -1,0 +1,34 @@
+#include "io/result_file.h"
+
+#include <fmt/format.h>
+#include <vtkPolyData.h>
+
+#include <cassert>
+#include <string>
+
+#include "io/color_ply.h"
+#include "io/extension.h"
+#include "io/patch_csv.h"
+#include "io/vtk_polydata.h"
+#include "radiosity/error.h"
+
+namespace io {
+
+void write(const std::filesystem::path& path, const radiosity::PatchMesh& mesh,
+           const radiosity::Solution& solution) {
+  assert(solution.radiosity.rows() == mesh.size());
+  const std::string extension = lower_case_extension(path);
+  if (extension == ".vtp") {
+    write_polydata(path, *make_polydata(mesh, solution));
+  } else if (extension == ".csv") {
+    write_patch_csv(path, mesh, solution);
+  } else if (extension == ".ply") {
+    write_color_ply(path, mesh, solution);
+  } else {
+    throw radiosity::OutputError(
+        fmt::format("{}: cannot write a result as '{}', expected .vtp, .csv or .ply", path.string(),
+                    extension));
+  }
+}
+
+}  // namespace io

@@ -1,0 +1,235 @@
+#include "radiosity/render.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <optional>
+
+#include "radiosity/parallel.h"
+
+namespace radiosity {
+namespace {
+
+using Vec2 = Eigen::Vector2d;
+
+double cross(const Vec2& a, const Vec2& b) { return a[0] * b[1] - a[1] * b[0]; }
+
+/// The smallest root in [0, 1] of a t² + b t + c = 0, allowing for rounding at the ends.
+double root_in_unit_interval(double a, double b, double c) {
+  const double discriminant = std::sqrt(std::max(0.0, b * b - 4 * a * c));
+  const double q = -0.5 * (b + std::copysign(discriminant, b));
+  const double first = q != 0 ? c / q : 0;
+  const double second = a != 0 ? q / a : first;
+  const auto distance = [](double t) { return std::abs(t - 0.5); };
+  return std::clamp(distance(first) <= distance(second) ? first : second, 0.0, 1.0);
+}
+
+/// Coordinates (s, t) in [0, 1]² of a point in a planar convex quad a, b, c, d, such that it is
+/// (1-t) ((1-s) a + s b) + t ((1-s) d + s c).
+Vec2 quad_coordinates(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d, const Vec2& x) {
+  // With e = b - a, f = d - a, g = a - b + c - d the point is a + s e + t f + s t g; the cross
+  // product with e + t g removes s and leaves a quadratic in t.
+  const Vec2 e = b - a;
+  const Vec2 f = d - a;
+  const Vec2 g = a - b + c - d;
+  const Vec2 h = x - a;
+  const double t = root_in_unit_interval(cross(f, g), cross(f, e) - cross(h, g), -cross(h, e));
+  const Vec2 side = e + t * g;
+  const double s = side.dot(h - t * f) / side.squaredNorm();
+  return {std::clamp(s, 0.0, 1.0), t};
+}
+
+Eigen::RowVectorXd mix(const Eigen::RowVectorXd& a, const Eigen::RowVectorXd& b, double t) {
+  return a + t * (b - a);
+}
+
+/// The corner values of a patch (rows 4 i ...) interpolated to a point on it.
+Eigen::RowVectorXd interpolate(const PatchMesh& mesh, const Eigen::MatrixXd& corners, Index i,
+                               const Vec3& point) {
+  const Vec3 axis = mesh.normal[i].unitOrthogonal();
+  const Vec3 other_axis = mesh.normal[i].cross(axis);
+  const auto flat = [&](const Vec3& x) -> Vec2 {
+    const Vec3 offset = x - mesh.corner(i, 0);
+    return {offset.dot(axis), offset.dot(other_axis)};
+  };
+  const Vec2 x = flat(point);
+  const Vec2 b = flat(mesh.corner(i, 1));
+  const Vec2 c = flat(mesh.corner(i, 2));
+  const auto value = [&](int k) { return Eigen::RowVectorXd(corners.row(4 * i + k)); };
+  if (mesh.n_corners(i) == 4) {
+    const Vec2 st = quad_coordinates(Vec2::Zero(), b, c, flat(mesh.corner(i, 3)), x);
+    return mix(mix(value(0), value(1), st[0]), mix(value(3), value(2), st[0]), st[1]);
+  }
+  const double whole = cross(b, c);
+  const double at_b = std::clamp(cross(x, c) / whole, 0.0, 1.0);
+  const double at_c = std::clamp(cross(b, x) / whole, 0.0, 1.0 - at_b);
+  return value(0) + at_b * (value(1) - value(0)) + at_c * (value(2) - value(0));
+}
+
+/// A point on the emitting side of a patch.
+struct SurfacePoint {
+  Index patch;
+  Vec3 position;
+};
+
+/// The first emitting side that a ray meets; backs are passed through. `direction` has unit length.
+std::optional<SurfacePoint> first_front(const Visibility& visibility, const Vec3& origin,
+                                        const Vec3& direction) {
+  constexpr int kMaxBacks = 10000;  // only so that rounding can never make this endless
+  Vec3 start = origin;
+  std::int32_t source = -1;
+  for (int n_backs = 0; n_backs < kMaxBacks; ++n_backs) {
+    const std::optional<Hit> hit = visibility.first_hit(start, direction, source);
+    if (!hit) return std::nullopt;
+    if (hit->front) return SurfacePoint{hit->patch, start + hit->distance * direction};
+    start += hit->distance * direction;
+    source = hit->patch;
+  }
+  return std::nullopt;
+}
+
+/// The directions of a pinhole camera's rays.
+class Pinhole {
+ public:
+  Pinhole(const Camera& camera, int width, int height)
+      : forward_(camera.direction.normalized()),
+        right_(forward_.cross(camera.up).normalized()),
+        down_(forward_.cross(right_)),
+        pixel_(2 * std::tan(camera.vertical_fov / 2) / height),
+        center_(0.5 * width, 0.5 * height) {}
+
+  /// Unit direction through a position in pixels from the picture's top left corner.
+  [[nodiscard]] Vec3 direction(double x, double y) const {
+    return (forward_ + pixel_ * ((x - center_[0]) * right_ + (y - center_[1]) * down_))
+        .normalized();
+  }
+
+ private:
+  Vec3 forward_;
+  Vec3 right_;
+  Vec3 down_;
+  double pixel_;
+  Vec2 center_;
+};
+
+/// Sample k of a pixel cut into n x n cells, in [0, 1)²: one in each cell, and all n² in different
+/// rows and columns of the n² x n² grid, so that edges near the axes are smooth too.
+Vec2 sample_position(int k, int n) {
+  const int column = k % n;
+  const int row = k / n;
+  return {(column + (row + 0.5) / n) / n, (row + (column + 0.5) / n) / n};
+}
+
+/// Reports rows as they are finished, one call at a time.
+class RowCounter {
+ public:
+  RowCounter(const Progress& progress, int n_rows) : progress_(progress), n_rows_(n_rows) {}
+  void add_row() {
+    if (!progress_.report) return;
+    const std::scoped_lock lock(mutex_);
+    ++done_;
+    progress_.report("picture", done_, n_rows_, "rows");
+  }
+
+ private:
+  const Progress& progress_;
+  int n_rows_;
+  int done_ = 0;
+  std::mutex mutex_;
+};
+
+/// What a camera sees. Holds all that the pixels share.
+class Renderer {
+ public:
+  Renderer(const PatchMesh& mesh, const Visibility& visibility, const Eigen::MatrixXd& radiosity,
+           const Camera& camera, const RenderOptions& options)
+      : mesh_(mesh),
+        visibility_(visibility),
+        corner_radiance_(corner_values(mesh, radiosity, options.crease_angle) / kPi),
+        camera_(camera),
+        pinhole_(camera, options.width, options.height),
+        samples_per_side_(static_cast<int>(std::lround(std::sqrt(options.samples)))) {}
+
+  [[nodiscard]] Index n_bands() const { return corner_radiance_.cols(); }
+
+  /// Fills one pixel of the picture.
+  void draw_pixel(int x, int y, Image& image) const {
+    const int n_samples = samples_per_side_ * samples_per_side_;
+    Eigen::RowVectorXd mean = Eigen::RowVectorXd::Zero(n_bands());
+    int n_hits = 0;
+    for (int k = 0; k < n_samples; ++k) {
+      const Vec2 offset = sample_position(k, samples_per_side_);
+      const Vec3 direction = pinhole_.direction(x + offset[0], y + offset[1]);
+      const auto seen = first_front(visibility_, camera_.position, direction);
+      if (!seen) continue;
+      ++n_hits;
+      // A running mean of equal values is exactly that value, unlike their sum divided.
+      mean += (interpolate(mesh_, corner_radiance_, seen->patch, seen->position) - mean) / n_hits;
+    }
+    const double coverage = static_cast<double>(n_hits) / n_samples;
+    const Index pixel = static_cast<Index>(y) * image.width + x;
+    image.values.row(pixel) = (coverage * mean).cast<float>();
+    image.alpha[pixel] = static_cast<float>(coverage);
+  }
+
+ private:
+  const PatchMesh& mesh_;
+  const Visibility& visibility_;
+  Eigen::MatrixXd corner_radiance_;
+  const Camera& camera_;
+  Pinhole pinhole_;
+  int samples_per_side_;
+};
+
+}  // namespace
+
+Image render(const PatchMesh& mesh, const Visibility& visibility, const Eigen::MatrixXd& radiosity,
+             const Camera& camera, const RenderOptions& options) {
+  assert(options.width > 0 && options.height > 0 && options.samples > 0);
+  const Renderer renderer(mesh, visibility, radiosity, camera, options);
+  const Index n_pixels = Index{options.width} * options.height;
+  Image image = {.width = options.width,
+                 .height = options.height,
+                 .values = Eigen::MatrixXf::Zero(n_pixels, renderer.n_bands()),
+                 .alpha = std::vector<float>(n_pixels)};
+  RowCounter counter(options.progress, options.height);
+  parallel_for(options.height, [&](std::ptrdiff_t y) {
+    options.progress.check();
+    for (int x = 0; x < options.width; ++x) renderer.draw_pixel(x, static_cast<int>(y), image);
+    counter.add_row();
+  });
+  return image;
+}
+
+Camera fit_camera(const PatchMesh& mesh) {
+  assert(mesh.size() > 0);
+  constexpr double kMargin = 1.05;
+  Camera camera;
+  camera.direction = Vec3(-0.5, -0.45, -1).normalized();
+  const Vec3 right = camera.direction.cross(camera.up).normalized();
+  const Vec3 up = right.cross(camera.direction);
+  const double slope = std::tan(camera.vertical_fov / 2) / kMargin;
+
+  // A point at x across and z along the view is inside the pyramid of a camera at (c, -d) if
+  // |x - c| <= slope (z + d); the outermost points on either side settle c and d.
+  const Vec3 origin = bounds(mesh).center();
+  Vec2 highest = Vec2::Constant(-std::numeric_limits<double>::infinity());  // of x - slope z
+  Vec2 lowest = -highest;                                                   // of x + slope z
+  for (Index i = 0; i < mesh.size(); ++i) {
+    for (int k = 0; k < mesh.n_corners(i); ++k) {
+      const Vec3 offset = mesh.corner(i, k) - origin;
+      const Vec2 across(offset.dot(right), offset.dot(up));
+      const Vec2 depth = Vec2::Constant(slope * offset.dot(camera.direction));
+      highest = highest.cwiseMax(across - depth);
+      lowest = lowest.cwiseMin(across + depth);
+    }
+  }
+  const Vec2 center = (highest + lowest) / 2;
+  const double distance = (highest - lowest).maxCoeff() / (2 * slope);
+  camera.position = origin + center[0] * right + center[1] * up - distance * camera.direction;
+  return camera;
+}
+
+}  // namespace radiosity
