@@ -15,6 +15,10 @@ namespace {
 /// Vertices this close to a plane, relative to the size of the pair, lie on it.
 constexpr double kOnPlane = 1e-14;
 
+/// Form factors below this between near polygons (they lie almost in one plane) need no more
+/// absolute accuracy than this one.
+constexpr double kNegligible = 1e-4;
+
 struct Disc {
   Vec3 center;
   double radius;
@@ -78,7 +82,9 @@ struct FacingPair {
 
 Estimate touching_or_near(const FacingPair& pair, double tolerance) {
   Estimate best = contour_exchange_area(pair.polygon1.points(), pair.polygon2.points());
-  const double goal = tolerance * std::abs(best.value);
+  const double least_area = std::min(vector_area(pair.polygon1.points()).norm(),
+                                     vector_area(pair.polygon2.points()).norm());
+  const double goal = tolerance * std::max(std::abs(best.value), kNegligible * least_area);
   if (best.error <= goal) return best;
 
   const Disc disc1 = bounding_disc(pair.polygon1.points());

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "io/image_file.h"
+#include "radiosity/render.h"
+#include "radiosity/transport.h"
+
+namespace apps {
+
+/// Options that every subcommand takes.
+struct CommonOptions {
+  std::string scene;                ///< file name
+  std::optional<std::string> unit;  ///< of the file's coordinates; absent: what the file says
+  std::size_t n_threads = 0;        ///< 0 = all cores
+  bool json = false;                ///< one JSON object on stdout instead of the table
+  bool quiet = false;               ///< no progress on stderr
+};
+
+/// What the options of a computation say about patches and form factors.
+struct ComputeOptions {
+  std::optional<double> max_edge;  ///< m
+  std::optional<long> n_patches;   ///< about so many
+  bool as_is = false;              ///< each input polygon is one patch
+  double tolerance = 1e-2;         ///< relative error asked of the result
+  std::string closed = "auto";     ///< "yes", "no" or "auto"
+  std::uint64_t seed = 0;          ///< of the visibility samples
+};
+
+/// How pictures are made.
+struct PictureOptions {
+  radiosity::RenderOptions render;
+  io::ImageOptions image;
+};
+
+/// Number of patches asked for if neither --max-edge, --patches nor --as-is is given.
+inline constexpr long kDefaultPatches = 2000;
+
+/// These bind the options to the command; `options` must outlive the parsing.
+void add_common_options(CLI::App& command, CommonOptions& options);
+void add_compute_options(CLI::App& command, ComputeOptions& options);
+void add_picture_options(CLI::App& command, PictureOptions& options);
+
+/// --closed as the library takes it; with "auto" the scene's own declaration counts.
+radiosity::Closed closed_choice(const std::string& choice, const std::optional<bool>& declared);
+
+}  // namespace apps

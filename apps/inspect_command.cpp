@@ -1,0 +1,32 @@
+#include "apps/inspect_command.h"
+
+#include "apps/json_summary.h"
+#include "apps/solved_scene.h"
+#include "apps/summary.h"
+#include "apps/text_summary.h"
+#include "io/scene_file.h"
+#include "meshing/inspect.h"
+#include "radiosity/parallel.h"
+
+namespace apps {
+
+InspectCommand::InspectCommand(CLI::App& program, Interruption& interruption)
+    : interruption_(interruption) {
+  CLI::App* command =
+      program.add_subcommand("inspect", "Show what a scene holds and what is wrong with it");
+  add_common_options(*command, common_);
+  command->callback([this] { run(); });
+}
+
+void InspectCommand::run() const {
+  TerminalProgress terminal(terminal_style(common_));
+  const radiosity::ThreadLimit threads(common_.n_threads);
+  const radiosity::Progress progress = shown_progress(terminal, interruption_);
+  const radiosity::Scene scene = read_scene_warning(common_, progress, terminal);
+  const meshing::Inspection inspection = meshing::inspect(scene);
+  progress.check();
+  print(common_.json ? inspect_json(scene, inspection, terminal.warnings())
+                     : inspect_text(scene, inspection));
+}
+
+}  // namespace apps

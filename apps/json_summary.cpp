@@ -1,0 +1,134 @@
+#include "apps/json_summary.h"
+
+#include <nlohmann/json.hpp>
+
+#include "apps/scene_text.h"
+#include "apps/surface_flux.h"
+
+namespace apps {
+namespace {
+
+using Json = nlohmann::ordered_json;  // writes NaN and infinity as null
+
+Json array(const Eigen::VectorXd& values) {
+  return std::vector<double>(values.data(), values.data() + values.size());
+}
+
+/// File names may hold any bytes; what is not UTF-8 is replaced.
+std::string text(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+Json form_factors(const radiosity::Transport& transport) {
+  const radiosity::AssemblyReport& report = transport.report();
+  return {{"seconds", report.seconds},
+          {"pairs",
+           {{"facing", report.facing},
+            {"visible", report.visible},
+            {"hidden", report.hidden},
+            {"undecided", report.undecided},
+            {"partial", report.partial}}},
+          {"rays", report.rays},
+          {"closed", report.closed},
+          {"closure_mean", report.closure_mean},
+          {"closure_max", report.closure_max},
+          {"bytes", transport.bytes()}};
+}
+
+Json solve(const radiosity::Solution& solution) {
+  return {{"method", radiosity::method_name(solution.method)},
+          {"iterations", solution.iterations},
+          {"products", solution.products},
+          {"residual", solution.residual},
+          {"error_bound", solution.error_bound},
+          {"transport_error_bound", solution.transport_error_bound},
+          {"converged", solution.converged},
+          {"seconds", solution.seconds}};
+}
+
+Json surfaces(const std::vector<SurfaceFlux>& fluxes) {
+  Json list = Json::array();
+  for (const SurfaceFlux& flux : fluxes) {
+    list.push_back({{"name", flux.surface},
+                    {"area", flux.area},
+                    {"net_flux", flux.flux},
+                    {"net_heat", flux.heat}});
+  }
+  return list;
+}
+
+Json surfaces(const radiosity::Scene& scene, const meshing::Inspection& inspection) {
+  Json list = Json::array();
+  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
+    const radiosity::Surface& surface = scene.surfaces[s];
+    const radiosity::Material& material = scene.materials[surface.material];
+    list.push_back({{"name", surface.name},
+                    {"polygons", inspection.surface_polygons[s]},
+                    {"area", inspection.surface_area[s]},
+                    {"two_sided", surface.two_sided},
+                    {"material", material.name},
+                    {"reflectance", array(material.reflectance)},
+                    {"emission",
+                     {{"kind", emission_name(material.emission.kind)},
+                      {"value", array(material.emission.value)}}}});
+  }
+  return list;
+}
+
+Json findings(const meshing::Inspection& inspection) {
+  Json list = Json::array();
+  for (const meshing::Finding& finding : inspection.findings) {
+    list.push_back({{"kind", meshing::kind_name(finding.kind)},
+                    {"severity", severity_name(finding.severity)},
+                    {"surface", finding.surface},
+                    {"polygon", finding.polygon < 0 ? Json() : Json(finding.polygon)},
+                    {"count", finding.count},
+                    {"message", finding.message}});
+  }
+  return list;
+}
+
+Json bounds(const radiosity::Box3& box) {
+  if (box.isEmpty()) return nullptr;
+  return {{"min", array(box.min())}, {"max", array(box.max())}};
+}
+
+}  // namespace
+
+std::string solve_json(const SolvedScene& solved, const std::vector<std::string>& outputs,
+                       const std::vector<std::string>& warnings) {
+  const radiosity::EnergyBalance& energy = solved.solution.energy;
+  Json json = {{"patches", solved.mesh.size()},
+               {"bands", solved.scene.bands.count()},
+               {"form_factors", form_factors(*solved.transport)},
+               {"solve", solve(solved.solution)},
+               {"energy",
+                {{"emitted", array(energy.emitted)},
+                 {"absorbed", array(energy.absorbed)},
+                 {"escaped", array(energy.escaped)}}},
+               {"outputs", outputs},
+               {"warnings", warnings}};
+  if (is_thermal(solved.scene)) {
+    json["surfaces"] = surfaces(surface_fluxes(solved.mesh, solved.solution));
+  }
+  return text(json);
+}
+
+std::string inspect_json(const radiosity::Scene& scene, const meshing::Inspection& inspection,
+                         const std::vector<std::string>& warnings) {
+  return text({{"vertices", inspection.n_vertices},
+               {"polygons", inspection.n_polygons},
+               {"triangles", inspection.n_triangles},
+               {"quads", inspection.n_quads},
+               {"other", inspection.n_other},
+               {"area", inspection.area},
+               {"bounds", bounds(inspection.bounds)},
+               {"closed", inspection.closed},
+               {"boundary_edges", inspection.n_boundary_edges},
+               {"bands", scene.bands.count()},
+               {"surfaces", surfaces(scene, inspection)},
+               {"findings", findings(inspection)},
+               {"warnings", warnings}});
+}
+
+}  // namespace apps

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "apps/solved_scene.h"
+#include "meshing/inspect.h"
+#include "radiosity/scene.h"
+
+namespace apps {
+
+/// The JSON object that `solve` and `render` print (docs/command-line.md). What is not a finite
+/// number is null.
+std::string solve_json(const SolvedScene& solved, const std::vector<std::string>& outputs,
+                       const std::vector<std::string>& warnings);
+
+/// The JSON object that `inspect` prints.
+std::string inspect_json(const radiosity::Scene& scene, const meshing::Inspection& inspection,
+                         const std::vector<std::string>& warnings);
+
+}  // namespace apps

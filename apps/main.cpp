@@ -1,0 +1,58 @@
+#include <fmt/format.h>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "apps/inspect_command.h"
+#include "apps/interruption.h"
+#include "apps/render_command.h"
+#include "apps/solve_command.h"
+#include "apps/terminal_progress.h"
+#include "apps/usage_error.h"
+#include "radiosity/error.h"
+
+namespace {
+
+constexpr int kFailureExit = 1;
+constexpr int kUsageExit = 2;
+
+int fail(int exit_code, std::string_view message) {
+  fmt::print(stderr, "radiosity: error: {}\n", apps::one_line(message));
+  return exit_code;
+}
+
+/// Parses the command line and runs the command; returns the exit code.
+int run(CLI::App& program, int argc, char** argv) {
+  try {
+    program.parse(argc, argv);
+    return 0;
+  } catch (const CLI::Success& help_or_version) {
+    return program.exit(help_or_version);
+  } catch (const CLI::ParseError& error) {
+    return fail(kUsageExit, apps::usage_message(program, error));
+  } catch (const radiosity::Interrupted&) {
+    fmt::print(stderr, "radiosity: interrupted\n");
+    return apps::kInterruptedExit;
+  } catch (const std::bad_alloc&) {
+    return fail(kFailureExit, "out of memory; fewer patches need less (--patches N)");
+  } catch (const std::exception& error) {
+    return fail(kFailureExit, error.what());
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  apps::Interruption interruption;
+  CLI::App program("Radiosity: how light spreads between diffuse surfaces.", "radiosity");
+  program.set_version_flag("--version", "radiosity " RADIOSITY_VERSION);
+  program.require_subcommand(1);
+  const apps::SolveCommand solve(program, interruption);
+  const apps::InspectCommand inspect(program, interruption);
+  const apps::RenderCommand render(program, interruption);
+  return run(program, argc, argv);
+}

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace apps {
+
+/// Whether the file is a picture (.png or .exr) by its extension.
+bool is_picture(const std::filesystem::path& path);
+
+/// Extensions that `solve` writes; `render` writes the pictures only.
+const std::vector<std::string>& result_extensions();
+const std::vector<std::string>& picture_extensions();
+
+/// For the command line's check: empty if the extension of `path` is one of `allowed`, else what
+/// was found and expected.
+std::string check_extension(const std::string& path, const std::vector<std::string>& allowed);
+
+/// Finds out before the long work what would fail after it. Throws OutputError if the folder of an
+/// output is missing, no folder or not writable, if an output is a folder, or if it would replace
+/// the scene file.
+void check_outputs(const std::vector<std::string>& outputs, const std::filesystem::path& scene);
+
+}  // namespace apps

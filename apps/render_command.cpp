@@ -1,0 +1,36 @@
+#include "apps/render_command.h"
+
+#include "apps/output_files.h"
+#include "apps/solved_scene.h"
+#include "apps/summary.h"
+#include "radiosity/parallel.h"
+
+namespace apps {
+
+RenderCommand::RenderCommand(CLI::App& program, Interruption& interruption)
+    : interruption_(interruption) {
+  CLI::App* command =
+      program.add_subcommand("render", "Compute the radiosity of a scene and write a picture");
+  add_common_options(*command, common_);
+  command->add_option("-o,--output", output_, "Picture file, .png or .exr")
+      ->required()
+      ->check([](const std::string& path) { return check_extension(path, picture_extensions()); })
+      ->type_name("FILE");
+  add_compute_options(*command, compute_);
+  add_picture_options(*command, picture_);
+  command->callback([this] { run(); });
+}
+
+void RenderCommand::run() const {
+  check_outputs({output_}, common_.scene);
+  TerminalProgress terminal(terminal_style(common_));
+  const radiosity::ThreadLimit threads(common_.n_threads);
+  const radiosity::Progress progress = shown_progress(terminal, interruption_);
+  const SolvedScene solved(common_, compute_, radiosity::Method::conjugate_gradients, progress,
+                           terminal);
+  write_picture(output_, solved, picture_, progress, terminal, interruption_);
+  progress.check();
+  print_summary(solved, {output_}, common_, terminal);
+}
+
+}  // namespace apps

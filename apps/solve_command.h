@@ -1,0 +1,31 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <string>
+#include <vector>
+
+#include "apps/common_options.h"
+#include "apps/interruption.h"
+
+namespace apps {
+
+/// `radiosity solve SCENE [-o FILE]...`: computes the radiosity, writes it, and prints a summary.
+/// Adds itself to the program and runs when that is parsed; must outlive the parsing.
+class SolveCommand {
+ public:
+  SolveCommand(CLI::App& program, Interruption& interruption);
+  SolveCommand(const SolveCommand&) = delete;
+  SolveCommand& operator=(const SolveCommand&) = delete;
+
+ private:
+  void run() const;
+
+  Interruption& interruption_;
+  CommonOptions common_;
+  ComputeOptions compute_;
+  PictureOptions picture_;
+  std::string method_;
+  std::vector<std::string> outputs_;
+};
+
+}  // namespace apps

@@ -1,0 +1,159 @@
+#include "apps/solved_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "apps/available_memory.h"
+#include "io/image_file.h"
+#include "io/scene_file.h"
+#include "meshing/inspect.h"
+#include "meshing/patches.h"
+#include "radiosity/radiometry.h"
+#include "radiosity/render.h"
+
+namespace apps {
+namespace {
+
+using namespace radiosity;
+
+// Beyond this many polygons, looking for flaws costs more than it tells.
+constexpr Index kInspectedPolygons = 200'000;
+
+Scene read_checked_scene(const CommonOptions& common, const Progress& progress,
+                         TerminalProgress& terminal) {
+  Scene scene = read_scene_warning(common, progress, terminal);
+  if (scene.n_polygons() == 0) {
+    throw SceneError(fmt::format("{}: the scene has no polygons", common.scene));
+  }
+  return scene;
+}
+
+void warn_of_findings(const Scene& scene, TerminalProgress& terminal) {
+  if (scene.n_polygons() > kInspectedPolygons) return;
+  for (const meshing::Finding& finding : meshing::inspect(scene).findings) {
+    if (finding.severity == meshing::Finding::Severity::serious) terminal.warn(finding.message);
+  }
+}
+
+meshing::PatchOptions patch_options(const Scene& scene, const ComputeOptions& compute,
+                                    const Progress& progress) {
+  meshing::PatchOptions options{
+      .max_edge = compute.max_edge, .n_patches = compute.n_patches, .progress = progress};
+  const bool nothing_said = !compute.max_edge && !compute.n_patches && !compute.as_is;
+  if (nothing_said && scene.n_polygons() < kDefaultPatches) options.n_patches = kDefaultPatches;
+  return options;
+}
+
+double polygon_area(const Scene& scene, Index i) {
+  std::vector<Vec3> corners;
+  for (const auto vertex : scene.polygon(i)) corners.push_back(scene.vertices[vertex]);
+  return vector_area(corners).norm();
+}
+
+/// A number of patches that will be reached, known before the patches are made.
+Index least_patches(const Scene& scene, const meshing::PatchOptions& options) {
+  Index least = std::max<Index>(scene.n_polygons(), options.n_patches.value_or(0));
+  if (options.max_edge) {
+    double area = 0;
+    for (Index i = 0; i < scene.n_polygons(); ++i) area += polygon_area(scene, i);
+    // The largest patch whose edges are no longer than L is the square L².
+    const double squares = area / (*options.max_edge * *options.max_edge);
+    least = std::max(least, static_cast<Index>(std::min(squares, 1e9)));
+  }
+  return least;
+}
+
+/// Makes the patches, but refuses first what would not fit into memory.
+PatchMesh make_affordable_patches(const Scene& scene, const ComputeOptions& compute,
+                                  const Progress& progress, TerminalProgress& terminal) {
+  const meshing::PatchOptions options = patch_options(scene, compute, progress);
+  const std::size_t memory = usable_memory();
+  check_memory(least_patches(scene, options), scene.n_polygons(), memory);
+  warn_of_findings(scene, terminal);
+  PatchMesh mesh = meshing::make_patches(scene, options);
+  check_memory(mesh.size(), scene.n_polygons(), memory);
+  return mesh;
+}
+
+Solution solve_scene(const Scene& scene, const PatchMesh& mesh, const Transport& transport,
+                     const SolveOptions& options, TerminalProgress& terminal) {
+  const Eigen::MatrixXd emitted = exitance(scene, mesh);
+  if (emitted.isZero(0)) {
+    terminal.warn("no surface emits light: the radiosity is zero everywhere");
+  }
+  Solution solution = solve(transport, emitted, reflectance(scene, mesh), options);
+  if (!solution.converged) {
+    terminal.warn(
+        fmt::format("the iteration has not converged: its error may be {:.1e}, {:.1e} "
+                    "was asked for; try --method cg",
+                    solution.error_bound, options.tolerance));
+  }
+  return solution;
+}
+
+SolveOptions solve_options(Method method, double tolerance, const Progress& progress) {
+  SolveOptions options;
+  options.method = method;
+  // The iteration shall add nothing to the error of the form factors; digits cost it little.
+  options.tolerance = std::min(1e-8, 1e-3 * tolerance);
+  options.progress = progress;
+  return options;
+}
+
+}  // namespace
+
+SolvedScene::SolvedScene(const CommonOptions& common, const ComputeOptions& compute, Method method,
+                         const Progress& progress, TerminalProgress& terminal)
+    : scene(read_checked_scene(common, progress, terminal)),
+      mesh(make_affordable_patches(scene, compute, progress, terminal)),
+      visibility(mesh),
+      transport(make_transport(mesh, visibility,
+                               {.tolerance = compute.tolerance,
+                                .closed = closed_choice(compute.closed, scene.closed),
+                                .seed = compute.seed,
+                                .memory = usable_memory(),
+                                .progress = progress})),
+      solution(solve_scene(scene, mesh, *transport,
+                           solve_options(method, compute.tolerance, progress), terminal)) {}
+
+TerminalProgress::Style terminal_style(const CommonOptions& common) {
+  return common.quiet ? TerminalProgress::Style::none : TerminalProgress::fitting_style();
+}
+
+Scene read_scene_warning(const CommonOptions& common, const Progress& progress,
+                         TerminalProgress& terminal) {
+  Scene scene = io::read_scene(common.scene, {.unit = common.unit, .progress = progress});
+  for (const std::string& warning : scene.warnings) terminal.warn(warning);
+  return scene;
+}
+
+Progress shown_progress(TerminalProgress& terminal, const Interruption& interruption) {
+  return {
+      .report = [&terminal](std::string_view stage, double done, double total,
+                            std::string_view unit) { terminal.report(stage, done, total, unit); },
+      .stop = interruption.token()};
+}
+
+void write_picture(const std::string& path, const SolvedScene& solved,
+                   const PictureOptions& options, const Progress& progress,
+                   TerminalProgress& terminal, Interruption& interruption) {
+  const Camera camera = solved.scene.camera.value_or(fit_camera(solved.mesh));
+  if (!solved.scene.camera) {
+    const Vec3& p = camera.position;
+    terminal.warn(
+        fmt::format("the scene has no camera: the picture is taken from ({:.3g}, {:.3g}, "
+                    "{:.3g}) m, where all of it is in view",
+                    p.x(), p.y(), p.z()));
+  }
+  RenderOptions render_options = options.render;
+  render_options.progress = progress;
+  const Image image =
+      render(solved.mesh, solved.visibility, solved.solution.radiosity, camera, render_options);
+  progress.check();
+  const auto lock = interruption.hold();
+  io::write_image(path, image, options.image);
+}
+
+}  // namespace apps

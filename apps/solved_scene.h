@@ -1,0 +1,50 @@
+#pragma once
+
+#include <memory>
+
+#include "apps/common_options.h"
+#include "apps/interruption.h"
+#include "apps/terminal_progress.h"
+#include "radiosity/patch_mesh.h"
+#include "radiosity/scene.h"
+#include "radiosity/solve.h"
+#include "radiosity/transport.h"
+#include "radiosity/visibility.h"
+
+namespace apps {
+
+/// The whole pipeline from a scene file to its radiosity, with every stage's result at hand. Stays
+/// where it was made, since later stages may refer to earlier ones.
+struct SolvedScene {
+  /// Runs the pipeline; warnings go to `terminal`. Throws what the stages throw, and SolveError
+  /// before anything long if the problem does not fit into memory.
+  SolvedScene(const CommonOptions& common, const ComputeOptions& compute, radiosity::Method method,
+              const radiosity::Progress& progress, TerminalProgress& terminal);
+  SolvedScene(const SolvedScene&) = delete;
+  SolvedScene& operator=(const SolvedScene&) = delete;
+
+  radiosity::Scene scene;
+  radiosity::PatchMesh mesh;
+  radiosity::Visibility visibility;
+  std::unique_ptr<radiosity::Transport> transport;
+  radiosity::Solution solution;
+};
+
+/// How progress is shown: not at all with --quiet, else as stderr allows.
+TerminalProgress::Style terminal_style(const CommonOptions& common);
+
+/// Reads the scene; what the reader noticed becomes warnings.
+radiosity::Scene read_scene_warning(const CommonOptions& common,
+                                    const radiosity::Progress& progress,
+                                    TerminalProgress& terminal);
+
+/// Progress that is shown by `terminal` and stopped by `interruption`.
+radiosity::Progress shown_progress(TerminalProgress& terminal, const Interruption& interruption);
+
+/// Renders the picture of a solved scene and writes it; warns if the scene has no camera. The file
+/// is written under `interruption.hold()`.
+void write_picture(const std::string& path, const SolvedScene& solved,
+                   const PictureOptions& options, const radiosity::Progress& progress,
+                   TerminalProgress& terminal, Interruption& interruption);
+
+}  // namespace apps

@@ -1,0 +1,25 @@
+#include "apps/summary.h"
+
+#include <cstdio>
+
+#include "apps/json_summary.h"
+#include "apps/text_summary.h"
+#include "radiosity/error.h"
+
+namespace apps {
+
+void print(const std::string& text) {
+  std::fputs(text.c_str(), stdout);
+  if (text.empty() || text.back() != '\n') std::fputc('\n', stdout);
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+    throw radiosity::OutputError("the summary cannot be written to standard output");
+  }
+}
+
+void print_summary(const SolvedScene& solved, const std::vector<std::string>& outputs,
+                   const CommonOptions& common, const TerminalProgress& terminal) {
+  print(common.json ? solve_json(solved, outputs, terminal.warnings())
+                    : solve_text(solved, outputs));
+}
+
+}  // namespace apps

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "apps/solved_scene.h"
+
+namespace apps {
+
+/// Prints the text on stdout. Throws OutputError if that fails (a full disk, say).
+void print(const std::string& text);
+
+/// Prints the summary of `solve` and `render`: a table, or with --json one JSON object.
+void print_summary(const SolvedScene& solved, const std::vector<std::string>& outputs,
+                   const CommonOptions& common, const TerminalProgress& terminal);
+
+}  // namespace apps

@@ -1,0 +1,196 @@
+#include "apps/text_summary.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "apps/scene_text.h"
+#include "apps/surface_flux.h"
+#include "apps/terminal_progress.h"
+
+namespace apps {
+namespace {
+
+using Row = std::vector<std::string>;
+
+std::string line(std::string_view label, std::string_view value) {
+  return fmt::format("{:<16}{}\n", label, value);
+}
+
+/// Number of characters that a UTF-8 text shows as (fmt counts the same way when it pads).
+std::size_t width(const std::string& text) {
+  return std::count_if(text.begin(), text.end(),
+                       [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });
+}
+
+/// Columns as wide as their longest cell; the first is aligned left, the others right.
+std::string table(const std::vector<Row>& rows) {
+  std::vector<std::size_t> widths(rows.front().size());
+  for (const Row& row : rows) {
+    for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], width(row[c]));
+  }
+  std::string text;
+  for (const Row& row : rows) {
+    text += fmt::format("  {:<{}}", row[0], widths[0]);
+    for (std::size_t c = 1; c < row.size(); ++c) text += fmt::format("  {:>{}}", row[c], widths[c]);
+    text += "\n";
+  }
+  return text;
+}
+
+/// All values if they are few, else their range.
+std::string numbers(const Eigen::VectorXd& values) {
+  if (values.size() > 4) {
+    return fmt::format("{:.4g} .. {:.4g}", values.minCoeff(), values.maxCoeff());
+  }
+  std::string text;
+  for (const double value : values) {
+    text += fmt::format("{}{:.4g}", text.empty() ? "" : " ", value);
+  }
+  return text;
+}
+
+std::string bytes(std::size_t n) {
+  return n < 1'000'000'000 ? fmt::format("{:.1f} MB", static_cast<double>(n) * 1e-6)
+                           : fmt::format("{:.2f} GB", static_cast<double>(n) * 1e-9);
+}
+
+Row band_names(const radiosity::Bands& bands) {
+  switch (bands.kind) {
+    case radiosity::Bands::Kind::grey:
+      return {"grey"};
+    case radiosity::Bands::Kind::rgb:
+      return {"red", "green", "blue"};
+    case radiosity::Bands::Kind::wavelengths:
+      break;
+  }
+  Row names;
+  for (const double wavelength : bands.wavelengths)
+    names.push_back(fmt::format("{} nm", wavelength));
+  return names;
+}
+
+std::string form_factor_lines(const radiosity::Transport& transport) {
+  const radiosity::AssemblyReport& report = transport.report();
+  std::string text =
+      line("form factors", fmt::format("{:.3g} s, {}", report.seconds, bytes(transport.bytes())));
+  text += line("  pairs facing", fmt::format("{}", report.facing));
+  text += line("    visible", fmt::format("{}", report.visible));
+  text += line("    hidden", fmt::format("{}", report.hidden));
+  text += line("    undecided",
+               fmt::format("{}, of these {} partly hidden", report.undecided, report.partial));
+  text += line("  rays", fmt::format("{}", report.rays));
+  text += line("  closure",
+               fmt::format("|1 - row sum| {:.2g} on average, at most {:.2g} ({})",
+                           report.closure_mean, report.closure_max,
+                           report.closed ? "closed scene, since corrected" : "open scene"));
+  return text;
+}
+
+std::string solve_lines(const radiosity::Solution& solution) {
+  return line("solve", fmt::format("{:.3g} s, {}, {} iterations{}", solution.seconds,
+                                   radiosity::method_name(solution.method), solution.iterations,
+                                   solution.converged ? "" : ", NOT CONVERGED")) +
+         line("  residual", fmt::format("{:.2g}", solution.residual)) +
+         line("  error bound",
+              fmt::format("{:.2g} from the iteration, {:.2g} from the form factors",
+                          solution.error_bound, solution.transport_error_bound));
+}
+
+std::string energy_table(const radiosity::Bands& bands, const radiosity::EnergyBalance& energy) {
+  std::vector<Row> rows = {{"energy", "emitted, W", "absorbed, W", "escaped, W"}};
+  const Row names = band_names(bands);
+  for (std::size_t band = 0; band < names.size(); ++band) {
+    const auto k = static_cast<Eigen::Index>(band);
+    rows.push_back({names[band], fmt::format("{:.6g}", energy.emitted[k]),
+                    fmt::format("{:.6g}", energy.absorbed[k]),
+                    fmt::format("{:.6g}", energy.escaped[k])});
+  }
+  return table(rows);
+}
+
+std::string flux_table(const std::vector<SurfaceFlux>& fluxes) {
+  std::vector<Row> rows = {{"net heat lost by", "area, m²", "W/m²", "W"}};
+  for (const SurfaceFlux& flux : fluxes) {
+    rows.push_back({one_line(flux.surface), fmt::format("{:.4g}", flux.area),
+                    fmt::format("{:.6g}", flux.flux), fmt::format("{:.6g}", flux.heat)});
+  }
+  return table(rows);
+}
+
+std::string emission_text(const radiosity::Emission& emission) {
+  using Kind = radiosity::Emission::Kind;
+  if (emission.kind == Kind::none) return "-";
+  std::string_view unit = "W/m²";
+  if (emission.kind == Kind::radiance) unit = "W/(m² sr)";
+  if (emission.kind == Kind::power) unit = "W";
+  if (emission.kind == Kind::temperature) unit = "K";
+  return fmt::format("{} {} {}", emission_name(emission.kind), numbers(emission.value), unit);
+}
+
+std::string surface_table(const radiosity::Scene& scene, const meshing::Inspection& inspection) {
+  std::vector<Row> rows = {
+      {"surface", "polygons", "area, m²", "material", "reflectance", "emission"}};
+  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
+    const radiosity::Surface& surface = scene.surfaces[s];
+    const radiosity::Material& material = scene.materials[surface.material];
+    rows.push_back({one_line(surface.name) + (surface.two_sided ? " (two-sided)" : ""),
+                    fmt::format("{}", inspection.surface_polygons[s]),
+                    fmt::format("{:.4g}", inspection.surface_area[s]), one_line(material.name),
+                    numbers(material.reflectance), emission_text(material.emission)});
+  }
+  return table(rows);
+}
+
+std::string bounds_text(const radiosity::Box3& box) {
+  if (box.isEmpty()) return "empty";
+  const radiosity::Vec3 size = box.sizes();
+  return fmt::format(
+      "{:.4g} x {:.4g} x {:.4g} m, from ({:.4g}, {:.4g}, {:.4g}) to ({:.4g}, {:.4g}, "
+      "{:.4g})",
+      size.x(), size.y(), size.z(), box.min().x(), box.min().y(), box.min().z(), box.max().x(),
+      box.max().y(), box.max().z());
+}
+
+std::string finding_lines(const meshing::Inspection& inspection) {
+  if (inspection.findings.empty()) return "no findings\n";
+  std::string text;
+  for (const meshing::Finding& finding : inspection.findings) {
+    const std::string times = finding.count > 1 ? fmt::format(" ({} times)", finding.count) : "";
+    text += fmt::format("{}: {}{}: {}\n", severity_name(finding.severity),
+                        meshing::kind_name(finding.kind), times, one_line(finding.message));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string solve_text(const SolvedScene& solved, const std::vector<std::string>& outputs) {
+  std::string text = line("scene", one_line(solved.scene.source));
+  text += line("patches", fmt::format("{} on {} surfaces", solved.mesh.size(),
+                                      solved.mesh.surface_names.size()));
+  text += form_factor_lines(*solved.transport);
+  text += solve_lines(solved.solution);
+  text += energy_table(solved.scene.bands, solved.solution.energy);
+  if (is_thermal(solved.scene)) text += flux_table(surface_fluxes(solved.mesh, solved.solution));
+  for (const std::string& output : outputs) text += line("written", one_line(output));
+  return text;
+}
+
+std::string inspect_text(const radiosity::Scene& scene, const meshing::Inspection& inspection) {
+  std::string text = line("scene", one_line(scene.source));
+  text += line("vertices", fmt::format("{}", inspection.n_vertices));
+  text +=
+      line("polygons", fmt::format("{}: {} triangles, {} quads, {} others", inspection.n_polygons,
+                                   inspection.n_triangles, inspection.n_quads, inspection.n_other));
+  text += line("area", fmt::format("{:.6g} m²", inspection.area));
+  text += line("bounds", bounds_text(inspection.bounds));
+  text += line("closed", inspection.closed
+                             ? "yes: every edge is shared by two polygons"
+                             : fmt::format("no: {} boundary edges", inspection.n_boundary_edges));
+  text += line("bands", fmt::format("{}", fmt::join(band_names(scene.bands), ", ")));
+  return text + surface_table(scene, inspection) + finding_lines(inspection);
+}
+
+}  // namespace apps

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "apps/solved_scene.h"
+#include "meshing/inspect.h"
+#include "radiosity/scene.h"
+
+namespace apps {
+
+/// What `solve` and `render` did, as an aligned table.
+std::string solve_text(const SolvedScene& solved, const std::vector<std::string>& outputs);
+
+/// What `inspect` found: counts and measures, the surfaces, then each finding on one line.
+std::string inspect_text(const radiosity::Scene& scene, const meshing::Inspection& inspection);
+
+}  // namespace apps

@@ -1,0 +1,460 @@
+// End-to-end tests: they run the built program as a user would.
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "output_folder.h"
+#include "radiosity/transport.h"
+
+extern char** environ;
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+using Json = nlohmann::json;
+using Arguments = std::vector<std::string>;
+
+/// What a finished run left behind.
+struct Outcome {
+  int exit_code = -1;  ///< -signal if a signal ended it
+  std::string out;
+  std::string err;
+};
+
+std::string contents(const fs::path& path) {
+  if (!fs::is_regular_file(path)) return "";
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// The program, running with its output going to files in `folder`.
+class Running {
+ public:
+  Running(const Arguments& arguments, fs::path folder) : folder_(std::move(folder)) {
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    constexpr int kCreate = O_WRONLY | O_CREAT | O_TRUNC;
+    posix_spawn_file_actions_addopen(&actions, 1, (folder_ / "stdout").c_str(), kCreate, 0644);
+    posix_spawn_file_actions_addopen(&actions, 2, (folder_ / "stderr").c_str(), kCreate, 0644);
+    std::vector<char*> argv = {const_cast<char*>("radiosity")};
+    for (const std::string& argument : arguments) {
+      argv.push_back(const_cast<char*>(argument.c_str()));
+    }
+    argv.push_back(nullptr);
+    const int error =
+        posix_spawn(&pid_, RADIOSITY_PROGRAM, &actions, nullptr, argv.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    EXPECT_EQ(error, 0) << RADIOSITY_PROGRAM << ": " << std::strerror(error);
+  }
+
+  void send(int signal) const { kill(pid_, signal); }
+
+  Outcome wait() const {
+    int status = 0;
+    waitpid(pid_, &status, 0);
+    Outcome outcome;
+    outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+    outcome.out = contents(folder_ / "stdout");
+    outcome.err = contents(folder_ / "stderr");
+    return outcome;
+  }
+
+ private:
+  fs::path folder_;
+  pid_t pid_ = 0;
+};
+
+/// Results go to a folder of their own, beside the scenes and what the program prints.
+class Program : public OutputFolder {
+ protected:
+  Program() {
+    fs::create_directory(folder() / "printed");
+    fs::create_directory(folder() / "results");
+  }
+
+  Running start(const Arguments& arguments) const { return {arguments, folder() / "printed"}; }
+  Outcome run(const Arguments& arguments) const { return start(arguments).wait(); }
+
+  /// File names that the program left in the results folder.
+  std::vector<std::string> results() const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder() / "results")) {
+      names.push_back(entry.path().filename().string());
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+  }
+  std::string result(const std::string& name) const {
+    return (folder() / "results" / name).string();
+  }
+
+  std::string write_file(const std::string& name, const std::string& text) const {
+    std::ofstream(folder() / name, std::ios::binary) << text;
+    return (folder() / name).string();
+  }
+
+  /// The unit cube seen from inside, every wall with the same reflectance and radiance.
+  std::string write_cube(double reflectance, double radiance) const {
+    std::ostringstream mtl;
+    mtl << "newmtl wall\n";
+    mtl << "Kd " << reflectance << ' ' << reflectance << ' ' << reflectance << '\n';
+    mtl << "Ke " << radiance << ' ' << radiance << ' ' << radiance << '\n';
+    write_file("cube.mtl", mtl.str());
+    return write_file("cube.obj",
+                      "mtllib cube.mtl\n"
+                      "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+                      "usemtl wall\n"
+                      "f 1 2 3 4\nf 5 8 7 6\nf 1 5 6 2\nf 4 3 7 8\nf 1 4 8 5\nf 2 6 7 3\n");
+  }
+
+  /// A binary STL file of n x n x 2 triangles that make up a flat square.
+  std::string write_large_stl(int n) const {
+    std::ofstream file(folder() / "large.stl", std::ios::binary);
+    const std::string header(80, ' ');
+    file.write(header.data(), 80);
+    const auto count = static_cast<std::uint32_t>(2 * n * n);
+    file.write(reinterpret_cast<const char*>(&count), 4);
+    const auto triangle = [&](std::array<float, 12> floats) {
+      file.write(reinterpret_cast<const char*>(floats.data()), 48);
+      file.write("\0\0", 2);
+    };
+    for (int i = 0; i < n; ++i) {
+      for (int j = 0; j < n; ++j) {
+        const auto x = static_cast<float>(i);
+        const auto y = static_cast<float>(j);
+        triangle({0, 0, 1, x, y, 0, x + 1, y, 0, x + 1, y + 1, 0});
+        triangle({0, 0, 1, x, y, 0, x + 1, y + 1, 0, x, y + 1, 0});
+      }
+    }
+    return (folder() / "large.stl").string();
+  }
+};
+
+std::string without_warnings(const std::string& text) {
+  std::istringstream stream(text);
+  std::string rest;
+  for (std::string line; std::getline(stream, line);) {
+    if (line.rfind("radiosity: warning: ", 0) != 0) rest += line + '\n';
+  }
+  return rest;
+}
+
+/// The one line of an error, as every failure must leave it.
+void expect_error(const Outcome& outcome, int exit_code, const std::string& words) {
+  const std::string error = without_warnings(outcome.err);
+  EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(error.find("radiosity: error: "), 0U) << outcome.err;
+  EXPECT_EQ(std::count(error.begin(), error.end(), '\n'), 1) << outcome.err;
+  EXPECT_NE(error.find(words), std::string::npos)
+      << "expected '" << words << "' in: " << outcome.err;
+}
+
+/// Columns of a CSV file whose header starts with `name`, row by row.
+std::vector<double> csv_columns(const std::string& path, const std::string& name) {
+  const auto split = [](const std::string& line) {
+    std::vector<std::string> cells;
+    std::istringstream stream(line);
+    for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
+    return cells;
+  };
+  std::ifstream file(path);
+  std::string line;
+  std::getline(file, line);
+  const std::vector<std::string> header = split(line);
+  std::vector<double> values;
+  while (std::getline(file, line)) {
+    const std::vector<std::string> cells = split(line);
+    EXPECT_EQ(cells.size(), header.size()) << line;
+    for (std::size_t c = 0; c < header.size() && c < cells.size(); ++c) {
+      if (header[c].rfind(name, 0) == 0) values.push_back(std::stod(cells[c]));
+    }
+  }
+  return values;
+}
+
+void expect_keys(const Json& object, const std::vector<std::string>& keys) {
+  for (const std::string& key : keys) EXPECT_TRUE(object.contains(key)) << key << " in " << object;
+}
+
+TEST_F(Program, HelpAndVersionSucceed) {
+  for (const Arguments& arguments : std::vector<Arguments>{{"--help"},
+                                                           {"solve", "--help"},
+                                                           {"inspect", "--help"},
+                                                           {"render", "--help"},
+                                                           {"--version"}}) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_NE(outcome.out.find("radiosity"), std::string::npos) << outcome.out;
+    EXPECT_EQ(outcome.err, "");
+  }
+}
+
+TEST_F(Program, BadUsageExitsWithTwo) {
+  const std::string scene = write_cube(0.5, 1);
+  const std::vector<std::pair<Arguments, std::string>> cases = {
+      {{}, "expected solve"},
+      {{"--quiet", "solve", scene}, "must follow"},
+      {{"slove", scene}, "did you mean 'solve'"},
+      {{"solve"}, "SCENE"},
+      {{"solve", scene, "--max-egde", "0.1"}, "did you mean '--max-edge'"},
+      {{"solve", scene, "--quite"}, "did you mean '--quiet'"},
+      {{"solve", scene, "another.obj"}, "another.obj"},
+      {{"solve", scene, "--patches", "10", "--as-is"}, "--as-is"},
+      {{"solve", scene, "--patches", "10", "--max-edge", "1"}, "--max-edge"},
+      {{"solve", scene, "--patches", "0"}, "--patches"},
+      {{"solve", scene, "--tolerance", "0"}, "--tolerance"},
+      {{"solve", scene, "--tolerance", "nan"}, "--tolerance"},
+      {{"solve", scene, "--method", "magic"}, "--method"},
+      {{"solve", scene, "--closed", "maybe"}, "--closed"},
+      {{"solve", scene, "--unit", "parsec"}, "parsec"},
+      {{"solve", scene, "--threads", "-1"}, "--threads"},
+      {{"solve", scene, "-o", result("a.xyz")}, ".vtp"},
+      {{"render", scene}, "--output"},
+      {{"render", scene, "-o", result("a.vtp")}, ".png"},
+      {{"render", scene, "-o", result("a.png"), "--samples", "3"}, "square number"}};
+  for (const auto& [arguments, words] : cases) {
+    SCOPED_TRACE(testing::PrintToString(arguments));
+    expect_error(run(arguments), 2, words);
+  }
+  EXPECT_TRUE(results().empty());
+}
+
+TEST_F(Program, WhatCannotBeDoneExitsWithOne) {
+  const std::string scene = write_cube(0.5, 1);
+  const std::string empty = write_file("empty.obj", "# nothing\n");
+  const std::vector<std::pair<Arguments, std::string>> cases = {
+      {{"solve", "no-such-scene.obj"}, "no-such-scene.obj"},
+      {{"inspect", "no-such-scene.obj"}, "no-such-scene.obj"},
+      {{"solve", empty}, "empty.obj"},
+      {{"solve", scene, "-o", result("missing/a.csv")}, "missing"},
+      {{"solve", scene, "-o", scene + "/a.csv"}, "not a folder"},
+      {{"render", scene, "-o", result("missing/a.png")}, "missing"}};
+  for (const auto& [arguments, words] : cases) {
+    SCOPED_TRACE(testing::PrintToString(arguments));
+    expect_error(run(arguments), 1, words);
+  }
+}
+
+TEST_F(Program, DoesNotReplaceAFolderOrItsOwnScene) {
+  fs::create_directory(result("folder.csv"));
+  const std::string ply = write_file(
+      "square.ply",
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+      "0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n");
+  const std::string before = contents(ply);
+  expect_error(run({"solve", ply, "-o", result("folder.csv")}), 1, "folder");
+  expect_error(run({"solve", ply, "-o", ply}), 1, "scene file");
+  EXPECT_EQ(contents(ply), before);
+}
+
+TEST_F(Program, JsonOfSolveHasTheAgreedKeys) {
+  const Outcome outcome = run({"solve", write_cube(0.5, 1), "--patches", "100", "--json", "-o",
+                               result("a.vtp"), "-o", result("a.csv"), "-o", result("a.ply")});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json json = Json::parse(outcome.out);  // throws if anything else is on stdout
+  expect_keys(json, {"patches", "bands", "form_factors", "solve", "energy", "outputs", "warnings"});
+  expect_keys(json["form_factors"], {"seconds", "pairs", "rays", "closure_mean", "closure_max"});
+  expect_keys(json["form_factors"]["pairs"],
+              {"facing", "visible", "hidden", "undecided", "partial"});
+  expect_keys(json["solve"], {"method", "iterations", "residual", "error_bound", "seconds"});
+  EXPECT_EQ(json["bands"], 3);
+  EXPECT_GE(json["patches"], 50);
+  EXPECT_EQ(json["solve"]["method"], "cg");
+  EXPECT_EQ(json["outputs"], Json({result("a.vtp"), result("a.csv"), result("a.ply")}));
+  EXPECT_EQ(results(), (std::vector<std::string>{"a.csv", "a.ply", "a.vtp"}));
+  for (int band = 0; band < 3; ++band) {
+    const double emitted = json["energy"]["emitted"][band];
+    const double absorbed = json["energy"]["absorbed"][band];
+    const double escaped = json["energy"]["escaped"][band];
+    EXPECT_NEAR(emitted, 6 * M_PI, 1e-6);  // 6 m² of exitance π L
+    EXPECT_NEAR(absorbed + escaped, emitted, 1e-6 * emitted);
+  }
+}
+
+// In a closed enclosure of equal walls B = M_e / (1 - ρ) on every patch, however it is divided.
+TEST_F(Program, FurnaceComesOutInTheCsvFile) {
+  const std::string scene = write_cube(0.5, 1 / M_PI);
+  for (const char* method : {"cg", "jacobi", "gauss-seidel", "southwell", "chebyshev"}) {
+    SCOPED_TRACE(method);
+    const Outcome outcome = run({"solve", scene, "--max-edge", "0.3", "--method", method,
+                                 "--closed", "yes", "-o", result("a.csv")});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const std::vector<double> radiosity = csv_columns(result("a.csv"), "B_");
+    ASSERT_GE(radiosity.size(), 3U * 6 * 16);
+    // The default tolerance, 1e-2, bounds the relative error of the result.
+    for (const double b : radiosity) EXPECT_NEAR(b, 2, 2e-2);
+  }
+}
+
+TEST_F(Program, AsIsKeepsEachPolygon) {
+  const Outcome outcome = run({"solve", write_cube(0.5, 1), "--as-is", "--json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(Json::parse(outcome.out)["patches"], 6);
+}
+
+TEST_F(Program, UnitScalesTheArea) {
+  const Outcome outcome = run({"inspect", write_cube(0.5, 1), "--unit", "cm", "--json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NEAR(Json::parse(outcome.out)["area"], 6e-4, 1e-12);
+}
+
+TEST_F(Program, ThreadsDoNotChangeTheResult) {
+  const std::string scene = RADIOSITY_TEST_DATA "/cornell-box/patches-8x8.obj";
+  for (const char* threads : {"1", "2"}) {
+    const Outcome outcome = run({"solve", scene, "--as-is", "--threads", threads, "-o",
+                                 result(std::string(threads) + ".csv")});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  }
+  EXPECT_EQ(contents(result("1.csv")), contents(result("2.csv")));
+}
+
+TEST_F(Program, SceneWithoutLightIsDark) {
+  const Outcome outcome =
+      run({"solve", write_cube(0.5, 0), "--patches", "50", "--json", "-o", result("a.csv")});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("radiosity: warning: no surface emits"), std::string::npos);
+  const Json json = Json::parse(outcome.out);
+  EXPECT_NE(json["warnings"].dump().find("no surface emits"), std::string::npos);
+  EXPECT_EQ(json["energy"]["emitted"], Json({0.0, 0.0, 0.0}));
+  for (const double b : csv_columns(result("a.csv"), "B_")) EXPECT_EQ(b, 0);
+}
+
+// In a closed enclosure the heat that one surface loses by radiation is what the others gain.
+TEST_F(Program, ThermalSceneTellsNetHeat) {
+  const std::string scene = write_file("oven.json", R"({
+    "bands": "grey", "closed": true,
+    "materials": {"hot": {"reflectance": 0.2, "temperature": 500},
+                  "cold": {"reflectance": 0.2, "temperature": 300}},
+    "surfaces": [
+      {"name": "floor", "material": "hot", "polygons": [[[0,0,0], [1,0,0], [1,1,0], [0,1,0]]]},
+      {"name": "rest", "material": "cold", "polygons": [
+        [[0,0,1], [0,1,1], [1,1,1], [1,0,1]], [[0,0,0], [0,0,1], [1,0,1], [1,0,0]],
+        [[0,1,0], [1,1,0], [1,1,1], [0,1,1]], [[0,0,0], [0,1,0], [0,1,1], [0,0,1]],
+        [[1,0,0], [1,0,1], [1,1,1], [1,1,0]]]}]})");
+  const Outcome outcome = run({"solve", scene, "--patches", "500", "--json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json surfaces = Json::parse(outcome.out)["surfaces"];
+  ASSERT_EQ(surfaces.size(), 2U);
+  EXPECT_EQ(surfaces[0]["name"], "floor");
+  const double lost = surfaces[0]["net_heat"];
+  const double black = 5.670374419e-8 * (std::pow(500, 4) - std::pow(300, 4));
+  EXPECT_GT(lost, 0);
+  EXPECT_LT(lost, black);  // per square metre, what two black planes would exchange
+  EXPECT_NEAR(surfaces[1]["net_heat"].get<double>(), -lost, 1e-6 * lost);
+  EXPECT_NEAR(surfaces[1]["net_flux"].get<double>(), -lost / 5, 1e-6 * lost);
+}
+
+TEST_F(Program, QuietShowsNoProgress) {
+  const Outcome loud = run({"solve", write_cube(0.5, 1), "--patches", "50"});
+  const Outcome quiet = run({"solve", write_cube(0.5, 1), "--patches", "50", "--quiet"});
+  EXPECT_NE(loud.err.find("form factors"), std::string::npos) << loud.err;
+  EXPECT_EQ(quiet.err, "");
+  EXPECT_NE(quiet.out.find("patches"), std::string::npos) << quiet.out;
+}
+
+TEST_F(Program, RefusesWhatDoesNotFitIntoMemory) {
+  constexpr int kSide = 448;  // 401 408 triangles
+  const auto machine = static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES)) *
+                       static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  if (radiosity::dense_transport_bytes(2 * kSide * kSide) < machine) {
+    GTEST_SKIP() << "this machine has room for it";
+  }
+  const std::string scene = write_large_stl(kSide);
+  expect_error(run({"solve", scene, "--as-is", "--quiet"}), 1, " GB");
+  const Outcome refined = run({"solve", write_cube(0.5, 1), "--max-edge", "0.001", "--quiet"});
+  expect_error(refined, 1, "--patches");
+}
+
+TEST_F(Program, InspectTellsCountsAndFindings) {
+  const Outcome outcome = run({"inspect", write_cube(0.5, 1), "--json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json json = Json::parse(outcome.out);
+  expect_keys(json, {"vertices", "polygons", "triangles", "quads", "other", "area", "bounds",
+                     "closed", "boundary_edges", "surfaces", "findings", "warnings"});
+  EXPECT_EQ(json["polygons"], 6);
+  EXPECT_EQ(json["quads"], 6);
+  EXPECT_NEAR(json["area"], 6, 1e-12);
+  EXPECT_EQ(json["bounds"]["max"], Json({1.0, 1.0, 1.0}));
+  EXPECT_EQ(json["closed"], true);
+  EXPECT_EQ(json["surfaces"][0]["polygons"], 6);
+}
+
+TEST_F(Program, InspectSucceedsWithFindings) {
+  const std::string scene = write_file("flawed.obj",
+                                       "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
+                                       "f 1 2 3 4\nf 1 2 3 4\nf 1 2 2\n");
+  const Outcome json = run({"inspect", scene, "--json"});
+  ASSERT_EQ(json.exit_code, 0) << json.err;
+  const Json findings = Json::parse(json.out)["findings"];
+  ASSERT_FALSE(findings.empty());
+  expect_keys(findings[0], {"kind", "severity", "surface", "polygon", "count", "message"});
+  const Outcome text = run({"inspect", scene});
+  EXPECT_EQ(text.exit_code, 0);
+  EXPECT_NE(text.out.find(findings[0]["kind"].get<std::string>()), std::string::npos) << text.out;
+}
+
+TEST_F(Program, RenderWritesAPicture) {
+  const Outcome outcome = run({"render", write_cube(0.5, 1), "--patches", "100", "-o",
+                               result("a.png"), "--width", "40", "--height", "30"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("no camera"), std::string::npos) << outcome.err;
+  EXPECT_EQ(results(), std::vector<std::string>{"a.png"});
+  const std::string png = contents(result("a.png"));
+  ASSERT_GT(png.size(), 24U);
+  EXPECT_EQ(png.substr(1, 3), "PNG");
+  EXPECT_EQ(png.substr(16, 8), std::string("\0\0\0\x28\0\0\0\x1e", 8));  // IHDR: width, height
+}
+
+TEST_F(Program, TellsWhenStandardOutputIsFull) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP();
+  fs::create_symlink("/dev/full", folder() / "printed" / "stdout");
+  const Outcome outcome = run({"inspect", write_cube(0.5, 1), "--quiet"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.err.find("standard output"), std::string::npos) << outcome.err;
+}
+
+/// Starts a job of at least half a minute, sends the signals, and expects it to end long before.
+class Interrupt : public Program {
+ protected:
+  void expect_interrupted_by(const std::vector<int>& signals) const {
+    const std::string scene = RADIOSITY_TEST_DATA "/cornell-box/patches-8x8.obj";
+    const Running running =
+        start({"solve", scene, "--patches", "20000", "--tolerance", "1e-5", "-o", result("a.csv")});
+    std::this_thread::sleep_for(1s);
+    const auto sent = std::chrono::steady_clock::now();
+    for (const int signal : signals) running.send(signal);
+    const Outcome outcome = running.wait();
+    // The program promises one second; a crowded machine gets some more.
+    EXPECT_LT(std::chrono::steady_clock::now() - sent, 4s);
+    EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
+    EXPECT_NE(outcome.err.find("radiosity: interrupted"), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_TRUE(results().empty());
+  }
+};
+
+TEST_F(Interrupt, ByControlC) { expect_interrupted_by({SIGINT}); }
+TEST_F(Interrupt, ByTermination) { expect_interrupted_by({SIGTERM}); }
+TEST_F(Interrupt, ByTwoSignals) { expect_interrupted_by({SIGINT, SIGTERM}); }
+
+}  // namespace
