@@ -8,19 +8,17 @@
 
 #include "radiosity/cluster_tree.h"
 #include "radiosity/exchange_area.h"
+#include "radiosity/occluded_pair.h"
 #include "radiosity/occluders.h"
 #include "radiosity/pair_kernel.h"
 #include "radiosity/parallel.h"
 #include "radiosity/shaft.h"
-#include "radiosity/visible_fraction.h"
 
 namespace radiosity {
 namespace {
 
 constexpr Index kTileSize = 64;
 constexpr Index kLeafSize = 8;
-/// Pairs with more candidate occluders than this are not tested one by one: rays are cheaper.
-constexpr std::size_t kMostTested = 32;
 /// Relative error of the unoccluded kernel, a matter of nanoseconds next to visibility.
 constexpr double kKernelTolerance = 1e-9;
 
@@ -313,30 +311,17 @@ class Assembler {
     };
     const ConvexPolygon polygon_i = is_whole ? table_.polygon(i) : clip(table_.polygon(i), plane_j);
     const ConvexPolygon polygon_j = is_whole ? table_.polygon(j) : clip(table_.polygon(j), plane_i);
-    if (candidates.size() <= kMostTested) {
-      const PolygonShaft shaft(polygon_i, plane_i, polygon_j, plane_j, table_.thickness());
-      Blocking worst = Blocking::none;
-      for (const std::int32_t k : candidates) {
-        worst = std::max(worst, shaft.test(occluders_[k]));
-        if (worst == Blocking::all) break;
-      }
-      if (worst == Blocking::none) {
-        ++census.visible;
-        return {unoccluded(i, j, is_whole), 0, true};
-      }
-      if (worst == Blocking::all) {
-        ++census.hidden;
-        return {0, 0, true};
-      }
-    }
-    ++census.undecided;
-    const VisibleFraction fraction = sample_visible_fraction(
-        visibility_, {polygon_i, plane_i, polygon_j, plane_j, center_, i, j}, max_rays_,
-        pair_seed(options_.seed, i, j));
-    census.rays += fraction.rays;
-    census.partial += fraction.is_partial ? 1 : 0;
-    const double whole = unoccluded(i, j, is_whole);
-    return {fraction.value * whole, fraction.error * whole, false};
+    std::vector<const Occluder*> blockers;
+    for (const std::int32_t k : candidates) blockers.push_back(&occluders_[k]);
+    const PairEstimate estimate = estimate_occluded_pair(
+        visibility_, {polygon_i, plane_i, polygon_j, plane_j, center_, i, j}, std::move(blockers),
+        {max_rays_, table_.thickness(), kKernelTolerance}, pair_seed(options_.seed, i, j));
+    census.visible += estimate.blocking == Blocking::none ? 1 : 0;
+    census.hidden += estimate.blocking == Blocking::all ? 1 : 0;
+    census.undecided += estimate.blocking == Blocking::some ? 1 : 0;
+    census.partial += estimate.is_partial ? 1 : 0;
+    census.rays += estimate.rays;
+    return {estimate.value, estimate.error, estimate.blocking != Blocking::some};
   }
 
   const TransportOptions& options_;

@@ -3,6 +3,9 @@
 #include <array>
 #include <cmath>
 
+#include "radiosity/exchange_area.h"
+#include "radiosity/visible_polygon.h"
+
 namespace radiosity {
 namespace {
 
@@ -13,28 +16,42 @@ std::uint64_t mix(std::uint64_t x) {
   return x ^ (x >> 31U);
 }
 
+/// Visible parts below this share of the whole are rounding.
+constexpr double kWhole = 1e-9;
+
 double uniform(std::uint64_t bits) { return static_cast<double>(bits >> 11U) * 0x1p-53; }
 
-/// Sums over the samples drawn so far, w the kernel and v whether the segment is free.
+/// Sums over samples of the weight w and its visible part v.
 struct Sums {
-  double w = 0, wv = 0, ww = 0, wwv = 0;
-  int rays = 0;
-  int free = 0;
+  double w = 0, v = 0, ww = 0, wv = 0, vv = 0;
+  int n = 0;
+  bool any_visible = false;
+  bool any_hidden = false;
+
+  void add(double weight, double visible) {
+    w += weight;
+    v += visible;
+    ww += weight * weight;
+    wv += weight * visible;
+    vv += visible * visible;
+    ++n;
+  }
 };
 
+/// The ratio Σ v / Σ w with the standard error of a ratio of means. (Cochran 1977, section 6.4)
 VisibleFraction evaluate(const Sums& sums) {
   VisibleFraction result;
-  result.rays = sums.rays;
-  result.is_partial = sums.free > 0 && sums.free < sums.rays;
-  const double n = sums.rays;
+  result.is_partial = sums.any_visible && sums.any_hidden && sums.w > 0;
+  const double n = sums.n;
   if (!result.is_partial) {
     // Agreement is no proof: with a flat prior n agreeing samples leave about 1/n open (Laplace).
-    result.value = sums.free > 0 ? 1 : 0;
+    result.value = sums.any_visible ? 1 : 0;
     result.error = 1 / (n + 2);
     return result;
   }
-  result.value = sums.wv / sums.w;
-  const double squares = sums.wwv * (1 - 2 * result.value) + sums.ww * result.value * result.value;
+  result.value = sums.v / sums.w;
+  const double squares =
+      sums.vv - 2 * result.value * sums.wv + result.value * result.value * sums.ww;
   result.error = std::sqrt(std::max(squares, 0.0) * n / (n - 1)) / sums.w;
   return result;
 }
@@ -96,22 +113,41 @@ VisibleFraction sample_visible_fraction(const Visibility& visibility, const Samp
   constexpr int kAgreed = 2 * kPacket;
   SegmentSampler sampler(pair, seed);
   Sums sums;
-  while (sums.rays < max_rays) {
+  while (sums.n < max_rays) {
     const SegmentSampler::Packet packet = sampler.next();
     const std::uint32_t blocked = visibility.blocked(packet.from, packet.to, pair.i, pair.j);
     for (int k = 0; k < kPacket; ++k) {
-      const double weight = packet.weight[k];
       const bool is_free = (blocked >> k & 1U) == 0;
-      sums.w += weight;
-      sums.ww += weight * weight;
-      if (is_free) {
-        sums.wv += weight;
-        sums.wwv += weight * weight;
-        ++sums.free;
-      }
+      sums.add(packet.weight[k], is_free ? packet.weight[k] : 0);
+      (is_free ? sums.any_visible : sums.any_hidden) = true;
     }
-    sums.rays += kPacket;
-    if (sums.rays == kAgreed && (sums.free == 0 || sums.free == sums.rays)) break;
+    if (sums.n == kAgreed && sums.any_visible != sums.any_hidden) break;
+  }
+  VisibleFraction result = evaluate(sums);
+  result.rays = sums.n;
+  return result;
+}
+
+VisibleFraction clip_visible_fraction(const SampledPair& pair,
+                                      std::span<const Occluder* const> occluders, double thickness,
+                                      int n_points, std::uint64_t seed) {
+  SegmentSampler sampler(pair, seed);
+  // From the smaller one the other's form factor varies less.
+  const bool from_i =
+      vector_area(pair.polygon_i.points()).norm() <= vector_area(pair.polygon_j.points()).norm();
+  const Vec3& normal = from_i ? pair.plane_i.normal : pair.plane_j.normal;
+  const ConvexPolygon& target = from_i ? pair.polygon_j : pair.polygon_i;
+  Sums sums;
+  while (sums.n < n_points) {
+    const SegmentSampler::Packet packet = sampler.next();
+    for (int k = 0; k < SegmentSampler::kPacket; ++k) {
+      const Vec3 point = (from_i ? packet.from[k] : packet.to[k]) - pair.origin;
+      const double whole = point_to_polygon(point, normal, target.points());
+      const double visible = visible_point_to_polygon(point, normal, target, occluders, thickness);
+      sums.add(whole, visible);
+      sums.any_visible |= visible > kWhole * whole;
+      sums.any_hidden |= visible < (1 - kWhole) * whole;
+    }
   }
   return evaluate(sums);
 }

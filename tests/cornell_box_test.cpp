@@ -1,5 +1,6 @@
-/// The Cornell box against a path-traced reference: tests/data/cornell-box/reference-radiosity-8x8.csv
-/// holds the radiosity of each polygon of patches-8x8.obj (Mitsuba 3.9, standard error <= 0.3 %).
+/// The Cornell box against a path-traced reference:
+/// tests/data/cornell-box/reference-radiosity-8x8.csv holds the radiosity of each polygon of
+/// patches-8x8.obj (Mitsuba 3.9, standard error <= 0.3 %).
 
 #include <gtest/gtest.h>
 
@@ -18,6 +19,10 @@ namespace {
 
 using namespace radiosity;
 
+/// The reference says 0 for this polygon of the short block's top, in full light and beside
+/// polygons of 0.7 to 0.9: an error of the file, left out of the comparison.
+constexpr Index kDefectiveReference = 321;
+
 struct ReferencePolygon {
   std::string surface;
   double area;
@@ -33,7 +38,8 @@ std::vector<ReferencePolygon> read_reference() {
     std::vector<std::string> fields;
     std::stringstream stream(line);
     for (std::string field; std::getline(stream, field, ',');) fields.push_back(field);
-    polygons.push_back({fields[1], std::stod(fields[15]),
+    polygons.push_back({fields[1],
+                        std::stod(fields[15]),
                         {std::stod(fields[22]), std::stod(fields[23]), std::stod(fields[24])}});
   }
   return polygons;
@@ -48,6 +54,15 @@ Eigen::MatrixXd polygon_means(const PatchMesh& mesh, const Eigen::MatrixXd& valu
     areas[mesh.polygon[i]] += mesh.area[i];
   }
   return sums.array().colwise() / areas.array();
+}
+
+TEST(CornellBox, DefectOfTheReferenceIsWhereWeSayItIs) {
+  const std::vector<ReferencePolygon> reference = read_reference();
+  EXPECT_EQ(reference[kDefectiveReference].surface, "short_top");
+  EXPECT_EQ(reference[kDefectiveReference].radiosity.maxCoeff(), 0);
+  for (const Index neighbour : {320, 322, 325}) {
+    EXPECT_GT(reference[neighbour].radiosity[0], 0.7);
+  }
 }
 
 TEST(CornellBox, AgreesWithPathTracing) {
@@ -68,9 +83,8 @@ TEST(CornellBox, AgreesWithPathTracing) {
   int n_covered = 0;
   for (Index i = 0; i < n; ++i) {
     const ReferencePolygon& expected = reference[i];
-    if (expected.surface == "light") continue;
+    if (expected.surface == "light" || i == kDefectiveReference) continue;
     const Eigen::Array3d computed = radiosity.row(i).transpose().array();
-    if (std::abs(computed[0]-expected.radiosity[0]) > 0.05*expected.radiosity[0]) std::printf("%ld %s %g %g\n", i, expected.surface.c_str(), computed[0], expected.radiosity[0]);
     difference += expected.area * (computed - expected.radiosity).square();
     norm += expected.area * expected.radiosity.square();
     if (expected.radiosity.maxCoeff() == 0) {
@@ -80,9 +94,6 @@ TEST(CornellBox, AgreesWithPathTracing) {
   }
   EXPECT_EQ(n_covered, 3);
   const Eigen::Array3d l2 = (difference / norm).sqrt();
-  std::printf("relative L2 difference: %.4f %.4f %.4f\n", l2[0], l2[1], l2[2]);
-  const auto& r = transport->report();
-  std::printf("seconds %.3f facing %ld visible %ld hidden %ld undecided %ld partial %ld rays %ld bytes %zu\n", r.seconds, r.facing, r.visible, r.hidden, r.undecided, r.partial, r.rays, transport->bytes());
   // What patches of constant radiosity allow at this size.
   EXPECT_LE(l2.maxCoeff(), 0.02);
 }
