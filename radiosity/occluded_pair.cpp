@@ -10,6 +10,8 @@ namespace {
 
 /// Distant pairs with more candidates are not tested one by one: rays are cheaper.
 constexpr std::size_t kMostTested = 32;
+/// Relative error of the kernel where it is multiplied by a sampled fraction, far below its noise.
+constexpr double kSampledTolerance = 1e-5;
 /// Divisions of the larger polygon of a near pair at most.
 constexpr int kMostDivisions = 8;
 /// A polygon this much larger than the other is divided.
@@ -56,7 +58,9 @@ class Estimator {
     if (is_near || candidates.size() <= kMostTested) {
       const Blocking blocking = reduce(pair, candidates);
       if (blocking == Blocking::all) return {0, 0, blocking, false, 0};
-      if (blocking == Blocking::none) return {unoccluded(pair), 0, blocking, false, 0};
+      if (blocking == Blocking::none) {
+        return {unoccluded(pair, options_.kernel_tolerance), 0, blocking, false, 0};
+      }
     }
     if (!is_near) return weigh(pair, sample_visible_fraction(visibility_, pair, max_rays, seed));
     const double ratio = disc_i.radius / disc_j.radius;
@@ -83,13 +87,13 @@ class Estimator {
     return candidates.empty() ? Blocking::none : Blocking::some;
   }
 
-  [[nodiscard]] double unoccluded(const SampledPair& pair) const {
-    return exchange_area(pair.polygon_i.points(), pair.polygon_j.points(),
-                         options_.kernel_tolerance);
+  [[nodiscard]] static double unoccluded(const SampledPair& pair, double tolerance) {
+    return exchange_area(pair.polygon_i.points(), pair.polygon_j.points(), tolerance);
   }
 
-  [[nodiscard]] PairEstimate weigh(const SampledPair& pair, const VisibleFraction& fraction) const {
-    const double whole = unoccluded(pair);
+  [[nodiscard]] static PairEstimate weigh(const SampledPair& pair,
+                                          const VisibleFraction& fraction) {
+    const double whole = unoccluded(pair, kSampledTolerance);
     return {fraction.value * whole, fraction.error * whole, Blocking::some, fraction.is_partial,
             fraction.rays};
   }

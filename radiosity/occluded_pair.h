@@ -20,7 +20,7 @@ struct PairEstimate {
 struct OccludedPairOptions {
   int max_rays = 64;               ///< for a pair whose samples disagree
   double thickness = 0;            ///< how far off a plane a point may be and count as on it, m
-  double kernel_tolerance = 1e-9;  ///< relative error of the unoccluded exchange area
+  double kernel_tolerance = 1e-9;  ///< relative error of the kernel where visibility is proved
 };
 
 /// Estimates the exchange area of a pair given all occluders that may block it. Blockers are first

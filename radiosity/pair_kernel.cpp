@@ -13,28 +13,6 @@ constexpr double kThickness = 1e-11;
 /// Rounding of coordinates far from the origin, relative to their size.
 constexpr double kRounding = 4e-16;
 
-/// 1/π Σ_a Σ_b cos_a cos_b / r⁴ over two rules, the cosine terms carrying the weights. Compiled for
-/// several instruction sets; the one to run is chosen when the program starts.
-__attribute__((target_clones("arch=x86-64-v3", "default"))) double sum_over_points(
-    const double* xa, const double* ya, const double* za, const double* cos_a, int n_a,
-    const double* xb, const double* yb, const double* zb, const double* cos_b, int n_b) {
-  double total = 0;
-  for (int a = 0; a < n_a; ++a) {
-    double lanes[4] = {0, 0, 0, 0};
-    for (int b = 0; b < n_b; b += 4) {
-      for (int lane = 0; lane < 4; ++lane) {
-        const double dx = xb[b + lane] - xa[a];
-        const double dy = yb[b + lane] - ya[a];
-        const double dz = zb[b + lane] - za[a];
-        const double square = dx * dx + dy * dy + dz * dz;
-        lanes[lane] += cos_b[b + lane] / (square * square);
-      }
-    }
-    total += cos_a[a] * ((lanes[0] + lanes[1]) + (lanes[2] + lanes[3]));
-  }
-  return total / kPi;
-}
-
 }  // namespace
 
 PatchTable::PatchTable(const PatchMesh& mesh) {
@@ -96,46 +74,21 @@ double PatchTable::exchange_area_unclipped(Index i, Index j, double tolerance) c
   WeightedPoints points_j;
   find_points(i, order_i, planes_[j], points_i);
   find_points(j, order_j, planes_[i], points_j);
-  return sum_over_points(points_i.x, points_i.y, points_i.z, points_i.weight.data(),
-                         order_i * order_i, points_j.x, points_j.y, points_j.z,
-                         points_j.weight.data(), padded_points(order_j));
+  return sum_over_points(points_i, order_i * order_i, points_j, padded_points(order_j));
 }
 
 void PatchTable::find_points(Index i, int order, const HalfSpace& other,
                              WeightedPoints& points) const {
+  if (order > kKeptOrder) {
+    points.make(polygons_[i].points(), order, other.normal, other.offset);
+    return;
+  }
   const int n_points = padded_points(order);
-  const double* weight = nullptr;
-  std::array<double, WeightedPoints::kMost> own_weight;
-  if (order <= kKeptOrder) {
-    const Rule& rule = rules_[order - 2];
-    points.x = &rule.x[i * n_points];
-    points.y = &rule.y[i * n_points];
-    points.z = &rule.z[i * n_points];
-    weight = &rule.weight[i * n_points];
-  } else {
-    double* x = points.own.data();
-    double* y = x + n_points;
-    double* z = y + n_points;
-    int n = 0;
-    const auto add = [&](const Vec3& point, double point_weight) {
-      x[n] = point.x();
-      y[n] = point.y();
-      z[n] = point.z();
-      own_weight[n++] = point_weight;
-    };
-    for_each_quadrature_point(polygons_[i].points(), order, add);
-    while (n < n_points) add(centers_[i], 0);
-    points.x = x;
-    points.y = y;
-    points.z = z;
-    weight = own_weight.data();
-  }
-  // Patches are planar, so r cosθ at the other patch depends on this patch's point alone.
-  for (int k = 0; k < n_points; ++k) {
-    points.weight[k] =
-        weight[k] * (other.normal.x() * points.x[k] + other.normal.y() * points.y[k] +
-                     other.normal.z() * points.z[k] - other.offset);
-  }
+  const Rule& rule = rules_[order - 2];
+  points.x = &rule.x[i * n_points];
+  points.y = &rule.y[i * n_points];
+  points.z = &rule.z[i * n_points];
+  points.weigh(&rule.weight[i * n_points], n_points, other.normal, other.offset);
 }
 
 }  // namespace radiosity

@@ -10,10 +10,6 @@
 
 namespace radiosity {
 
-/// Points of a product rule, in groups of four for vector units; the last group is padded by weight
-/// 0.
-constexpr int padded_points(int order) { return (order * order + 3) / 4 * 4; }
-
 /// What the pair computations need of each patch, laid out for speed. Coordinates are relative to
 /// the scene's centre, to keep digits when it lies far from the origin.
 class PatchTable {
@@ -39,16 +35,6 @@ class PatchTable {
   struct Rule {
     std::vector<double> x, y, z, weight;
   };
-  /// Points of one patch's rule and their weights times r cosθ at the other patch.
-  struct WeightedPoints {
-    static constexpr int kMost = padded_points(kLargestAreaRule);
-    const double* x;
-    const double* y;
-    const double* z;
-    std::array<double, kMost> weight;
-    std::array<double, 3 * kMost> own;  ///< coordinates, where they are not kept in a Rule
-  };
-
   void find_points(Index i, int order, const HalfSpace& other, WeightedPoints& points) const;
 
   std::vector<ConvexPolygon> polygons_;

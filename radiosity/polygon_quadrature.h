@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 
 #include "radiosity/gauss.h"
@@ -45,7 +46,33 @@ int area_rule_order(double distance_ratio, double tolerance);
 
 inline constexpr int kLargestAreaRule = 6;
 
+/// Points of a product rule, in groups of four for vector units.
+constexpr int padded_points(int order) { return (order * order + 3) / 4 * 4; }
+
+/// Points of a rule on one polygon, their weights times r cosθ at the other: polygons are planar,
+/// so that the latter depends on this polygon's point alone. The last group is padded by weight 0.
+struct WeightedPoints {
+  static constexpr int kMost = padded_points(kLargestAreaRule);
+  const double* x = nullptr;  ///< coordinates, here or in `own`, m
+  const double* y = nullptr;
+  const double* z = nullptr;
+  std::array<double, kMost> weight;
+
+  /// Makes the points of a rule on `polygon` against the plane normal · x = offset of the other.
+  void make(std::span<const Vec3> polygon, int order, const Vec3& normal, double offset);
+  /// Turns a rule's weights into those of points that x, y and z refer to already.
+  void weigh(const double* rule_weight, int n_points, const Vec3& normal, double offset);
+
+ private:
+  std::array<double, 3 * kMost> own_;
+};
+
+/// 1/π Σ_a Σ_b w_a w_b / r⁴ over the first n_a and n_b points, n_b a multiple of four. Compiled for
+/// several instruction sets, of which the machine's best runs.
+double sum_over_points(const WeightedPoints& a, int n_a, const WeightedPoints& b, int n_b);
+
 /// Exchange area of two polygons that wholly face each other, by product Gauss rules on both, m².
+/// At most four corners and orders up to kLargestAreaRule, else in pieces.
 double area_rule_exchange_area(std::span<const Vec3> polygon1, const Vec3& normal1, int order1,
                                std::span<const Vec3> polygon2, const Vec3& normal2, int order2);
 
