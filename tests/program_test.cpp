@@ -319,9 +319,9 @@ TEST_F(Program, UnitScalesTheArea) {
 }
 
 TEST_F(Program, ThreadsDoNotChangeTheResult) {
-  const std::string scene = RADIOSITY_TEST_DATA "/cornell-box/patches-8x8.obj";
+  const std::string scene = RADIOSITY_SCENES "/cornell-box.json";
   for (const char* threads : {"1", "2"}) {
-    const Outcome outcome = run({"solve", scene, "--as-is", "--threads", threads, "-o",
+    const Outcome outcome = run({"solve", scene, "--patches", "60", "--threads", threads, "-o",
                                  result(std::string(threads) + ".csv")});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   }
@@ -351,7 +351,7 @@ TEST_F(Program, ThermalSceneTellsNetHeat) {
         [[0,0,1], [0,1,1], [1,1,1], [1,0,1]], [[0,0,0], [0,0,1], [1,0,1], [1,0,0]],
         [[0,1,0], [1,1,0], [1,1,1], [0,1,1]], [[0,0,0], [0,1,0], [0,1,1], [0,0,1]],
         [[1,0,0], [1,0,1], [1,1,1], [1,1,0]]]}]})");
-  const Outcome outcome = run({"solve", scene, "--patches", "500", "--json"});
+  const Outcome outcome = run({"solve", scene, "--patches", "100", "--json"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const Json surfaces = Json::parse(outcome.out)["surfaces"];
   ASSERT_EQ(surfaces.size(), 2U);
