@@ -8,8 +8,8 @@
 namespace radiosity {
 namespace {
 
-/// Up to this many rows entries are float64: 8 MB are no matter, and small cases come out exact.
-constexpr Index kDoubleRows = 2048;
+/// Up to this many rows entries are float64: 1 MB is no matter, and small cases come out exact.
+constexpr Index kDoubleRows = 512;
 /// Sums are made in this many parts, whatever the number of threads, and added in order.
 constexpr Index kParts = 64;
 /// Columns that go through the tiles at once, which bounds the parts' memory.

@@ -18,7 +18,7 @@ struct UncertainEntry {
 
 /// Symmetric matrix of exchange areas in dense tiles, of which only the upper triangle exists. Rows
 /// are in an order that makes tiles of neighbouring patches; blocks that are wholly 0 are not kept.
-/// Entries are float64 up to a few thousand patches, else float32 (relative rounding 6e-8); a
+/// Entries are float64 up to a few hundred patches, else float32 (relative rounding 6e-8); a
 /// float64 diagonal then keeps the row sums exact.
 class ExchangeTiles {
  public:

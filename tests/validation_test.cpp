@@ -50,6 +50,21 @@ TEST(Furnace, RadiosityIsExitanceOverAbsorptance) {
   }
 }
 
+TEST(Furnace, ConjugateGradientsTakeFewProducts) {
+  // One face of the closed cube emits; the goal for a guaranteed error of 1e-8 is 45 products.
+  const Scene scene = io::read_scene(RADIOSITY_SCENES "/furnace-cube.json");
+  const PatchMesh mesh = meshing::make_patches(scene, {.max_edge = 0.1});
+  const Visibility visibility(mesh);
+  const auto transport = make_transport(mesh, visibility);
+  Eigen::MatrixXd emission = Eigen::MatrixXd::Zero(mesh.size(), 1);
+  for (Index i = 0; i < mesh.size(); ++i) emission(i, 0) = mesh.polygon[i] == 0 ? 1 : 0;
+  const Solution solution =
+      solve(*transport, emission, Eigen::MatrixXd::Constant(mesh.size(), 1, 0.95));
+  EXPECT_TRUE(solution.converged);
+  EXPECT_LE(solution.products, 45);
+  EXPECT_NEAR(solution.energy.absorbed[0], solution.energy.emitted[0], 1e-6);
+}
+
 TEST(FurnishedRoom, EnergyIsBalanced) {
   const SolvedScene room = solve_scene("furnished-room.json", {}, 1e-2);
   ASSERT_TRUE(room.solution.converged);
