@@ -9,12 +9,14 @@ namespace {
 constexpr double kSigmas = 6;
 /// Relative deficits below this are rounding and kernel error.
 constexpr double kNegligible = 1e-6;
-constexpr int kMaxSteps = 500;
+/// Steps of conjugate gradients in one round, and the relative residual that ends them sooner.
+constexpr int kMaxSteps = 100;
+constexpr double kSolved = 1e-6;
 /// Entries that would fall below 0 stay there and leave the rest to others, in so many rounds.
-constexpr int kMaxRounds = 30;
-/// Row sums this close to 1 need no further round.
-constexpr double kClosed = 1e-12;
-constexpr double kSolved = 1e-14;
+constexpr int kMaxRounds = 20;
+/// Row sums need no further round when they are this many roundings of an entry from 1; in single
+/// precision they are then closed for good on the diagonal.
+constexpr double kRoundings = 2;
 
 Eigen::VectorXd row_variance(const ExchangeTiles& tiles) {
   return tiles.error_product(Eigen::VectorXd::Ones(tiles.size())).col(0);
@@ -77,13 +79,25 @@ ClosureCorrection correct_closure(ExchangeTiles& tiles, const Eigen::VectorXd& r
   }
   tiles.freeze(mask);
   Eigen::VectorXd sums = row_sums;
-  for (int round = 0; round < kMaxRounds; ++round) {
-    const Eigen::VectorXd deficit = mask.cwiseProduct(areas - sums);
-    if (deficit.cwiseQuotient(areas).cwiseAbs().maxCoeff() <= kClosed) break;
-    tiles.correct(solve_multipliers(tiles, deficit));
+  const auto deficits = [&] { return Eigen::VectorXd(mask.cwiseProduct(areas - sums)); };
+  const auto is_rounded = [&](Index i) {
+    return std::abs(areas[i] - sums[i]) <= kRoundings * tiles.rounding() * areas[i];
+  };
+  const auto are_closed = [&] {
+    for (Index i = 0; i < tiles.size(); ++i) {
+      if (mask[i] != 0 && !is_rounded(i)) return false;
+    }
+    return true;
+  };
+  for (int round = 0; round < kMaxRounds && !are_closed(); ++round) {
+    tiles.correct(solve_multipliers(tiles, deficits()));
     sums = tiles.product(Eigen::VectorXd::Ones(tiles.size())).col(0);
   }
   tiles.unfreeze();
+  for (Index i = 0; i < tiles.size(); ++i) {
+    if (is_rounded(i)) sums[i] = areas[i];
+  }
+  tiles.set_row_sums(sums);
   return result;
 }
 

@@ -163,18 +163,24 @@ Eigen::MatrixXd ExchangeTiles::product(const Eigen::MatrixXd& x) const {
 }
 
 Eigen::MatrixXd ExchangeTiles::sum_variances(const Eigen::MatrixXd& x, bool with_frozen) const {
-  return sum_over_tiles(x,
-                        [this, with_frozen](const Tile& tile, Index row_strip, Index column_strip,
-                                            const Eigen::MatrixXd& block, Eigen::MatrixXd& sum) {
-                          for (const UncertainEntry& entry : tile.uncertain) {
-                            if (entry.error < 0 && !with_frozen) continue;
-                            const double variance = static_cast<double>(entry.error) * entry.error;
-                            const Index i = strip_begin(row_strip) + entry.row;
-                            const Index j = strip_begin(column_strip) + entry.column;
-                            sum.row(i) += variance * block.row(j);
-                            if (row_strip != column_strip) sum.row(j) += variance * block.row(i);
-                          }
-                        });
+  const auto add_tile = [&](const Tile& tile, Index row_strip, Index column_strip,
+                            const Eigen::MatrixXd& block, Eigen::MatrixXd& sum) {
+    const Index first_row = strip_begin(row_strip);
+    const Index first_column = strip_begin(column_strip);
+    for (Index c = 0; c < block.cols(); ++c) {
+      const double* in = block.col(c).data();
+      double* out = sum.col(c).data();
+      for (const UncertainEntry& entry : tile.uncertain) {
+        if (entry.error < 0 && !with_frozen) continue;
+        const double variance = static_cast<double>(entry.error) * entry.error;
+        const Index i = first_row + entry.row;
+        const Index j = first_column + entry.column;
+        out[i] += variance * in[j];
+        if (row_strip != column_strip) out[j] += variance * in[i];
+      }
+    }
+  };
+  return sum_over_tiles(x, add_tile);
 }
 
 Eigen::MatrixXd ExchangeTiles::error_product(const Eigen::MatrixXd& x) const {
@@ -200,7 +206,6 @@ Eigen::VectorXd ExchangeTiles::row(Index i) const {
                                                     : 0.0;
     }
   }
-  result[i] += diagonal_[i];
   return result;
 }
 

@@ -48,14 +48,17 @@ class ExchangeTiles {
   /// Σ_j σ_ij² x_j over entries that are not frozen, n.
   [[nodiscard]] Eigen::VectorXd free_error_product(const Eigen::VectorXd& x) const;
 
-  /// Makes the row sums of the stored, rounded entries equal to `row_sums` by the diagonal.
+  /// Largest relative rounding of an entry as it is stored.
+  [[nodiscard]] double rounding() const { return is_double_ ? 1e-14 : 6e-8; }
+
+  /// Makes the row sums of `product` equal to `row_sums`, from which rounding has moved them.
   void set_row_sums(const Eigen::VectorXd& row_sums);
 
   /// G x for all columns of x, n x k. The same bits at any number of threads.
   [[nodiscard]] Eigen::MatrixXd product(const Eigen::MatrixXd& x) const;
   /// (σ∘σ) x for the squares of the standard errors, n x k.
   [[nodiscard]] Eigen::MatrixXd error_product(const Eigen::MatrixXd& x) const;
-  /// Row i of G, n.
+  /// Row i of G as stored, without what keeps the row sums exact, n.
   [[nodiscard]] Eigen::VectorXd row(Index i) const;
   /// Row i of the standard errors, n.
   [[nodiscard]] Eigen::VectorXd row_error(Index i) const;
