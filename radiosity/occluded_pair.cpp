@@ -11,7 +11,7 @@ namespace {
 /// Distant pairs with more candidates are not tested one by one: rays are cheaper.
 constexpr std::size_t kMostTested = 32;
 /// Relative error of the kernel where it is multiplied by a sampled fraction, far below its noise.
-constexpr double kSampledTolerance = 1e-5;
+constexpr double kSampledTolerance = 1e-8;
 /// Divisions of the larger polygon of a near pair at most.
 constexpr int kMostDivisions = 8;
 /// A polygon this much larger than the other is divided.
