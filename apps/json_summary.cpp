@@ -30,6 +30,7 @@ Json form_factors(const radiosity::Transport& transport) {
             {"partial", report.partial}}},
           {"rays", report.rays},
           {"closed", report.closed},
+          {"open_rows", report.open_rows},
           {"closure_mean", report.closure_mean},
           {"closure_max", report.closure_max},
           {"bytes", transport.bytes()}};

@@ -93,6 +93,26 @@ Solution solve_scene(const Scene& scene, const PatchMesh& mesh, const Transport&
   return solution;
 }
 
+std::unique_ptr<Transport> make_scene_transport(const Scene& scene, const PatchMesh& mesh,
+                                                const Visibility& visibility,
+                                                const ComputeOptions& compute,
+                                                const Progress& progress,
+                                                TerminalProgress& terminal) {
+  auto transport = make_transport(mesh, visibility,
+                                  {.tolerance = compute.tolerance,
+                                   .closed = closed_choice(compute.closed, scene.closed),
+                                   .seed = compute.seed,
+                                   .memory = usable_memory(),
+                                   .progress = progress});
+  if (const auto open_rows = transport->report().open_rows; open_rows > 0) {
+    terminal.warn(
+        fmt::format("the scene is taken as closed, but {} of {} patches see an opening; "
+                    "their form factors stay as they are (--closed no leaves all so)",
+                    open_rows, mesh.size()));
+  }
+  return transport;
+}
+
 SolveOptions solve_options(Method method, double tolerance, const Progress& progress) {
   SolveOptions options;
   options.method = method;
@@ -109,12 +129,7 @@ SolvedScene::SolvedScene(const CommonOptions& common, const ComputeOptions& comp
     : scene(read_checked_scene(common, progress, terminal)),
       mesh(make_affordable_patches(scene, compute, progress, terminal)),
       visibility(mesh),
-      transport(make_transport(mesh, visibility,
-                               {.tolerance = compute.tolerance,
-                                .closed = closed_choice(compute.closed, scene.closed),
-                                .seed = compute.seed,
-                                .memory = usable_memory(),
-                                .progress = progress})),
+      transport(make_scene_transport(scene, mesh, visibility, compute, progress, terminal)),
       solution(solve_scene(scene, mesh, *transport,
                            solve_options(method, compute.tolerance, progress), terminal)) {}
 

@@ -17,6 +17,7 @@ using std::chrono::steady_clock;
 constexpr auto kRedrawInterval = std::chrono::milliseconds(100);
 constexpr auto kLineInterval = std::chrono::seconds(5);
 constexpr int kBarWidth = 24;
+constexpr double kFirstRate = 0.2;  // s; before that, rate and time left mean little
 
 std::string with_prefix(double value) {
   constexpr std::array<const char*, 5> kPrefixes = {"", "k", "M", "G", "T"};
@@ -36,7 +37,7 @@ std::string as_time(double time) {
 std::string describe(double done, double total, std::string_view unit, double seconds) {
   std::string text;
   if (total > 0) text += fmt::format("{:.0f} %", 100 * std::min(done / total, 1.0));
-  const double rate = seconds > 0 ? done / seconds : 0;
+  const double rate = seconds > kFirstRate ? done / seconds : 0;
   if (rate > 0) text += fmt::format("{}{}{}/s", text.empty() ? "" : ", ", with_prefix(rate), unit);
   if (rate > 0 && total > done) {
     text += fmt::format(", {} left", as_time((total - done) / rate));
