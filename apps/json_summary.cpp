@@ -4,6 +4,7 @@
 
 #include "apps/scene_text.h"
 #include "apps/surface_flux.h"
+#include "radiosity/surface_factors.h"
 
 namespace apps {
 namespace {
@@ -112,6 +113,28 @@ std::string solve_json(const SolvedScene& solved, const std::vector<std::string>
   if (is_thermal(solved.scene)) {
     json["surfaces"] = surfaces(surface_fluxes(solved.mesh, solved.solution));
   }
+  return text(json);
+}
+
+std::string form_factors_json(const AssembledScene& assembled, const Eigen::MatrixXd& by_surface,
+                              const std::vector<std::string>& outputs,
+                              const std::vector<std::string>& warnings) {
+  Json json = {{"patches", assembled.mesh.size()},
+               {"bands", assembled.scene.bands.count()},
+               {"form_factors", form_factors(*assembled.transport)}};
+  if (by_surface.size() > 0) {
+    const Eigen::VectorXd areas = radiosity::surface_areas(assembled.mesh);
+    Json list = Json::array();
+    for (Eigen::Index s = 0; s < by_surface.rows(); ++s) {
+      list.push_back({{"name", assembled.mesh.surface_names[s]},
+                      {"area", areas[s]},
+                      {"form_factors", array(by_surface.row(s))},
+                      {"unseen", 1 - by_surface.row(s).sum()}});
+    }
+    json["surfaces"] = list;
+  }
+  json["outputs"] = outputs;
+  json["warnings"] = warnings;
   return text(json);
 }
 

@@ -14,6 +14,12 @@ namespace apps {
 std::string solve_json(const SolvedScene& solved, const std::vector<std::string>& outputs,
                        const std::vector<std::string>& warnings);
 
+/// The JSON object that `form-factors` prints; with the factors between surfaces if `by_surface` is
+/// not empty (surface_form_factors).
+std::string form_factors_json(const AssembledScene& assembled, const Eigen::MatrixXd& by_surface,
+                              const std::vector<std::string>& outputs,
+                              const std::vector<std::string>& warnings);
+
 /// The JSON object that `inspect` prints.
 std::string inspect_json(const radiosity::Scene& scene, const meshing::Inspection& inspection,
                          const std::vector<std::string>& warnings);

@@ -7,6 +7,7 @@
 #include <exception>
 #include <new>
 
+#include "apps/form_factors_command.h"
 #include "apps/inspect_command.h"
 #include "apps/interruption.h"
 #include "apps/render_command.h"
@@ -52,6 +53,7 @@ int main(int argc, char** argv) {
   program.set_version_flag("--version", "radiosity " RADIOSITY_VERSION);
   program.require_subcommand(1);
   const apps::SolveCommand solve(program, interruption);
+  const apps::FormFactorsCommand form_factors(program, interruption);
   const apps::InspectCommand inspect(program, interruption);
   const apps::RenderCommand render(program, interruption);
   return run(program, argc, argv);

@@ -52,6 +52,11 @@ const std::vector<std::string>& picture_extensions() {
   return extensions;
 }
 
+const std::vector<std::string>& form_factor_extensions() {
+  static const std::vector<std::string> extensions = {".h5", ".csv"};
+  return extensions;
+}
+
 bool is_picture(const fs::path& path) {
   return contains(picture_extensions(), io::lower_case_extension(path));
 }

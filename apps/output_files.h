@@ -9,9 +9,11 @@ namespace apps {
 /// Whether the file is a picture (.png or .exr) by its extension.
 bool is_picture(const std::filesystem::path& path);
 
-/// Extensions that `solve` writes; `render` writes the pictures only.
+/// Extensions that `solve` writes; `render` writes the pictures only. `form-factors` writes .h5
+/// and, for the factors between surfaces, .csv.
 const std::vector<std::string>& result_extensions();
 const std::vector<std::string>& picture_extensions();
+const std::vector<std::string>& form_factor_extensions();
 
 /// For the command line's check: empty if the extension of `path` is one of `allowed`, else what
 /// was found and expected.

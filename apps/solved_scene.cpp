@@ -124,12 +124,16 @@ SolveOptions solve_options(Method method, double tolerance, const Progress& prog
 
 }  // namespace
 
-SolvedScene::SolvedScene(const CommonOptions& common, const ComputeOptions& compute, Method method,
-                         const Progress& progress, TerminalProgress& terminal)
+AssembledScene::AssembledScene(const CommonOptions& common, const ComputeOptions& compute,
+                               const Progress& progress, TerminalProgress& terminal)
     : scene(read_checked_scene(common, progress, terminal)),
       mesh(make_affordable_patches(scene, compute, progress, terminal)),
       visibility(mesh),
-      transport(make_scene_transport(scene, mesh, visibility, compute, progress, terminal)),
+      transport(make_scene_transport(scene, mesh, visibility, compute, progress, terminal)) {}
+
+SolvedScene::SolvedScene(const CommonOptions& common, const ComputeOptions& compute, Method method,
+                         const Progress& progress, TerminalProgress& terminal)
+    : AssembledScene(common, compute, progress, terminal),
       solution(solve_scene(scene, mesh, *transport,
                            solve_options(method, compute.tolerance, progress), terminal)) {}
 

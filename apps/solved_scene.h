@@ -13,20 +13,27 @@
 
 namespace apps {
 
-/// The whole pipeline from a scene file to its radiosity, with every stage's result at hand. Stays
+/// A scene file's patches and the form factors between them, every stage's result at hand. Stays
 /// where it was made, since later stages may refer to earlier ones.
-struct SolvedScene {
-  /// Runs the pipeline; warnings go to `terminal`. Throws what the stages throw, and SolveError
+struct AssembledScene {
+  /// Runs the stages; warnings go to `terminal`. Throws what the stages throw, and SolveError
   /// before anything long if the problem does not fit into memory.
-  SolvedScene(const CommonOptions& common, const ComputeOptions& compute, radiosity::Method method,
-              const radiosity::Progress& progress, TerminalProgress& terminal);
-  SolvedScene(const SolvedScene&) = delete;
-  SolvedScene& operator=(const SolvedScene&) = delete;
+  AssembledScene(const CommonOptions& common, const ComputeOptions& compute,
+                 const radiosity::Progress& progress, TerminalProgress& terminal);
+  AssembledScene(const AssembledScene&) = delete;
+  AssembledScene& operator=(const AssembledScene&) = delete;
 
   radiosity::Scene scene;
   radiosity::PatchMesh mesh;
   radiosity::Visibility visibility;
   std::unique_ptr<radiosity::Transport> transport;
+};
+
+/// The whole pipeline from a scene file to its radiosity.
+struct SolvedScene : AssembledScene {
+  SolvedScene(const CommonOptions& common, const ComputeOptions& compute, radiosity::Method method,
+              const radiosity::Progress& progress, TerminalProgress& terminal);
+
   radiosity::Solution solution;
 };
 

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "apps/scene_text.h"
 #include "apps/surface_flux.h"
@@ -69,6 +70,32 @@ Row band_names(const radiosity::Bands& bands) {
   for (const double wavelength : bands.wavelengths)
     names.push_back(fmt::format("{} nm", wavelength));
   return names;
+}
+
+std::string scene_lines(const AssembledScene& assembled) {
+  return line("scene", one_line(assembled.scene.source)) +
+         line("patches", fmt::format("{} on {} surfaces", assembled.mesh.size(),
+                                     assembled.mesh.surface_names.size()));
+}
+
+/// A share to six digits; rounding shows as 0 and never as -0.
+std::string share(double value) {
+  return fmt::format("{:.6f}", std::abs(value) < 5e-7 ? 0.0 : value);
+}
+
+/// One row per surface: how much of what leaves it reaches each other one, and no surface at all.
+std::string surface_factor_table(const radiosity::PatchMesh& mesh, const Eigen::MatrixXd& factors) {
+  Row head{"from \\ to"};
+  for (const std::string& name : mesh.surface_names) head.push_back(one_line(name));
+  head.emplace_back("unseen");
+  std::vector<Row> rows{head};
+  for (Eigen::Index s = 0; s < factors.rows(); ++s) {
+    Row row{one_line(mesh.surface_names[s])};
+    for (const double factor : factors.row(s)) row.push_back(share(factor));
+    row.push_back(share(1 - factors.row(s).sum()));
+    rows.push_back(row);
+  }
+  return table(rows);
 }
 
 std::string form_factor_lines(const radiosity::Transport& transport) {
@@ -166,11 +193,16 @@ std::string finding_lines(const meshing::Inspection& inspection) {
 
 }  // namespace
 
+std::string form_factors_text(const AssembledScene& assembled, const Eigen::MatrixXd& by_surface,
+                              const std::vector<std::string>& outputs) {
+  std::string text = scene_lines(assembled) + form_factor_lines(*assembled.transport);
+  if (by_surface.size() > 0) text += surface_factor_table(assembled.mesh, by_surface);
+  for (const std::string& output : outputs) text += line("written", one_line(output));
+  return text;
+}
+
 std::string solve_text(const SolvedScene& solved, const std::vector<std::string>& outputs) {
-  std::string text = line("scene", one_line(solved.scene.source));
-  text += line("patches", fmt::format("{} on {} surfaces", solved.mesh.size(),
-                                      solved.mesh.surface_names.size()));
-  text += form_factor_lines(*solved.transport);
+  std::string text = scene_lines(solved) + form_factor_lines(*solved.transport);
   text += solve_lines(solved.solution);
   text += energy_table(solved.scene.bands, solved.solution.energy);
   if (is_thermal(solved.scene)) text += flux_table(surface_fluxes(solved.mesh, solved.solution));

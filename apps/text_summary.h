@@ -12,6 +12,11 @@ namespace apps {
 /// What `solve` and `render` did, as an aligned table.
 std::string solve_text(const SolvedScene& solved, const std::vector<std::string>& outputs);
 
+/// What `form-factors` did; with a table of the factors between surfaces if `by_surface` is not
+/// empty.
+std::string form_factors_text(const AssembledScene& assembled, const Eigen::MatrixXd& by_surface,
+                              const std::vector<std::string>& outputs);
+
 /// What `inspect` found: counts and measures, the surfaces, then each finding on one line.
 std::string inspect_text(const radiosity::Scene& scene, const meshing::Inspection& inspection);
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "io/atomic_file.h"
+#include "io/csv_field.h"
 
 namespace io {
 namespace {
@@ -15,17 +16,6 @@ namespace {
 using radiosity::Index;
 using radiosity::PatchMesh;
 using radiosity::Solution;
-
-/// A text field as RFC 4180 wants it: in quotes if it holds a separator, inner quotes doubled.
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) {
-    if (c == '"') quoted += '"';
-    quoted += c;
-  }
-  return quoted + '"';
-}
 
 std::string csv_header(Index n_bands) {
   std::string header = "patch,surface,polygon,x,y,z,area";

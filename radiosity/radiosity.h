@@ -32,5 +32,6 @@
 #include "radiosity/render.h"
 #include "radiosity/scene.h"
 #include "radiosity/solve.h"
+#include "radiosity/surface_factors.h"
 #include "radiosity/transport.h"
 #include "radiosity/visibility.h"

@@ -364,6 +364,20 @@ TEST_F(Program, ThermalSceneTellsNetHeat) {
   EXPECT_NEAR(surfaces[1]["net_flux"].get<double>(), -lost / 5, 1e-6 * lost);
 }
 
+TEST_F(Program, FormFactorsGoToFilesAndByName) {
+  const Outcome outcome = run({"form-factors", write_cube(0.5, 1), "--as-is", "--by", "surface",
+                               "--json", "--quiet", "-o", result("f.h5"), "-o", result("f.csv")});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json json = Json::parse(outcome.out);
+  EXPECT_EQ(json.at("patches"), 6);
+  EXPECT_TRUE(json.at("form_factors").at("closed"));
+  // The cube is one surface: it sees itself and nothing else.
+  ASSERT_EQ(json.at("surfaces").size(), 1U);
+  EXPECT_NEAR(json.at("surfaces").at(0).at("form_factors").at(0).get<double>(), 1, 1e-12);
+  EXPECT_EQ(results(), (std::vector<std::string>{"f.csv", "f.h5"}));
+  EXPECT_EQ(run({"form-factors", write_cube(0.5, 1), "-o", result("f.vtp")}).exit_code, 2);
+}
+
 TEST_F(Program, QuietShowsNoProgress) {
   const Outcome loud = run({"solve", write_cube(0.5, 1), "--patches", "50"});
   const Outcome quiet = run({"solve", write_cube(0.5, 1), "--patches", "50", "--quiet"});

@@ -313,7 +313,10 @@ TEST(Scenes, CornellBoxFacesInwards) {
   };
   ASSERT_EQ(scene.surfaces.size(), 16U);
   for (const auto& surface : scene.surfaces) {
-    const Vec3 expected = surface_area(reference, surface.name);
+    Vec3 expected = surface_area(reference, surface.name);
+    if (surface.name == "floor") {  // which leaves out the blocks' feet; they are like their tops
+      expected -= surface_area(reference, "short_top") + surface_area(reference, "tall_top");
+    }
     EXPECT_GT(expected.norm(), 0) << surface.name;
     // The reference has 12 digits or so; its bilinear patches add up to the same vector area.
     EXPECT_LT((surface_area(scene, surface.name) - expected).norm(), 1e-9) << surface.name;

@@ -1,0 +1,219 @@
+#include "io/form_factor_file.h"
+
+#include <fmt/format.h>
+#include <hdf5.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "io/atomic_file.h"
+#include "radiosity/error.h"
+
+namespace io {
+namespace {
+
+using radiosity::Index;
+
+/// Version of the layout, to be raised when it changes.
+constexpr std::int64_t kVersion = 1;
+/// Entries that are collected before they are written.
+constexpr hsize_t kChunk = 1 << 16;
+
+/// Closes an HDF5 handle.
+class Handle {
+ public:
+  using Close = herr_t (*)(hid_t);
+  Handle(hid_t id, Close close) : id_(id), close_(close) {
+    if (id_ < 0) throw radiosity::OutputError("HDF5 cannot make an object");
+  }
+  ~Handle() {
+    if (id_ >= 0) close_(id_);
+  }
+  Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  operator hid_t() const { return id_; }  // NOLINT(google-explicit-constructor): for the C calls
+
+ private:
+  hid_t id_;
+  Close close_;
+};
+
+void require(herr_t status) {
+  if (status < 0) throw radiosity::OutputError("HDF5 cannot write (is the disk full?)");
+}
+
+template <typename T>
+hid_t type_of();
+template <>
+hid_t type_of<double>() {
+  return H5T_NATIVE_DOUBLE;
+}
+template <>
+hid_t type_of<std::int32_t>() {
+  return H5T_NATIVE_INT32;
+}
+template <>
+hid_t type_of<std::int64_t>() {
+  return H5T_NATIVE_INT64;
+}
+
+template <typename T>
+void write_dataset(hid_t file, const char* name, const std::vector<T>& values,
+                   const std::vector<hsize_t>& shape) {
+  const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
+                     H5Sclose);
+  const Handle set(
+      H5Dcreate2(file, name, type_of<T>(), space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose);
+  if (!values.empty()) {
+    require(H5Dwrite(set, type_of<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
+  }
+}
+
+void write_names(hid_t file, const char* name, const std::vector<std::string>& names) {
+  const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  require(H5Tset_size(type, H5T_VARIABLE));
+  require(H5Tset_cset(type, H5T_CSET_UTF8));
+  const hsize_t size = names.size();
+  const Handle space(H5Screate_simple(1, &size, nullptr), H5Sclose);
+  const Handle set(H5Dcreate2(file, name, type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                   H5Dclose);
+  std::vector<const char*> pointers;
+  for (const std::string& text : names) pointers.push_back(text.c_str());
+  if (!names.empty()) {
+    require(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, pointers.data()));
+  }
+}
+
+template <typename T>
+void write_attribute(hid_t file, const char* name, T value) {
+  const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+  const Handle attribute(H5Acreate2(file, name, type_of<T>(), space, H5P_DEFAULT, H5P_DEFAULT),
+                         H5Aclose);
+  require(H5Awrite(attribute, type_of<T>(), &value));
+}
+
+/// A one-dimensional dataset that grows at its end.
+template <typename T>
+class GrowingDataset {
+ public:
+  GrowingDataset(hid_t file, const char* name) : set_(make(file, name)) {}
+
+  void push_back(T value) {
+    pending_.push_back(value);
+    if (pending_.size() == kChunk) flush();
+  }
+
+  void flush() {
+    if (pending_.empty()) return;
+    const hsize_t count = pending_.size();
+    const hsize_t size = size_ + count;
+    require(H5Dset_extent(set_, &size));
+    const Handle file_space(H5Dget_space(set_), H5Sclose);
+    require(H5Sselect_hyperslab(file_space, H5S_SELECT_SET, &size_, nullptr, &count, nullptr));
+    const Handle memory_space(H5Screate_simple(1, &count, nullptr), H5Sclose);
+    require(H5Dwrite(set_, type_of<T>(), memory_space, file_space, H5P_DEFAULT, pending_.data()));
+    size_ = size;
+    pending_.clear();
+  }
+
+ private:
+  static Handle make(hid_t file, const char* name) {
+    const hsize_t none = 0;
+    const hsize_t unlimited = H5S_UNLIMITED;
+    const Handle space(H5Screate_simple(1, &none, &unlimited), H5Sclose);
+    const Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    require(H5Pset_chunk(properties, 1, &kChunk));
+    return {H5Dcreate2(file, name, type_of<T>(), space, H5P_DEFAULT, properties, H5P_DEFAULT),
+            H5Dclose};
+  }
+
+  Handle set_;
+  std::vector<T> pending_;
+  hsize_t size_ = 0;
+};
+
+void write_patches(hid_t file, const radiosity::PatchMesh& mesh) {
+  const Handle group(H5Gcreate2(file, "patches", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
+  const auto n = static_cast<hsize_t>(mesh.size());
+  const auto flat = [](const std::vector<radiosity::Vec3>& points) {
+    std::vector<double> values;
+    for (const radiosity::Vec3& point : points) {
+      values.insert(values.end(), point.data(), point.data() + 3);
+    }
+    return values;
+  };
+  write_dataset(group, "area", mesh.area, {n});
+  write_dataset(group, "centroid", flat(mesh.centroid), {n, 3});
+  write_dataset(group, "normal", flat(mesh.normal), {n, 3});
+  write_dataset(group, "surface", mesh.surface, {n});
+  write_dataset(group, "polygon", mesh.polygon, {n});
+}
+
+void write_rows(hid_t file, const radiosity::Transport& transport,
+                const radiosity::Progress& progress) {
+  const Handle group(H5Gcreate2(file, "form_factors", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                     H5Gclose);
+  GrowingDataset<double> data(group, "data");
+  GrowingDataset<double> error(group, "error");
+  GrowingDataset<std::int64_t> indices(group, "indices");
+  std::vector<std::int64_t> row_starts{0};
+  for (Index i = 0; i < transport.size(); ++i) {
+    progress.check();
+    const Eigen::VectorXd row = transport.row(i);
+    const Eigen::VectorXd row_error = transport.row_error(i);
+    std::int64_t n_entries = row_starts.back();
+    for (Index j = 0; j < row.size(); ++j) {
+      if (row[j] == 0 && row_error[j] == 0) continue;
+      data.push_back(row[j]);
+      error.push_back(row_error[j]);
+      indices.push_back(j);
+      ++n_entries;
+    }
+    row_starts.push_back(n_entries);
+    if (progress.report) {
+      progress.report("file", static_cast<double>(i + 1), static_cast<double>(transport.size()),
+                      "rows");
+    }
+  }
+  data.flush();
+  error.flush();
+  indices.flush();
+  write_dataset(group, "indptr", row_starts, {row_starts.size()});
+}
+
+void write_file(const std::filesystem::path& path, const radiosity::PatchMesh& mesh,
+                const radiosity::Transport& transport, const FormFactorFileOptions& options) {
+  const Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
+  write_attribute(file, "version", kVersion);
+  write_attribute(file, "tolerance", options.tolerance);
+  write_attribute(file, "closed", static_cast<std::int32_t>(transport.report().closed));
+  write_patches(file, mesh);
+  const Handle group(H5Gcreate2(file, "surfaces", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
+  write_names(group, "name", mesh.surface_names);
+  const Eigen::VectorXd& sums = transport.report().row_sums;
+  write_dataset(file, "closure", std::vector<double>(sums.data(), sums.data() + sums.size()),
+                {static_cast<hsize_t>(sums.size())});
+  write_rows(file, transport, options.progress);
+  require(H5Fflush(file, H5F_SCOPE_GLOBAL));
+}
+
+}  // namespace
+
+void write_form_factors(const std::filesystem::path& path, const radiosity::PatchMesh& mesh,
+                        const radiosity::Transport& transport,
+                        const FormFactorFileOptions& options) {
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors are ours to tell
+  write_atomically(path, [&](const std::filesystem::path& temporary) {
+    try {
+      write_file(temporary, mesh, transport, options);
+    } catch (const radiosity::OutputError& error) {
+      throw radiosity::OutputError(fmt::format("{}: {}", path.string(), error.what()));
+    }
+  });
+}
+
+}  // namespace io

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "radiosity/patch_mesh.h"
+#include "radiosity/transport.h"
+
+namespace radiosity {
+
+/// Form factors between whole surfaces, n_surfaces x n_surfaces: F_st is the share of the power
+/// that leaves surface s, evenly over its area, and reaches surface t. F_st = Σ_{i in s} A_i Σ_{j
+/// in t} F_ij / Σ_{i in s} A_i
+Eigen::MatrixXd surface_form_factors(const PatchMesh& mesh, const Transport& transport);
+
+/// Area of each surface, all its patches together (both sides if two-sided), m².
+Eigen::VectorXd surface_areas(const PatchMesh& mesh);
+
+}  // namespace radiosity
