@@ -77,17 +77,9 @@ struct SurfacePoint {
 /// The first emitting side that a ray meets; backs are passed through. `direction` has unit length.
 std::optional<SurfacePoint> first_front(const Visibility& visibility, const Vec3& origin,
                                         const Vec3& direction) {
-  constexpr int kMaxBacks = 10000;  // only so that rounding can never make this endless
-  Vec3 start = origin;
-  std::int32_t source = -1;
-  for (int n_backs = 0; n_backs < kMaxBacks; ++n_backs) {
-    const std::optional<Hit> hit = visibility.first_hit(start, direction, source);
-    if (!hit) return std::nullopt;
-    if (hit->front) return SurfacePoint{hit->patch, start + hit->distance * direction};
-    start += hit->distance * direction;
-    source = hit->patch;
-  }
-  return std::nullopt;
+  const std::optional<Hit> hit = visibility.first_front_hit(origin, direction);
+  if (!hit) return std::nullopt;
+  return SurfacePoint{hit->patch, origin + hit->distance * direction};
 }
 
 /// The directions of a pinhole camera's rays.

@@ -51,6 +51,9 @@ struct Visibility::Implementation {
   void build();
   [[nodiscard]] bool is_in_plane_of(std::int32_t patch, std::int32_t of) const;
   [[nodiscard]] bool ignores(std::int32_t patch, std::int32_t source, std::int32_t target) const;
+  [[nodiscard]] bool is_back(std::int32_t patch, const Vec3& direction) const;
+  [[nodiscard]] std::optional<Hit> first_hit(const Vec3& origin, const Vec3& direction,
+                                             std::int32_t source, RTCFilterFunctionN filter) const;
 
   Device device;
   EmbreeScene scene{device.handle};
@@ -149,6 +152,10 @@ bool Visibility::Implementation::ignores(std::int32_t patch, std::int32_t source
   return false;
 }
 
+bool Visibility::Implementation::is_back(std::int32_t patch, const Vec3& direction) const {
+  return twin[patch] < 0 && direction.dot(planes[patch].normal) >= 0;
+}
+
 namespace {
 
 /// Embree found something in the way: reject it where it belongs to the segment's own ends.
@@ -163,11 +170,22 @@ void reject_own_ends(const RTCFilterFunctionNArguments* arguments) {
   }
 }
 
+/// Passes over patches that turn their back on the ray and have no other side. Single rays only.
+void reject_backs(const RTCFilterFunctionNArguments* arguments) {
+  const auto* context = reinterpret_cast<const FilterContext*>(arguments->context);
+  const Vec3 direction(RTCRayN_dir_x(arguments->ray, arguments->N, 0),
+                       RTCRayN_dir_y(arguments->ray, arguments->N, 0),
+                       RTCRayN_dir_z(arguments->ray, arguments->N, 0));
+  const unsigned triangle = RTCHitN_primID(arguments->hit, arguments->N, 0);
+  const std::int32_t patch = context->visibility->patch_of_triangle[triangle];
+  if (context->visibility->is_back(patch, direction)) arguments->valid[0] = 0;
+}
+
 FilterContext make_context(const Visibility::Implementation& implementation, std::int32_t source,
-                           std::int32_t target) {
+                           std::int32_t target, RTCFilterFunctionN filter) {
   FilterContext context{};
   rtcInitIntersectContext(&context.embree);
-  context.embree.filter = reject_own_ends;
+  context.embree.filter = filter;
   context.visibility = &implementation;
   context.source = source;
   context.target = target;
@@ -208,7 +226,7 @@ std::uint32_t Visibility::blocked(std::span<const Vec3> from, std::span<const Ve
     rays.id[k] = static_cast<unsigned>(k);
     rays.flags[k] = 0;
   }
-  FilterContext context = make_context(*implementation_, source, target);
+  FilterContext context = make_context(*implementation_, source, target, reject_own_ends);
   rtcOccluded16(valid.data(), implementation_->scene.handle, &context.embree, &rays);
   std::uint32_t result = 0;
   for (std::size_t k = 0; k < from.size(); ++k) {
@@ -218,9 +236,10 @@ std::uint32_t Visibility::blocked(std::span<const Vec3> from, std::span<const Ve
   return result;
 }
 
-std::optional<Hit> Visibility::first_hit(const Vec3& origin, const Vec3& direction,
-                                         std::int32_t source) const {
-  const Vec3 start = implementation_->scaled(origin);
+std::optional<Hit> Visibility::Implementation::first_hit(const Vec3& origin, const Vec3& direction,
+                                                         std::int32_t source,
+                                                         RTCFilterFunctionN filter) const {
+  const Vec3 start = scaled(origin);
   const Vec3 unit = direction.normalized();
   RTCRayHit ray{};
   ray.ray.org_x = static_cast<float>(start.x());
@@ -233,19 +252,28 @@ std::optional<Hit> Visibility::first_hit(const Vec3& origin, const Vec3& directi
   ray.ray.tfar = std::numeric_limits<float>::infinity();
   ray.ray.mask = ~0U;
   ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  FilterContext context = make_context(*implementation_, source, -1);
-  rtcIntersect1(implementation_->scene.handle, &context.embree, &ray);
+  FilterContext context = make_context(*this, source, -1, filter);
+  rtcIntersect1(scene.handle, &context.embree, &ray);
   if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
 
   Hit hit;
-  hit.patch = implementation_->patch_of_triangle[ray.hit.primID];
-  hit.distance = static_cast<double>(ray.ray.tfar) / implementation_->scale;
-  hit.front = unit.dot(implementation_->planes[hit.patch].normal) < 0;
-  if (const std::int32_t back = implementation_->twin[hit.patch]; !hit.front && back >= 0) {
+  hit.patch = patch_of_triangle[ray.hit.primID];
+  hit.distance = static_cast<double>(ray.ray.tfar) / scale;
+  hit.front = unit.dot(planes[hit.patch].normal) < 0;
+  if (const std::int32_t back = twin[hit.patch]; !hit.front && back >= 0) {
     hit.patch = back;
     hit.front = true;
   }
   return hit;
+}
+
+std::optional<Hit> Visibility::first_hit(const Vec3& origin, const Vec3& direction,
+                                         std::int32_t source) const {
+  return implementation_->first_hit(origin, direction, source, reject_own_ends);
+}
+
+std::optional<Hit> Visibility::first_front_hit(const Vec3& origin, const Vec3& direction) const {
+  return implementation_->first_hit(origin, direction, -1, reject_backs);
 }
 
 }  // namespace radiosity

@@ -41,6 +41,9 @@ class Visibility {
   [[nodiscard]] std::optional<Hit> first_hit(const Vec3& origin, const Vec3& direction,
                                              std::int32_t source = -1) const;
 
+  /// First patch whose emitting side the ray meets, as if the others' backs were not there.
+  [[nodiscard]] std::optional<Hit> first_front_hit(const Vec3& origin, const Vec3& direction) const;
+
   struct Implementation;  ///< private to visibility.cpp
 
  private:

@@ -111,6 +111,23 @@ TEST(Visibility, FirstHitTellsSideAndDistance) {
   EXPECT_FALSE(visibility.first_hit(Vec3(0.5, 0.5, 0), Vec3(0, 0, -1), 0).has_value());
 }
 
+TEST(Visibility, FirstFrontHitPassesThroughBacks) {
+  PatchMesh mesh = opposed_squares_with_screen(1, Vec3::Zero());
+  {
+    const Visibility visibility(mesh);
+    // The screen faces up: from below one looks through it, from above one sees it.
+    const auto through = visibility.first_front_hit(Vec3(0.25, 0.5, 0.1), Vec3(0, 0, 1));
+    ASSERT_TRUE(through.has_value());
+    EXPECT_EQ(through->patch, 1);
+    EXPECT_EQ(visibility.first_front_hit(Vec3(0.25, 0.5, 0.9), Vec3(0, 0, -1))->patch, 2);
+  }
+  // A second polygon in the same place, facing down: now there is something to see from below.
+  add_rectangle(mesh, Vec3(0, 0, 0.5), Vec3(0, 1, 0), Vec3(0.5, 0, 0));
+  const Visibility visibility(mesh);
+  EXPECT_EQ(visibility.first_front_hit(Vec3(0.25, 0.5, 0.1), Vec3(0, 0, 1))->patch, 3);
+  EXPECT_EQ(visibility.first_front_hit(Vec3(0.25, 0.5, 0.9), Vec3(0, 0, -1))->patch, 2);
+}
+
 TEST(Visibility, EmptyMeshHasNoHits) {
   const Visibility visibility{PatchMesh{}};
   EXPECT_FALSE(visibility.first_hit(Vec3::Zero(), Vec3(1, 0, 0)).has_value());
