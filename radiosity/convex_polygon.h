@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 #include <span>
+#include <vector>
 
 #include "radiosity/geometry.h"
 
@@ -42,6 +43,17 @@ class ConvexPolygon {
   std::array<Vec3, kCapacity> points_;
   std::size_t size_ = 0;
 };
+
+/// A circle about the mean of a polygon's corners that holds them all, m.
+struct Disc {
+  Vec3 center;
+  double radius;
+};
+
+Disc bounding_disc(std::span<const Vec3> polygon);
+
+/// The polygon in as many quads as it has corners, one about each.
+std::vector<ConvexPolygon> divide_about_corners(const ConvexPolygon& polygon);
 
 /// The part of `polygon` where normal · (x - on_plane) >= 0. Vertices within `thickness` (m) of the
 /// plane count as lying on it. Empty if nothing with area is left. (Sutherland & Hodgman 1974)

@@ -19,20 +19,6 @@ constexpr double kOnPlane = 1e-14;
 /// absolute accuracy than this one.
 constexpr double kNegligible = 1e-4;
 
-struct Disc {
-  Vec3 center;
-  double radius;
-};
-
-Disc bounding_disc(std::span<const Vec3> polygon) {
-  Vec3 center = Vec3::Zero();
-  for (const Vec3& point : polygon) center += point;
-  center /= static_cast<double>(polygon.size());
-  double square = 0;
-  for (const Vec3& point : polygon) square = std::max(square, (point - center).squaredNorm());
-  return {center, std::sqrt(square)};
-}
-
 ConvexPolygon moved_and_scaled(const ConvexPolygon& polygon, const Vec3& origin, double scale) {
   ConvexPolygon result;
   for (const Vec3& point : polygon) result.push_back((point - origin) * scale);
@@ -55,16 +41,8 @@ Estimate outer_quadrature(const ConvexPolygon& polygon1, const Vec3& normal1,
   const double error = std::abs(fine - coarse);
   if (error <= tolerance || depth == 0) return {fine, error};
 
-  const Vec3 middle = bounding_disc(polygon1.points()).center;
   Estimate sum;
-  for (std::size_t k = 0; k < polygon1.size(); ++k) {  // one piece about each vertex
-    const Vec3& before = polygon1[(k + polygon1.size() - 1) % polygon1.size()];
-    const Vec3& after = polygon1[(k + 1) % polygon1.size()];
-    ConvexPolygon piece;
-    piece.push_back(polygon1[k]);
-    piece.push_back(0.5 * (polygon1[k] + after));
-    piece.push_back(middle);
-    piece.push_back(0.5 * (polygon1[k] + before));
+  for (const ConvexPolygon& piece : divide_about_corners(polygon1)) {
     const Estimate part = outer_quadrature(piece, normal1, polygon2, tolerance / 2, depth - 1);
     sum.value += part.value;
     sum.error += part.error;

@@ -17,33 +17,6 @@ constexpr int kMostDivisions = 8;
 /// A polygon this much larger than the other is divided.
 constexpr double kMuchLarger = 2;
 
-struct Disc {
-  Vec3 center;
-  double radius;
-};
-
-Disc disc_of(const ConvexPolygon& polygon) {
-  Vec3 center = Vec3::Zero();
-  for (const Vec3& corner : polygon) center += corner / static_cast<double>(polygon.size());
-  double square = 0;
-  for (const Vec3& corner : polygon) square = std::max(square, (corner - center).squaredNorm());
-  return {center, std::sqrt(square)};
-}
-
-/// One quad about each corner of the polygon.
-std::vector<ConvexPolygon> divide(const ConvexPolygon& polygon) {
-  const Vec3 middle = disc_of(polygon).center;
-  const std::size_t n = polygon.size();
-  std::vector<ConvexPolygon> pieces(n);
-  for (std::size_t k = 0; k < n; ++k) {
-    pieces[k].push_back(polygon[k]);
-    pieces[k].push_back(0.5 * (polygon[k] + polygon[(k + 1) % n]));
-    pieces[k].push_back(middle);
-    pieces[k].push_back(0.5 * (polygon[k] + polygon[(k + n - 1) % n]));
-  }
-  return pieces;
-}
-
 class Estimator {
  public:
   Estimator(const Visibility& visibility, const OccludedPairOptions& options)
@@ -51,8 +24,8 @@ class Estimator {
 
   PairEstimate estimate(const SampledPair& pair, std::vector<const Occluder*> candidates,
                         int max_rays, std::uint64_t seed, int divisions) const {
-    const Disc disc_i = disc_of(pair.polygon_i);
-    const Disc disc_j = disc_of(pair.polygon_j);
+    const Disc disc_i = bounding_disc(pair.polygon_i.points());
+    const Disc disc_j = bounding_disc(pair.polygon_j.points());
     const bool is_near =
         (disc_i.center - disc_j.center).norm() < 2 * (disc_i.radius + disc_j.radius);
     if (is_near || candidates.size() <= kMostTested) {
@@ -102,7 +75,8 @@ class Estimator {
                                               const std::vector<const Occluder*>& candidates,
                                               int max_rays, std::uint64_t seed,
                                               int divisions) const {
-    const std::vector<ConvexPolygon> pieces = divide(divides_i ? pair.polygon_i : pair.polygon_j);
+    const std::vector<ConvexPolygon> pieces =
+        divide_about_corners(divides_i ? pair.polygon_i : pair.polygon_j);
     PairEstimate sum;
     bool any_visible = false;
     bool any_hidden = false;

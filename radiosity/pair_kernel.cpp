@@ -24,17 +24,12 @@ PatchTable::PatchTable(const PatchMesh& mesh) {
   }
   for (Index i = 0; i < mesh.size(); ++i) {
     ConvexPolygon polygon;
-    Vec3 middle = Vec3::Zero();
-    for (int k = 0; k < mesh.n_corners(i); ++k) {
-      polygon.push_back(mesh.corner(i, k) - center);
-      middle += polygon[k] / mesh.n_corners(i);
-    }
-    double radius = 0;
-    for (const Vec3& corner : polygon) radius = std::max(radius, (corner - middle).norm());
+    for (int k = 0; k < mesh.n_corners(i); ++k) polygon.push_back(mesh.corner(i, k) - center);
+    const Disc disc = bounding_disc(polygon.points());
     polygons_.push_back(polygon);
     planes_.push_back({mesh.normal[i], mesh.normal[i].dot(mesh.centroid[i] - center)});
-    centers_.push_back(middle);
-    radii_.push_back(radius);
+    centers_.push_back(disc.center);
+    radii_.push_back(disc.radius);
     for (int order = 2; order <= kKeptOrder; ++order) {
       Rule& rule = rules_[order - 2];
       int n_points = 0;
@@ -46,7 +41,7 @@ PatchTable::PatchTable(const PatchMesh& mesh) {
         ++n_points;
       };
       for_each_quadrature_point(polygon.points(), order, add);
-      while (n_points < padded_points(order)) add(middle, 0);
+      while (n_points < padded_points(order)) add(disc.center, 0);
     }
   }
 }
