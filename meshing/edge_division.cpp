@@ -41,10 +41,6 @@ class EdgeClasses {
   std::vector<std::int32_t> parent_;
 };
 
-bool is_quad(PolygonKind kind) {
-  return kind == PolygonKind::planar_quad || kind == PolygonKind::non_planar_quad;
-}
-
 class EdgeDivider {
  public:
   EdgeDivider(const WeldedPolygons& polygons, const EdgeTable& edges,
@@ -56,7 +52,7 @@ class EdgeDivider {
   EdgeDivision run() {
     result_.is_grid.resize(kinds_.size());
     for (Index i = 0; i < polygons_.size(); ++i) {
-      result_.is_grid[i] = is_quad(kinds_[i]) && is_well_shaped(i);
+      result_.is_grid[i] = kinds_[i] == PolygonKind::planar_quad && is_well_shaped(i);
     }
     count_own_pieces();
     do {
@@ -92,16 +88,8 @@ class EdgeDivider {
   void count_own_pieces() {
     std::vector<double> limit(edges_.size(), limit_.coarse);
     std::fill(limit.begin(), limit.begin() + limit_.n_fine, limit_.fine);
-    std::vector<bool> is_halved(edges_.size());
-    for (Index i = 0; i < polygons_.size(); ++i) {
-      if (!result_.is_grid[i] || kinds_[i] != PolygonKind::non_planar_quad) continue;
-      // Its small quads will be halved; the shorter diagonal of a quad with sides up to L / √2 is
-      // at most L, since the squared diagonals sum up to no more than the squared sides.
-      for (int k = 0; k < 4; ++k) is_halved[edge(i, k)] = true;
-    }
     own_.resize(edges_.size());
     for (Index e = 0; e < edges_.size(); ++e) {
-      if (is_halved[e]) limit[e] /= std::sqrt(2.0);
       const double n = std::ceil(length(e) / limit[e] * (1 - kLengthRounding));
       if (n >= std::numeric_limits<std::int32_t>::max()) {
         throw radiosity::MeshError("an edge of " + number(length(e)) + " m would have " +

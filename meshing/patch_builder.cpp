@@ -67,7 +67,6 @@ class PatchBuilder {
   void build_triangles(std::span<const Triangle> triangles);
   std::vector<Triangle> triangulate_corners() const;
   void add_patch(const std::array<std::int32_t, 4>& corners);
-  void add_quad(const std::array<std::int32_t, 4>& corners);
 
   [[nodiscard]] const Vec3& at(std::int32_t vertex) const { return mesh_.vertices[vertex]; }
   [[nodiscard]] PolygonKind kind() const { return topology_.kinds[polygon_]; }
@@ -184,14 +183,12 @@ void PatchBuilder::build_polygon() {
                           : build_triangle_grid();
     case PolygonKind::planar_quad:
       return is_undivided || division_.is_grid[polygon_] ? build_grid() : build_filled();
-    case PolygonKind::non_planar_quad:
-      if (is_undivided || division_.is_grid[polygon_]) return build_grid();
-      break;
     case PolygonKind::planar_polygon:
       if (std::isfinite(division_.max_edge)) return build_filled();
       break;
+    case PolygonKind::non_planar_quad:
     case PolygonKind::non_planar_polygon:
-      break;
+      break;  // its triangles are divided, so that the surface is the same at any patch size
     case PolygonKind::zero_area:
     case PolygonKind::self_crossing:
       assert(false && "refused by check_polygons");
@@ -200,7 +197,7 @@ void PatchBuilder::build_polygon() {
   build_triangles(triangulate_corners());
 }
 
-/// A quad with equally divided opposite edges, bilinear inside.
+/// A planar quad with equally divided opposite edges.
 void PatchBuilder::build_grid() {
   const std::int32_t m = cell_.n_pieces(0);
   const std::int32_t n = cell_.n_pieces(1);
@@ -227,7 +224,7 @@ void PatchBuilder::build_grid() {
         mesh_.vertices.emplace_back(p[0] + offset);
       }
     }
-    for (std::int32_t i = 0; i < m; ++i) add_quad({low[i], low[i + 1], high[i + 1], high[i]});
+    for (std::int32_t i = 0; i < m; ++i) add_patch({low[i], low[i + 1], high[i + 1], high[i]});
     low.swap(high);
   }
 }
@@ -319,24 +316,6 @@ std::vector<Triangle> PatchBuilder::triangulate_corners() const {
   return ears->size() == 1 ? *ears : make_delaunay(flat, *ears);
 }
 
-/// A quad of a grid: two triangles if the polygon is not planar and neither is this piece of it.
-void PatchBuilder::add_quad(const std::array<std::int32_t, 4>& c) {
-  if (kind() == PolygonKind::planar_quad) return add_patch(c);
-  const std::array<Vec3, 4> p{at(c[0]), at(c[1]), at(c[2]), at(c[3])};
-  const double first = (p[2] - p[0]).norm();
-  const double second = (p[3] - p[1]).norm();
-  if (quad_deviation(p) <= kPlanarQuad * std::max(first, second)) return add_patch(c);
-  // The shorter diagonal keeps within max_edge and gives the better angles; as long as they are
-  // equal but for rounding, always the same one, so that grids look regular.
-  if (first <= second * (1 + 1e-9)) {
-    add_patch({c[0], c[1], c[2], -1});
-    add_patch({c[0], c[2], c[3], -1});
-  } else {
-    add_patch({c[0], c[1], c[3], -1});
-    add_patch({c[1], c[2], c[3], -1});
-  }
-}
-
 void PatchBuilder::add_patch(const std::array<std::int32_t, 4>& c) {
   const std::int32_t surface = scene_.polygon_surface[polygon_];
   const auto polygon = static_cast<std::int32_t>(polygon_);
@@ -381,7 +360,7 @@ PatchCount count_patches(const radiosity::Scene& scene, const Topology& topology
       count.certain += sides;
     } else if (division.is_grid[i]) {
       const double n = static_cast<double>(division.n_pieces[topology.edges.edge_of_corner[first]]);
-      count.certain += sides * (is_planar_quad ? 1 : 2) * n * (n_boundary / 2 - n);
+      count.certain += sides * n * (n_boundary / 2 - n);
     } else if (last - first == 3 && most == fewest) {
       count.certain += sides * most * static_cast<double>(most);
     } else {
