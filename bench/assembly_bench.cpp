@@ -66,7 +66,7 @@ struct Packet {
 const std::vector<Packet>& undecided_packets(const Box& box) {
   static std::map<const Box*, std::vector<Packet>> all;
   std::vector<Packet>& packets = all[&box];
-  const PatchTable table(box.mesh);
+  const PatchTable table(box.mesh, 1e-9);
   for (Index i = 0; packets.size() < 20000 && i < box.mesh.size(); i += 7) {
     const Eigen::VectorXd error = box.transport->row_error(i);
     for (Index j = i + 1; j < box.mesh.size(); ++j) {

@@ -2,19 +2,25 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
+
+#include "radiosity/convex_hull.h"
 
 namespace radiosity {
 namespace {
 
 /// How far apart opposite normals count, in units of the scene's longest side.
-constexpr double kNormalWeight = 1;
+constexpr double kNormalWeight = 2;
+/// Outlines with more corners are not worth their tests.
+constexpr std::size_t kMostCorners = 8;
 
 using Point6 = std::array<double, 6>;
 
 class Builder {
  public:
-  Builder(const PatchMesh& mesh, Index leaf_size) : mesh_(mesh), leaf_size_(leaf_size) {
+  Builder(const PatchMesh& mesh, Index leaf_size, double thickness)
+      : mesh_(mesh), leaf_size_(leaf_size), thickness_(thickness) {
     const Box3 box = bounds(mesh);
     const double scale = mesh.size() > 0 ? 1 / std::max(box.sizes().maxCoeff(), 1e-300) : 1;
     points_.resize(mesh.size());
@@ -43,6 +49,7 @@ class Builder {
       const std::int32_t patch = tree_.order[k];
       for (int c = 0; c < mesh_.n_corners(patch); ++c) cluster.box.extend(mesh_.corner(patch, c));
     }
+    find_outline(cluster);
     tree_.clusters.push_back(cluster);
     if (end - begin <= leaf_size_) {
       tree_.leaves.push_back(self);
@@ -54,6 +61,37 @@ class Builder {
     tree_.clusters[self].left = left;
     tree_.clusters[self].right = right;
     return self;
+  }
+
+  void find_outline(Cluster& cluster) const {
+    const std::int32_t first = tree_.order[cluster.begin];
+    const HalfSpace plane{mesh_.normal[first], mesh_.normal[first].dot(mesh_.centroid[first])};
+    const Vec3 u = plane.normal.unitOrthogonal();
+    const Vec3 v = plane.normal.cross(u);
+    std::vector<Vec3> corners;
+    std::vector<Point2> points;
+    bool is_planar = true;
+    for (Index k = cluster.begin; k < cluster.end && is_planar; ++k) {
+      const std::int32_t patch = tree_.order[k];
+      is_planar &= mesh_.normal[patch].dot(plane.normal) > 0;
+      for (int c = 0; c < mesh_.n_corners(patch); ++c) {
+        const Vec3& corner = mesh_.corner(patch, c);
+        is_planar &= std::abs(plane.normal.dot(corner) - plane.offset) <= thickness_;
+        corners.push_back(corner);
+        points.emplace_back(u.dot(corner), v.dot(corner));
+      }
+    }
+    if (is_planar) {
+      cluster.plane = plane;
+      const std::vector<std::int32_t> hull = convex_hull(points, thickness_);
+      if (!hull.empty() && hull.size() <= kMostCorners) {
+        for (const std::int32_t k : hull) cluster.outline.push_back(corners[k]);
+        return;
+      }
+    }
+    for (int k = 0; k < 8; ++k) {
+      cluster.outline.push_back(cluster.box.corner(static_cast<Box3::CornerType>(k)));
+    }
   }
 
   /// Sorts order[begin..end) along its longest axis; returns where to cut: the widest gap near the
@@ -96,14 +134,15 @@ class Builder {
 
   const PatchMesh& mesh_;
   Index leaf_size_;
+  double thickness_;
   std::vector<Point6> points_;
   ClusterTree tree_;
 };
 
 }  // namespace
 
-ClusterTree make_cluster_tree(const PatchMesh& mesh, Index leaf_size) {
-  return Builder(mesh, leaf_size).build();
+ClusterTree make_cluster_tree(const PatchMesh& mesh, Index leaf_size, double thickness) {
+  return Builder(mesh, leaf_size, thickness).build();
 }
 
 }  // namespace radiosity

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "radiosity/patch_mesh.h"
+#include "radiosity/shaft.h"
 
 namespace radiosity {
 
@@ -14,6 +16,10 @@ struct Cluster {
   std::int32_t left = -1;  ///< child clusters, or -1 for a leaf
   std::int32_t right = -1;
   Box3 box;  ///< around the patches' corners, m
+  /// Corners of a convex set that holds the patches: of their hull, where they lie in one plane and
+  /// the hull has few corners, else of their box, m.
+  std::vector<Vec3> outline;
+  std::optional<HalfSpace> plane;  ///< if all patches lie in it and face its outside
   [[nodiscard]] bool is_leaf() const { return left < 0; }
 };
 
@@ -26,7 +32,8 @@ struct ClusterTree {
 };
 
 /// Builds the tree by halving at the median of the longest of the six axes (three of place, three
-/// of the normal) until no leaf has more than `leaf_size` patches. Deterministic.
-ClusterTree make_cluster_tree(const PatchMesh& mesh, Index leaf_size);
+/// of the normal) until no leaf has more than `leaf_size` patches. Deterministic. `thickness` is
+/// how far off a plane points may be and still count as on it, m.
+ClusterTree make_cluster_tree(const PatchMesh& mesh, Index leaf_size, double thickness);
 
 }  // namespace radiosity

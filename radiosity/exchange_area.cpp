@@ -135,6 +135,21 @@ std::vector<std::array<Vec3, 3>> fan(std::span<const Vec3> polygon) {
   return triangles;
 }
 
+/// The angle between unit vectors divided by its sine, from their cross and dot product.
+double angle_over_sine(const Vec3& cross, double dot) {
+  const double z = 1 - dot;
+  if (z > 0.1) {
+    const double sine = cross.norm();
+    return sine > 0 ? std::atan2(sine, dot) / sine : 0;
+  }
+  // Σ_k 2^2k (k!)² / (2k+1)! (z/2)^k
+  static constexpr std::array kRatios{2. / 3,   4. / 5,   6. / 7,   8. / 9,   10. / 11, 12. / 13,
+                                      14. / 15, 16. / 17, 18. / 19, 20. / 21, 22. / 23};
+  double sum = 1;
+  for (std::size_t k = kRatios.size(); k-- > 0;) sum = 1 + kRatios[k] * 0.5 * z * sum;
+  return sum;
+}
+
 }  // namespace
 
 double exchange_area(std::span<const Vec3> polygon1, std::span<const Vec3> polygon2,
@@ -149,31 +164,40 @@ double exchange_area(std::span<const Vec3> polygon1, std::span<const Vec3> polyg
   return convex_exchange_area(polygon1, polygon2, tolerance);
 }
 
+double facing_point_to_polygon(const Vec3& point, const Vec3& normal,
+                               std::span<const Vec3> polygon) {
+  const auto direction_to = [&](const Vec3& corner) {
+    const Vec3 way = corner - point;
+    const double square = way.squaredNorm();
+    return square > 0 ? Vec3(way / std::sqrt(square)) : Vec3(Vec3::Zero());
+  };
+  const Vec3 first = direction_to(polygon[0]);
+  Vec3 a = first;
+  double sum = 0;
+  for (std::size_t k = 1; k <= polygon.size(); ++k) {
+    const Vec3 b = k < polygon.size() ? direction_to(polygon[k]) : first;
+    const Vec3 cross = a.cross(b);
+    sum += angle_over_sine(cross, a.dot(b)) * normal.dot(cross);
+    a = b;
+  }
+  // Counter-clockwise about the polygon's normal is clockwise as seen from the point.
+  return std::max(0.0, -sum / (2 * kPi));
+}
+
 double point_to_polygon(const Vec3& point, const Vec3& normal, std::span<const Vec3> polygon) {
   const Vec3 area = vector_area(polygon);
   if (area.dot(point - polygon.front()) <= 0) return 0;  // behind the polygon
-  const auto sum_over_edges = [&](std::span<const Vec3> visible) {
-    double sum = 0;
-    for (std::size_t k = 0; k < visible.size(); ++k) {
-      const Vec3 a = visible[k] - point;
-      const Vec3 b = visible[k + 1 < visible.size() ? k + 1 : 0] - point;
-      const Vec3 cross = a.cross(b);
-      const double length = cross.norm();
-      if (length > 0) sum += std::atan2(length, a.dot(b)) * normal.dot(cross) / length;
-    }
-    // Counter-clockwise about the polygon's normal is clockwise as seen from the point.
-    return std::max(0.0, -sum / (2 * kPi));
-  };
   const bool is_above = std::all_of(polygon.begin(), polygon.end(), [&](const Vec3& corner) {
     return normal.dot(corner - point) >= 0;
   });
-  if (is_above) return sum_over_edges(polygon);
+  if (is_above) return facing_point_to_polygon(point, normal, polygon);
   if (polygon.size() > ConvexPolygon::kCapacity - 2) {
     double sum = 0;
     for (const auto& triangle : fan(polygon)) sum += point_to_polygon(point, normal, triangle);
     return sum;
   }
-  return sum_over_edges(clip_to_half_space(polygon, point, normal, 0).points());
+  return facing_point_to_polygon(point, normal,
+                                 clip_to_half_space(polygon, point, normal, 0).points());
 }
 
 }  // namespace radiosity

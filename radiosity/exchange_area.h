@@ -21,4 +21,8 @@ double exchange_area(std::span<const Vec3> polygon1, std::span<const Vec3> polyg
 /// F = 1/(2π) Σ_k θ_k n·Γ_k   (Lambert 1760; Cohen & Wallace 1993, eq. 4.13)
 double point_to_polygon(const Vec3& point, const Vec3& normal, std::span<const Vec3> polygon);
 
+/// The same for a polygon that wholly faces the element from above its horizon.
+double facing_point_to_polygon(const Vec3& point, const Vec3& normal,
+                               std::span<const Vec3> polygon);
+
 }  // namespace radiosity

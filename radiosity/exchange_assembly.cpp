@@ -6,12 +6,14 @@
 #include <mutex>
 #include <vector>
 
+#include "radiosity/blocker.h"
 #include "radiosity/cluster_tree.h"
 #include "radiosity/exchange_area.h"
 #include "radiosity/occluded_pair.h"
 #include "radiosity/occluders.h"
 #include "radiosity/pair_kernel.h"
 #include "radiosity/parallel.h"
+#include "radiosity/segment_bundle.h"
 #include "radiosity/shaft.h"
 
 namespace radiosity {
@@ -20,7 +22,13 @@ namespace {
 constexpr Index kTileSize = 64;
 constexpr Index kLeafSize = 8;
 /// Relative error of the unoccluded kernel, a matter of nanoseconds next to visibility.
-constexpr double kKernelTolerance = 1e-9;
+constexpr double kKernelTolerance = 1e-8;
+/// Share of the tolerance that it may use up.
+constexpr double kKernelShare = 1e-4;
+/// Form factors below this share of the mean one need little accuracy, below a far smaller one,
+/// relative to the tolerance, none.
+constexpr double kMinor = 1e-2;
+constexpr double kNegligible = 1e-3;
 
 using Candidates = std::vector<std::int32_t>;
 
@@ -75,15 +83,20 @@ class Assembler {
   Assembler(const PatchMesh& mesh, const Visibility& visibility, const TransportOptions& options)
       : options_(options),
         visibility_(visibility),
-        table_(mesh),
+        table_(mesh, std::min(kKernelTolerance, kKernelShare * options.tolerance)),
         areas_(mesh.area),
-        max_rays_(rays_per_pair(options.tolerance)),
+        pair_options_{rays_per_pair(options.tolerance),
+                      kMinor / static_cast<double>(mesh.size()),
+                      kNegligible * options.tolerance / static_cast<double>(mesh.size()),
+                      table_.thickness(),
+                      options.tolerance,
+                      table_.tolerance()},
         sums_(mesh.size()) {
     const Box3 box = bounds(mesh);
     if (!box.isEmpty()) center_ = box.center();
     const PatchMesh local = centered(mesh);
-    tree_ = make_cluster_tree(local, kLeafSize);
-    occluders_ = make_occluders(local, table_.thickness());
+    tree_ = make_cluster_tree(local, kLeafSize, table_.thickness());
+    blockers_ = make_blockers(make_occluders(local, table_.thickness()), local, table_.thickness());
     find_strips();
   }
 
@@ -93,7 +106,7 @@ class Assembler {
     Assembly result{tree_.order, ExchangeTiles(boundaries), {}, {}};
     tiles_ = &result.tiles;
     if (!strips_.empty()) {
-      Candidates all(occluders_.size());
+      Candidates all(blockers_.size());
       for (std::size_t k = 0; k < all.size(); ++k) all[k] = static_cast<std::int32_t>(k);
       visit_blocks(0, 0, all, false);
     }
@@ -141,16 +154,42 @@ class Assembler {
                                   bool& is_hidden) const {
     Candidates kept;
     if (is_hidden || candidates.empty()) return kept;
-    const BoxShaft shaft(tree_.clusters[a].box, tree_.clusters[b].box);
+    const Cluster& ca = tree_.clusters[a];
+    const Cluster& cb = tree_.clusters[b];
+    const bool is_last = ca.is_leaf() && cb.is_leaf();
+    const BoxShaft shaft(ca.box, cb.box);
+    const SegmentBundle there(ca.outline, cb.outline, table_.thickness());
+    const SegmentBundle back(cb.outline, ca.outline, table_.thickness());
     for (const std::int32_t k : candidates) {
-      const Blocking blocking = shaft.test(occluders_[k], table_.thickness());
-      if (blocking == Blocking::all) {
+      const Blocker& blocker = blockers_[k];
+      if (shaft.misses(blocker.box, blocker.corners, table_.thickness())) continue;
+      SegmentBundle::Verdict verdict = there.test(blocker);
+      const bool is_divided = verdict.divides_source != nullptr;
+      if (verdict.blocking == Blocking::some) verdict = back.test(blocker);
+      if (verdict.blocking == Blocking::all) {
         is_hidden = true;
         return {};
       }
-      if (blocking == Blocking::some) kept.push_back(k);
+      if (verdict.blocking == Blocking::none) continue;
+      if (is_last && is_divided && verdict.divides_source != nullptr &&
+          there.is_separated(blocker)) {
+        continue;
+      }
+      kept.push_back(k);
     }
     return kept;
+  }
+
+  /// Whether the patches of one cluster all lie behind those of the other.
+  [[nodiscard]] bool are_averted(std::int32_t a, std::int32_t b) const {
+    const auto is_behind = [&](const Cluster& cluster, const Cluster& of) {
+      if (!of.plane) return false;
+      return std::all_of(cluster.outline.begin(), cluster.outline.end(), [&](const Vec3& corner) {
+        return of.plane->normal.dot(corner) <= of.plane->offset + table_.thickness();
+      });
+    };
+    return is_behind(tree_.clusters[a], tree_.clusters[b]) ||
+           is_behind(tree_.clusters[b], tree_.clusters[a]);
   }
 
   /// Descends to pairs of strips, in parallel.
@@ -181,17 +220,19 @@ class Assembler {
     Index first_column;
     bool is_diagonal;
     Eigen::MatrixXd values;
-    std::vector<UncertainEntry> uncertain;
-    Census census;
+    OccludedPairEstimator estimator;
+    std::vector<const Blocker*> blockers{};
+    std::vector<UncertainEntry> uncertain{};
+    Census census{};
   };
 
   void make_tile(std::int32_t a, std::int32_t b, const Candidates& candidates, bool is_hidden) {
     options_.progress.check();
     const Cluster& ca = tree_.clusters[a];
     const Cluster& cb = tree_.clusters[b];
-    TileWork work{ca.begin, cb.begin,
-                  a == b,   Eigen::MatrixXd::Zero(ca.end - ca.begin, cb.end - cb.begin),
-                  {},       {}};
+    TileWork work{ca.begin, cb.begin, a == b,
+                  Eigen::MatrixXd::Zero(ca.end - ca.begin, cb.end - cb.begin),
+                  OccludedPairEstimator(visibility_, pair_options_)};
     visit_pairs(a, b, candidates, is_hidden, work);
     add_row_sums(work);
     const double n_pairs = work.is_diagonal ? 0.5 * static_cast<double>(work.values.rows()) *
@@ -226,6 +267,7 @@ class Assembler {
   /// Descends within a tile to the tree's leaves, filtering the candidates on the way.
   void visit_pairs(std::int32_t a, std::int32_t b, const Candidates& candidates, bool is_hidden,
                    TileWork& work) {
+    if (are_averted(a, b)) return;
     const Cluster& ca = tree_.clusters[a];
     const Cluster& cb = tree_.clusters[b];
     if (ca.is_leaf() && cb.is_leaf()) {
@@ -268,10 +310,9 @@ class Assembler {
       ++work.census.hidden;
       return;
     }
-    const bool is_whole = front_i == Blocking::all && front_j == Blocking::all;
     const Entry entry = candidates.empty()
-                            ? Entry{unoccluded(i, j, is_whole), 0, true}
-                            : occluded_entry(i, j, is_whole, candidates, work.census);
+                            ? Entry{table_.unoccluded(i, j, front_i, front_j), 0, true}
+                            : occluded_entry(i, j, front_i, front_j, candidates, work);
     if (candidates.empty()) ++work.census.visible;
     store(row - work.first_row, column - work.first_column, entry, work);
   }
@@ -294,33 +335,30 @@ class Assembler {
     if (work.is_diagonal) add(c, r);
   }
 
-  [[nodiscard]] double unoccluded(std::int32_t i, std::int32_t j, bool is_whole) const {
-    if (is_whole) return table_.exchange_area_unclipped(i, j, kKernelTolerance);
-    return exchange_area(table_.polygon(i).points(), table_.polygon(j).points(), kKernelTolerance);
-  }
-
-  /// An entry that some candidate may block: proved visible or hidden for this pair alone, or else
-  /// sampled.
-  [[nodiscard]] Entry occluded_entry(std::int32_t i, std::int32_t j, bool is_whole,
-                                     const Candidates& candidates, Census& census) const {
-    const HalfSpace& plane_i = table_.plane(i);
-    const HalfSpace& plane_j = table_.plane(j);
-    const auto clip = [&](const ConvexPolygon& polygon, const HalfSpace& plane) {
-      return clip_to_half_space(polygon.points(), plane.normal * plane.offset, plane.normal,
-                                table_.thickness());
+  /// An entry that some candidate may block.
+  [[nodiscard]] Entry occluded_entry(std::int32_t i, std::int32_t j, Blocking front_i,
+                                     Blocking front_j, const Candidates& candidates,
+                                     TileWork& work) const {
+    const auto part_in_front = [&](std::int32_t patch, std::int32_t of, Blocking front) {
+      const ConvexPolygon& polygon = table_.polygon(patch);
+      const HalfSpace& plane = table_.plane(of);
+      return front == Blocking::all
+                 ? polygon
+                 : clip_to_half_space(polygon.points(), plane.normal * plane.offset, plane.normal,
+                                      table_.thickness());
     };
-    const ConvexPolygon polygon_i = is_whole ? table_.polygon(i) : clip(table_.polygon(i), plane_j);
-    const ConvexPolygon polygon_j = is_whole ? table_.polygon(j) : clip(table_.polygon(j), plane_i);
-    std::vector<const Occluder*> blockers;
-    for (const std::int32_t k : candidates) blockers.push_back(&occluders_[k]);
-    const PairEstimate estimate = estimate_occluded_pair(
-        visibility_, {polygon_i, plane_i, polygon_j, plane_j, center_, i, j}, std::move(blockers),
-        {max_rays_, table_.thickness(), kKernelTolerance}, pair_seed(options_.seed, i, j));
-    census.visible += estimate.blocking == Blocking::none ? 1 : 0;
-    census.hidden += estimate.blocking == Blocking::all ? 1 : 0;
-    census.undecided += estimate.blocking == Blocking::some ? 1 : 0;
-    census.partial += estimate.is_partial ? 1 : 0;
-    census.rays += estimate.rays;
+    const ConvexPolygon polygon_i = part_in_front(i, j, front_j);
+    const ConvexPolygon polygon_j = part_in_front(j, i, front_i);
+    work.blockers.clear();
+    for (const std::int32_t k : candidates) work.blockers.push_back(&blockers_[k]);
+    const PairEstimate estimate = work.estimator.estimate(
+        {polygon_i, table_.plane(i), polygon_j, table_.plane(j), center_, i, j}, work.blockers,
+        [&] { return table_.unoccluded(i, j, front_i, front_j); }, pair_seed(options_.seed, i, j));
+    work.census.visible += estimate.blocking == Blocking::none ? 1 : 0;
+    work.census.hidden += estimate.blocking == Blocking::all ? 1 : 0;
+    work.census.undecided += estimate.blocking == Blocking::some ? 1 : 0;
+    work.census.partial += estimate.is_partial ? 1 : 0;
+    work.census.rays += estimate.rays;
     return {estimate.value, estimate.error, estimate.blocking != Blocking::some};
   }
 
@@ -329,9 +367,9 @@ class Assembler {
   PatchTable table_;
   const std::vector<double>& areas_;
   Vec3 center_ = Vec3::Zero();
-  int max_rays_;
+  OccludedPairOptions pair_options_;
   ClusterTree tree_;
-  std::vector<Occluder> occluders_;
+  std::vector<Blocker> blockers_;
   std::vector<std::int32_t> strips_;            // clusters
   std::vector<std::int32_t> strip_of_cluster_;  // per cluster, or -1
   ExchangeTiles* tiles_ = nullptr;

@@ -1,6 +1,7 @@
 #include "radiosity/occluded_pair.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "radiosity/exchange_area.h"
@@ -8,113 +9,194 @@
 namespace radiosity {
 namespace {
 
-/// Distant pairs with more candidates are not tested one by one: rays are cheaper.
-constexpr std::size_t kMostTested = 32;
-/// Relative error of the kernel where it is multiplied by a sampled fraction, far below its noise.
-constexpr double kSampledTolerance = 1e-8;
-/// Divisions of the larger polygon of a near pair at most.
-constexpr int kMostDivisions = 8;
-/// A polygon this much larger than the other is divided.
+/// Divisions of a pair at most, and of one whose form factor is negligible.
+constexpr std::size_t kMostDivisions = 12;
+constexpr std::size_t kMinorDivisions = 2;
+/// Rays for a negligible pair.
+constexpr int kMinorRays = 2 * SegmentSampler::kPacket;
+/// Of a near pair, a polygon this much larger than the other is divided.
 constexpr double kMuchLarger = 2;
+/// Polygons with more corners are divided, since each cut may add one.
+constexpr std::size_t kMostCorners = 8;
+/// Pairs with more shadows are sampled; with fewer if the tolerance is not below the next figure.
+constexpr std::size_t kMostShadows = 12;
+constexpr std::size_t kFewShadows = 3;
+constexpr double kExactTolerance = 1e-4;
+/// Pairs with more blockers go to rays, distant ones of many candidates at once if little is asked.
+constexpr std::size_t kMostSampled = 32;
+constexpr std::size_t kMostTested = 48;
+constexpr double kRayTolerance = 2e-3;
+/// Above this tolerance one low rule has to do for distant pairs.
+constexpr double kLowRuleTolerance = 5e-4;
 
-class Estimator {
- public:
-  Estimator(const Visibility& visibility, const OccludedPairOptions& options)
-      : visibility_(visibility), options_(options) {}
+std::array<ConvexPolygon, 2> halves(const ConvexPolygon& polygon, const HalfSpace& plane,
+                                    double thickness) {
+  const Vec3 on_plane = plane.normal * plane.offset;
+  return {clip_to_half_space(polygon.points(), on_plane, plane.normal, thickness),
+          clip_to_half_space(polygon.points(), on_plane, -plane.normal, thickness)};
+}
 
-  PairEstimate estimate(const SampledPair& pair, std::vector<const Occluder*> candidates,
-                        int max_rays, std::uint64_t seed, int divisions) const {
-    const Disc disc_i = bounding_disc(pair.polygon_i.points());
-    const Disc disc_j = bounding_disc(pair.polygon_j.points());
-    const bool is_near =
-        (disc_i.center - disc_j.center).norm() < 2 * (disc_i.radius + disc_j.radius);
-    if (is_near || candidates.size() <= kMostTested) {
-      const Blocking blocking = reduce(pair, candidates);
-      if (blocking == Blocking::all) return {0, 0, blocking, false, 0};
-      if (blocking == Blocking::none) {
-        return {unoccluded(pair, options_.kernel_tolerance), 0, blocking, false, 0};
-      }
-    }
-    if (!is_near) return weigh(pair, sample_visible_fraction(visibility_, pair, max_rays, seed));
-    const double ratio = disc_i.radius / disc_j.radius;
-    if (divisions > 0 && std::max(ratio, 1 / ratio) > kMuchLarger) {
-      return estimate_divided(pair, ratio > 1, candidates, max_rays, seed, divisions);
-    }
-    return weigh(pair,
-                 clip_visible_fraction(pair, candidates, options_.thickness,
-                                       std::max(max_rays / 4, SegmentSampler::kPacket), seed));
+/// Whether a blocker that divides the source or the target blocks nothing of any half.
+bool misses_halves(const ConvexPolygon& source, const ConvexPolygon& target, const Blocker& blocker,
+                   const SegmentBundle::Verdict& verdict, double thickness) {
+  const bool divides_source = verdict.divides_source != nullptr;
+  const HalfSpace& plane = divides_source ? *verdict.divides_source : *verdict.divides_target;
+  const ConvexPolygon& divided = divides_source ? source : target;
+  if (divided.size() > kMostCorners) return false;
+  for (const ConvexPolygon& half : halves(divided, plane, thickness)) {
+    if (half.size() < 3) continue;
+    const SegmentBundle bundle(divides_source ? half.points() : source.points(),
+                               divides_source ? target.points() : half.points(), thickness);
+    if (bundle.test(blocker).blocking != Blocking::none) return false;
   }
+  return true;
+}
 
- private:
-  /// Drops the candidates that are proved not to block. `all` if one blocks everything.
-  Blocking reduce(const SampledPair& pair, std::vector<const Occluder*>& candidates) const {
-    const PolygonShaft shaft(pair.polygon_i, pair.plane_i, pair.polygon_j, pair.plane_j,
-                             options_.thickness);
-    std::size_t n_kept = 0;
-    for (const Occluder* candidate : candidates) {
-      const Blocking blocking = shaft.test(*candidate);
-      if (blocking == Blocking::all) return blocking;
-      if (blocking == Blocking::some) candidates[n_kept++] = candidate;
-    }
-    candidates.resize(n_kept);
-    return candidates.empty() ? Blocking::none : Blocking::some;
-  }
-
-  [[nodiscard]] static double unoccluded(const SampledPair& pair, double tolerance) {
-    return exchange_area(pair.polygon_i.points(), pair.polygon_j.points(), tolerance);
-  }
-
-  [[nodiscard]] static PairEstimate weigh(const SampledPair& pair,
-                                          const VisibleFraction& fraction) {
-    const double whole = unoccluded(pair, kSampledTolerance);
-    return {fraction.value * whole, fraction.error * whole, Blocking::some, fraction.is_partial,
-            fraction.rays};
-  }
-
-  [[nodiscard]] PairEstimate estimate_divided(const SampledPair& pair, bool divides_i,
-                                              const std::vector<const Occluder*>& candidates,
-                                              int max_rays, std::uint64_t seed,
-                                              int divisions) const {
-    const std::vector<ConvexPolygon> pieces =
-        divide_about_corners(divides_i ? pair.polygon_i : pair.polygon_j);
-    PairEstimate sum;
-    bool any_visible = false;
-    bool any_hidden = false;
-    double variance = 0;
-    for (std::size_t k = 0; k < pieces.size(); ++k) {
-      const SampledPair part{divides_i ? pieces[k] : pair.polygon_i,
-                             pair.plane_i,
-                             divides_i ? pair.polygon_j : pieces[k],
-                             pair.plane_j,
-                             pair.origin,
-                             pair.i,
-                             pair.j};
-      const PairEstimate estimate =
-          this->estimate(part, candidates, std::max(max_rays / 2, 2 * SegmentSampler::kPacket),
-                         pair_seed(seed, static_cast<std::int32_t>(k), divisions), divisions - 1);
-      sum.value += estimate.value;
-      sum.rays += estimate.rays;
-      variance += estimate.error * estimate.error;
-      sum.is_partial |= estimate.is_partial;
-      any_visible |= estimate.value > 0;
-      any_hidden |= estimate.blocking != Blocking::none;
-    }
-    sum.error = std::sqrt(variance);
-    sum.is_partial |= any_visible && any_hidden;
-    return sum;
-  }
-
-  const Visibility& visibility_;
-  const OccludedPairOptions& options_;
-};
+PairEstimate weigh(const VisibleFraction& fraction, double whole) {
+  return {fraction.value * whole, fraction.error * whole, Blocking::some, fraction.is_partial,
+          fraction.rays};
+}
 
 }  // namespace
 
-PairEstimate estimate_occluded_pair(const Visibility& visibility, const SampledPair& pair,
-                                    std::vector<const Occluder*> candidates,
-                                    const OccludedPairOptions& options, std::uint64_t seed) {
-  return Estimator(visibility, options)
-      .estimate(pair, std::move(candidates), options.max_rays, seed, kMostDivisions);
+PairEstimate OccludedPairEstimator::estimate(const SampledPair& pair,
+                                             std::span<const Blocker* const> candidates,
+                                             const std::function<double()>& unoccluded,
+                                             std::uint64_t seed) {
+  return estimate(pair, candidates, unoccluded, seed, 0);
+}
+
+PairEstimate OccludedPairEstimator::estimate(const SampledPair& pair,
+                                             std::span<const Blocker* const> candidates,
+                                             const std::function<double()>& unoccluded,
+                                             std::uint64_t seed, std::size_t depth) {
+  if (levels_.size() <= depth) levels_.resize(depth + 1);
+  Level& level = levels_[depth];
+  level.blockers.clear();
+  const double area_i = vector_area(pair.polygon_i.points()).norm();
+  const double area_j = vector_area(pair.polygon_j.points()).norm();
+  const bool from_i = area_i <= area_j;
+  const double source_area = std::min(area_i, area_j);
+  const ConvexPolygon& source = from_i ? pair.polygon_i : pair.polygon_j;
+  const ConvexPolygon& target = from_i ? pair.polygon_j : pair.polygon_i;
+  const Disc disc_source = bounding_disc(source.points());
+  const Disc disc_target = bounding_disc(target.points());
+  const double distance = (disc_source.center - disc_target.center).norm();
+  const bool is_near = distance < 2 * (disc_source.radius + disc_target.radius);
+  if (!is_near && options_.tolerance >= kRayTolerance && candidates.size() > kMostTested) {
+    const double whole = unoccluded();
+    return cast_rays(pair, whole, whole < options_.minor * source_area, seed);
+  }
+  const SegmentBundle bundle(source.points(), target.points(), options_.thickness);
+  const HalfSpace* source_divider = nullptr;
+  const HalfSpace* target_divider = nullptr;
+  for (const Blocker* candidate : candidates) {
+    const std::size_t n_kept = level.blockers.size();
+    if (level.shadows.size() <= n_kept) level.shadows.resize(n_kept + 1);
+    Shadow& shadow = level.shadows[n_kept];
+    shadow.clear();
+    const SegmentBundle::Verdict verdict = bundle.test(*candidate, &shadow);
+    if (verdict.blocking == Blocking::all) return {0, 0, Blocking::all, false, 0};
+    if (verdict.blocking == Blocking::none) continue;
+    const bool divides = verdict.divides_source != nullptr || verdict.divides_target != nullptr;
+    if (divides && misses_halves(source, target, *candidate, verdict, options_.thickness)) continue;
+    level.blockers.push_back(candidate);
+    if (source_divider == nullptr) source_divider = verdict.divides_source;
+    if (target_divider == nullptr) target_divider = verdict.divides_target;
+  }
+  const double whole = unoccluded();
+  if (level.blockers.empty()) return {whole, 0, Blocking::none, false, 0};
+  if (whole < options_.negligible * source_area) {
+    // Anything from nothing to all of it, at even odds.
+    return {0.5 * whole, whole / std::sqrt(12.0), Blocking::some, false, 0};
+  }
+  const bool is_minor = whole < options_.minor * source_area;
+  // Many shadows have too many events for exact pieces to pay, unless much is asked.
+  const bool is_cluttered =
+      level.blockers.size() > (options_.tolerance < kExactTolerance ? kMostShadows : kFewShadows);
+  const bool may_divide = depth < (is_minor ? kMinorDivisions : kMostDivisions);
+  if (may_divide && (source.size() > kMostCorners || target.size() > kMostCorners)) {
+    const bool divides_source = source.size() > kMostCorners;
+    return divide(pair, divides_source == from_i,
+                  divide_about_corners(divides_source ? source : target), depth, seed);
+  }
+  const HalfSpace* divider = source_divider != nullptr ? source_divider : target_divider;
+  if (divider == nullptr && !is_cluttered) {
+    return cut_shadows(pair, from_i, is_near && !is_minor,
+                       {level.shadows.data(), level.blockers.size()}, whole);
+  }
+  if (divider != nullptr && !is_cluttered && may_divide) {
+    const ConvexPolygon& divided = source_divider != nullptr ? source : target;
+    return divide(pair, (source_divider != nullptr) == from_i,
+                  halves(divided, *divider, options_.thickness), depth, seed);
+  }
+  if (target_divider != nullptr || level.blockers.size() > kMostSampled) {
+    // Rays between a small and a large near polygon have a variance without bound.
+    if (may_divide && is_near && disc_target.radius > kMuchLarger * disc_source.radius) {
+      return divide(pair, !from_i, divide_about_corners(target), depth, seed);
+    }
+    return cast_rays(pair, whole, is_minor, seed);
+  }
+  const int n_points =
+      is_minor ? kMinorRays : std::max(options_.max_rays / 4, SegmentSampler::kPacket);
+  return weigh(sample_shadowed_fraction(pair, level.blockers, options_.thickness, n_points, seed),
+               whole);
+}
+
+PairEstimate OccludedPairEstimator::divide(const SampledPair& pair, bool divides_i,
+                                           std::span<const ConvexPolygon> pieces, std::size_t depth,
+                                           std::uint64_t seed) {
+  PairEstimate sum;
+  bool all_hidden = true;
+  bool all_visible = true;
+  double variance = 0;
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    if (pieces[k].size() < 3) continue;
+    const SampledPair part{divides_i ? pieces[k] : pair.polygon_i,
+                           pair.plane_i,
+                           divides_i ? pair.polygon_j : pieces[k],
+                           pair.plane_j,
+                           pair.origin,
+                           pair.i,
+                           pair.j};
+    const std::uint64_t part_seed =
+        pair_seed(seed, static_cast<std::int32_t>(k), static_cast<std::int32_t>(depth));
+    const auto unoccluded = [&] {
+      return exchange_area(part.polygon_i.points(), part.polygon_j.points(),
+                           options_.kernel_tolerance);
+    };
+    const PairEstimate estimate =
+        this->estimate(part, levels_[depth].blockers, unoccluded, part_seed, depth + 1);
+    sum.value += estimate.value;
+    sum.rays += estimate.rays;
+    variance += estimate.error * estimate.error;
+    sum.is_partial |= estimate.is_partial;
+    all_visible &= estimate.blocking == Blocking::none;
+    all_hidden &= estimate.blocking == Blocking::all;
+  }
+  sum.error = std::sqrt(variance);
+  sum.blocking = all_hidden ? Blocking::all : all_visible ? Blocking::none : Blocking::some;
+  sum.is_partial |= sum.value > 0 && !all_visible;
+  return sum;
+}
+
+PairEstimate OccludedPairEstimator::cut_shadows(const SampledPair& pair, bool from_i, bool is_near,
+                                                std::span<const Shadow> shadows, double whole) {
+  const ShadowedPair shadowed{from_i ? pair.polygon_i : pair.polygon_j,
+                              from_i ? pair.plane_i.normal : pair.plane_j.normal,
+                              from_i ? pair.polygon_j : pair.polygon_i, shadows};
+  const bool adapts = is_near || options_.tolerance < kLowRuleTolerance;
+  const VisibleShare share = quadrature_.integrate(shadowed, options_.tolerance, adapts);
+  if (share.is_exact && share.value == 0) return {0, 0, Blocking::all, false, 0};
+  if (share.is_exact) return {whole, 0, Blocking::none, false, 0};
+  return {share.value * whole, share.error * whole, Blocking::some,
+          share.value > 0 && share.value < 1, 0};
+}
+
+PairEstimate OccludedPairEstimator::cast_rays(const SampledPair& pair, double whole, bool is_minor,
+                                              std::uint64_t seed) const {
+  const int rays = is_minor ? kMinorRays : options_.max_rays;
+  return weigh(sample_visible_fraction(visibility_, pair, rays, seed), whole);
 }
 
 }  // namespace radiosity

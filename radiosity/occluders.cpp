@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numeric>
+
+#include "radiosity/convex_hull.h"
 
 namespace radiosity {
 namespace {
@@ -25,37 +28,6 @@ Plane plane_of(const PatchMesh& mesh, Index i) {
   normal.cwiseAbs().maxCoeff(&largest);
   if (normal[largest] < 0) normal = -normal;
   return {normal, normal.dot(mesh.centroid[i])};
-}
-
-using Point2 = Eigen::Vector2d;
-
-double cross2(const Point2& a, const Point2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
-/// Corners of the convex hull, counter-clockwise, without those on its edges. (Andrew 1979)
-std::vector<std::int32_t> convex_hull(const std::vector<Point2>& points, double thickness) {
-  std::vector<std::int32_t> sorted(points.size());
-  std::iota(sorted.begin(), sorted.end(), 0);
-  std::sort(sorted.begin(), sorted.end(), [&](std::int32_t a, std::int32_t b) {
-    const Point2& p = points[a];
-    const Point2& q = points[b];
-    return p.x() != q.x() ? p.x() < q.x() : p.y() != q.y() ? p.y() < q.y() : a < b;
-  });
-  std::vector<std::int32_t> hull;
-  const auto extend = [&](std::int32_t next, std::size_t keep) {
-    while (hull.size() > keep) {
-      const Point2& a = points[hull[hull.size() - 2]];
-      const Point2& b = points[hull.back()];
-      const Point2 chord = points[next] - a;
-      if (cross2(b - a, chord) > thickness * chord.norm()) break;
-      hull.pop_back();
-    }
-    hull.push_back(next);
-  };
-  for (const std::int32_t k : sorted) extend(k, 1);
-  const std::size_t lower = hull.size();
-  for (auto it = sorted.rbegin() + 1; it != sorted.rend(); ++it) extend(*it, lower);
-  hull.pop_back();
-  return hull;
 }
 
 /// Whether an edge of `a` separates it from `b`: b lies outside it but for `thickness`.
@@ -118,7 +90,8 @@ class Merger {
         static_cast<double>(groups.size()) * static_cast<double>(mesh_.vertices.size()) <
         kMaxOuterPlaneTests;
     for (auto& group : groups) {
-      if (!test_outer || !is_outer_plane(group)) merge_group(group);
+      if (test_outer && is_outer_plane(group)) continue;
+      for (auto& part : connected_parts(group)) merge_group(part);
     }
     return std::move(occluders_);
   }
@@ -169,6 +142,30 @@ class Merger {
     return true;
   }
 
+  /// The group in parts that share no corner: what lies apart does not merge.
+  [[nodiscard]] std::vector<std::vector<std::int32_t>> connected_parts(
+      const std::vector<std::int32_t>& group) const {
+    std::vector<std::size_t> parent(group.size());
+    std::iota(parent.begin(), parent.end(), 0);
+    const auto root = [&](std::size_t k) {
+      while (parent[k] != k) k = parent[k] = parent[parent[k]];
+      return k;
+    };
+    std::map<std::array<double, 3>, std::size_t> first_at;
+    for (std::size_t k = 0; k < group.size(); ++k) {
+      for (int c = 0; c < mesh_.n_corners(group[k]); ++c) {
+        const Vec3& p = mesh_.corner(group[k], c);
+        const auto [place, is_new] = first_at.try_emplace({p.x(), p.y(), p.z()}, k);
+        if (!is_new) parent[root(k)] = root(place->second);
+      }
+    }
+    std::map<std::size_t, std::vector<std::int32_t>> parts;
+    for (std::size_t k = 0; k < group.size(); ++k) parts[root(k)].push_back(group[k]);
+    std::vector<std::vector<std::int32_t>> result;
+    for (auto& [first, part] : parts) result.push_back(std::move(part));
+    return result;
+  }
+
   /// Adds one occluder if the group's hull is covered by it, else halves the group and tries again.
   void merge_group(std::vector<std::int32_t>& group) {
     const Vec3 normal = mesh_.normal[group.front()];
@@ -179,8 +176,10 @@ class Merger {
     std::vector<Vec3> corners;
     std::vector<std::vector<Point2>> outlines;
     double area = 0;
+    bool is_one_sided = true;
     for (const std::int32_t i : group) {
       area += mesh_.area[i];
+      is_one_sided &= mesh_.twin[i] < 0 && mesh_.normal[i].dot(normal) > 0;
       auto& outline = outlines.emplace_back();
       for (int k = 0; k < mesh_.n_corners(i); ++k) {
         corners.push_back(mesh_.corner(i, k));
@@ -196,7 +195,7 @@ class Merger {
           0.5 * cross2(points[hull[k - 1]] - points[hull[0]], points[hull[k]] - points[hull[0]]);
     }
     // Equal areas prove that the hull is covered, provided that nothing is covered twice.
-    const bool is_covered = std::abs(hull_area - area) <= kSameArea * area &&
+    const bool is_covered = std::abs(hull_area - area) <= kSameArea * area && !hull.empty() &&
                             hull.size() <= kMaxCorners && !has_overlap(outlines, thickness_);
     if (group.size() == 1 || is_covered) {
       Occluder occluder;
@@ -207,6 +206,7 @@ class Merger {
       }
       occluder.normal = normal;
       occluder.offset = normal.dot(origin);
+      occluder.is_one_sided = is_one_sided;
       for (const Vec3& corner : occluder.corners) occluder.box.extend(corner);
       occluders_.push_back(std::move(occluder));
       return;

@@ -12,6 +12,7 @@ struct Occluder {
   Vec3 normal;                ///< unit
   double offset = 0;          ///< normal · x = offset on the plane, m
   Box3 box;
+  bool is_one_sided = false;  ///< every patch of it faces `normal` and has no twin
 };
 
 /// The patches merged into few convex polygons that cover exactly the same set, so that visibility

@@ -15,7 +15,10 @@ constexpr double kRounding = 4e-16;
 
 }  // namespace
 
-PatchTable::PatchTable(const PatchMesh& mesh) {
+PatchTable::PatchTable(const PatchMesh& mesh, double tolerance) : tolerance_(tolerance) {
+  for (int order = 0; order <= kLargestAreaRule; ++order) {
+    least_ratio_[order] = area_rule_least_ratio(order, tolerance);
+  }
   const Box3 box = bounds(mesh);
   const Vec3 center = box.isEmpty() ? Vec3(Vec3::Zero()) : box.center();
   if (!box.isEmpty()) {
@@ -58,12 +61,20 @@ Blocking PatchTable::in_front(Index i, Index j) const {
   return any_below ? Blocking::some : Blocking::all;
 }
 
-double PatchTable::exchange_area_unclipped(Index i, Index j, double tolerance) const {
+int PatchTable::rule_order(double distance_ratio) const {
+  for (int order = 2; order <= kLargestAreaRule; ++order) {
+    if (distance_ratio >= least_ratio_[order]) return order;
+  }
+  return 0;
+}
+
+double PatchTable::unoccluded(Index i, Index j, Blocking front_i, Blocking front_j) const {
+  const bool is_whole = front_i == Blocking::all && front_j == Blocking::all;
   const double distance = (centers_[i] - centers_[j]).norm();
-  const int order_i = area_rule_order((distance - radii_[j]) / radii_[i], tolerance);
-  const int order_j = area_rule_order((distance - radii_[i]) / radii_[j], tolerance);
+  const int order_i = is_whole ? rule_order((distance - radii_[j]) / radii_[i]) : 0;
+  const int order_j = is_whole ? rule_order((distance - radii_[i]) / radii_[j]) : 0;
   if (order_i == 0 || order_j == 0) {
-    return exchange_area(polygons_[i].points(), polygons_[j].points(), tolerance);
+    return exchange_area(polygons_[i].points(), polygons_[j].points(), tolerance_);
   }
   WeightedPoints points_i;
   WeightedPoints points_j;

@@ -14,7 +14,8 @@ namespace radiosity {
 /// the scene's centre, to keep digits when it lies far from the origin.
 class PatchTable {
  public:
-  explicit PatchTable(const PatchMesh& mesh);
+  /// `tolerance` is the relative error of the unoccluded exchange areas.
+  PatchTable(const PatchMesh& mesh, double tolerance);
 
   [[nodiscard]] Index size() const { return static_cast<Index>(polygons_.size()); }
   [[nodiscard]] const ConvexPolygon& polygon(Index i) const { return polygons_[i]; }
@@ -26,15 +27,19 @@ class PatchTable {
   /// How much of patch j lies in front of patch i: nothing, some, or all of it.
   [[nodiscard]] Blocking in_front(Index i, Index j) const;
 
-  /// Exchange area of two patches that wholly face each other, without occlusion, m².
-  [[nodiscard]] double exchange_area_unclipped(Index i, Index j, double tolerance) const;
+  /// Exchange area of two patches without occlusion, m², given how much of either lies in front
+  /// of the other.
+  [[nodiscard]] double unoccluded(Index i, Index j, Blocking front_i, Blocking front_j) const;
+  [[nodiscard]] double tolerance() const { return tolerance_; }
 
  private:
   /// Rules up to this order are kept for every patch; larger ones, for near pairs, are made anew.
-  static constexpr int kKeptOrder = 3;
+  static constexpr int kKeptOrder = 4;
   struct Rule {
     std::vector<double> x, y, z, weight;
   };
+  /// As area_rule_order does.
+  [[nodiscard]] int rule_order(double distance_ratio) const;
   void find_points(Index i, int order, const HalfSpace& other, WeightedPoints& points) const;
 
   std::vector<ConvexPolygon> polygons_;
@@ -43,6 +48,8 @@ class PatchTable {
   std::vector<double> radii_;
   std::array<Rule, kKeptOrder - 1> rules_;  // orders 2, ...: padded_points(order) entries a patch
   double thickness_ = 0;
+  double tolerance_;
+  std::array<double, kLargestAreaRule + 1> least_ratio_;  // per order: of distance to radius
 };
 
 }  // namespace radiosity

@@ -5,17 +5,18 @@
 
 namespace radiosity {
 
-int area_rule_order(double distance_ratio, double tolerance) {
+double area_rule_least_ratio(int order, double tolerance) {
   // A Gauss rule of n points converges like ϱ^-2n for an integrand analytic within the Bernstein
   // ellipse of parameter ϱ; the kernel's nearest singularity lies at distance_ratio half-lengths.
   // Grazing pairs, whose cosines nearly vanish, lose one power of ϱ: over random pairs the largest
   // relative error is 1 to 3 times ϱ^-(2n-1), for every n and ϱ.
-  if (distance_ratio <= 1) return 0;
-  const double rho = distance_ratio + std::sqrt(distance_ratio * distance_ratio - 1);
-  double error = 4 / rho;
+  const double rho = std::pow(4 / tolerance, 1.0 / (2 * order - 1));
+  return 0.5 * (rho + 1 / rho);
+}
+
+int area_rule_order(double distance_ratio, double tolerance) {
   for (int order = 2; order <= kLargestAreaRule; ++order) {  // one point would miss the cosines
-    error /= rho * rho;
-    if (error <= tolerance) return order;
+    if (distance_ratio >= area_rule_least_ratio(order, tolerance)) return order;
   }
   return 0;
 }

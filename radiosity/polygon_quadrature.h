@@ -44,6 +44,9 @@ void for_each_quadrature_point(std::span<const Vec3> polygon, int order, const V
 /// its centre; 0 if no rule of at most kLargestAreaRule points does.
 int area_rule_order(double distance_ratio, double tolerance);
 
+/// The least distance_ratio for which a rule of `order` >= 2 points a direction does.
+double area_rule_least_ratio(int order, double tolerance);
+
 inline constexpr int kLargestAreaRule = 6;
 
 /// Points of a product rule, in groups of four for vector units.

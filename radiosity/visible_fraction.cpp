@@ -2,8 +2,10 @@
 
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "radiosity/exchange_area.h"
+#include "radiosity/segment_bundle.h"
 #include "radiosity/visible_polygon.h"
 
 namespace radiosity {
@@ -128,22 +130,36 @@ VisibleFraction sample_visible_fraction(const Visibility& visibility, const Samp
   return result;
 }
 
-VisibleFraction clip_visible_fraction(const SampledPair& pair,
-                                      std::span<const Occluder* const> occluders, double thickness,
-                                      int n_points, std::uint64_t seed) {
+VisibleFraction sample_shadowed_fraction(const SampledPair& pair,
+                                         std::span<const Blocker* const> blockers, double thickness,
+                                         int n_points, std::uint64_t seed) {
   SegmentSampler sampler(pair, seed);
   // From the smaller one the other's form factor varies less.
   const bool from_i =
       vector_area(pair.polygon_i.points()).norm() <= vector_area(pair.polygon_j.points()).norm();
   const Vec3& normal = from_i ? pair.plane_i.normal : pair.plane_j.normal;
   const ConvexPolygon& target = from_i ? pair.polygon_j : pair.polygon_i;
+  ShadowCutter cutter;
+  std::vector<Shadow> shadows;
+  const auto visible_from = [&](const Vec3& point, double whole) {
+    const SegmentBundle bundle(std::span(&point, 1), target.points(), thickness);
+    std::size_t n_shadows = 0;
+    for (const Blocker* blocker : blockers) {
+      if (shadows.size() <= n_shadows) shadows.resize(n_shadows + 1);
+      shadows[n_shadows].clear();
+      const Blocking blocking = bundle.test(*blocker, &shadows[n_shadows]).blocking;
+      if (blocking == Blocking::all) return 0.0;
+      if (blocking == Blocking::some) ++n_shadows;
+    }
+    return cutter.visible_part(point, normal, target, whole, {shadows.data(), n_shadows});
+  };
   Sums sums;
   while (sums.n < n_points) {
     const SegmentSampler::Packet packet = sampler.next();
     for (int k = 0; k < SegmentSampler::kPacket; ++k) {
       const Vec3 point = (from_i ? packet.from[k] : packet.to[k]) - pair.origin;
-      const double whole = point_to_polygon(point, normal, target.points());
-      const double visible = visible_point_to_polygon(point, normal, target, occluders, thickness);
+      const double whole = facing_point_to_polygon(point, normal, target.points());
+      const double visible = visible_from(point, whole);
       sums.add(whole, visible);
       sums.any_visible |= visible > kWhole * whole;
       sums.any_hidden |= visible < (1 - kWhole) * whole;

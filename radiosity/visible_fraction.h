@@ -3,8 +3,8 @@
 #include <array>
 #include <cstdint>
 
+#include "radiosity/blocker.h"
 #include "radiosity/convex_polygon.h"
-#include "radiosity/occluders.h"
 #include "radiosity/shaft.h"
 #include "radiosity/visibility.h"
 
@@ -69,13 +69,13 @@ struct VisibleFraction {
 VisibleFraction sample_visible_fraction(const Visibility& visibility, const SampledPair& pair,
                                         int max_rays, std::uint64_t seed);
 
-/// The same from `n_points` quasi-random points on the smaller polygon, with the other clipped
-/// exactly against the occluders as seen from each: free of the noise that the singular kernel of
-/// near pairs brings to rays. `occluders` are all that may block the pair, relative to `origin`;
-/// `thickness` as there, m.
-VisibleFraction clip_visible_fraction(const SampledPair& pair,
-                                      std::span<const Occluder* const> occluders, double thickness,
-                                      int n_points, std::uint64_t seed);
+/// The same from `n_points` quasi-random points on the smaller polygon, as seen from each of which
+/// the blockers' shadows are cut out of the other: free of the noise that the singular kernel of
+/// near pairs brings to rays. `blockers` are all that may block the pair, relative to `origin`;
+/// `thickness` is how far off a plane a point may be and still count as on it, m.
+VisibleFraction sample_shadowed_fraction(const SampledPair& pair,
+                                         std::span<const Blocker* const> blockers, double thickness,
+                                         int n_points, std::uint64_t seed);
 
 /// A seed for a pair from the run's seed. (SplitMix64, Steele et al. 2014)
 std::uint64_t pair_seed(std::uint64_t seed, std::int32_t i, std::int32_t j);

@@ -1,93 +1,125 @@
 #include "radiosity/visible_polygon.h"
 
 #include <algorithm>
-#include <vector>
 
 #include "radiosity/exchange_area.h"
-#include "radiosity/shaft.h"
 
 namespace radiosity {
 namespace {
 
-/// Pieces with more corners are divided, since each further cut may add one.
-constexpr std::size_t kMostCorners = 8;
+/// Polygons with this many corners are halved, since each further cut may add one.
+constexpr std::size_t kMostCorners = 9;
 
-/// The set that an occluder hides from a point, as half-spaces normal · x > offset: the planes
-/// through the point and the occluder's edges, and the occluder's own plane.
-std::vector<HalfSpace> shadow_of(const Occluder& occluder, const Vec3& point, double thickness) {
-  const double height = occluder.normal.dot(point) - occluder.offset;
-  std::vector<HalfSpace> planes;
-  if (std::abs(height) <= thickness) return planes;  // seen edge-on it hides nothing
-  const double side = height > 0 ? 1 : -1;
-  planes.push_back({-side * occluder.normal, -side * occluder.offset});
-  const std::size_t n = occluder.corners.size();
-  for (std::size_t k = 0; k < n; ++k) {
-    const Vec3 a = occluder.corners[k] - point;
-    const Vec3 b = occluder.corners[k + 1 < n ? k + 1 : 0] - point;
-    const Vec3 inwards = -side * a.cross(b);
-    const double length = inwards.norm();
-    if (length > 0) planes.push_back({inwards / length, inwards.dot(point) / length});
-  }
-  return planes;
-}
-
-bool is_beyond(const ConvexPolygon& piece, const HalfSpace& plane) {
-  return std::all_of(piece.begin(), piece.end(),
-                     [&](const Vec3& corner) { return plane.normal.dot(corner) <= plane.offset; });
-}
-
-void add_piece(const ConvexPolygon& piece, std::vector<ConvexPolygon>& pieces) {
-  if (piece.size() < 3) return;
-  if (piece.size() <= kMostCorners) {
-    pieces.push_back(piece);
+/// Appends a polygon, in halves if further cuts might exceed its capacity.
+void add_part(const ConvexPolygon& part, std::vector<ConvexPolygon>& parts) {
+  if (part.size() < 3) return;
+  if (part.size() < kMostCorners) {
+    parts.push_back(part);
     return;
   }
-  const std::size_t half = piece.size() / 2;
+  const std::size_t half = part.size() / 2;
   ConvexPolygon first;
   ConvexPolygon second;
-  for (std::size_t k = 0; k <= half; ++k) first.push_back(piece[k]);
-  for (std::size_t k = half; k < piece.size(); ++k) second.push_back(piece[k]);
-  second.push_back(piece[0]);
-  pieces.push_back(first);
-  pieces.push_back(second);
+  for (std::size_t k = 0; k <= half; ++k) first.push_back(part[k]);
+  for (std::size_t k = half; k < part.size(); ++k) second.push_back(part[k]);
+  second.push_back(part[0]);
+  parts.push_back(first);
+  parts.push_back(second);
 }
 
-/// Appends the parts of `piece` outside the shadow to `pieces`.
-void cut(const ConvexPolygon& piece, const std::vector<HalfSpace>& shadow,
-         std::vector<ConvexPolygon>& pieces) {
-  const bool is_untouched =
-      shadow.empty() || std::any_of(shadow.begin(), shadow.end(), [&](const HalfSpace& plane) {
-        return is_beyond(piece, plane);
-      });
-  if (is_untouched) {
-    add_piece(piece, pieces);
-    return;
+/// A half-space of a shadow as a point throws it: the shadow is where inwards · (x - on_plane) > 0.
+struct Border {
+  Vec3 inwards;
+  Vec3 on_plane;
+};
+
+std::size_t n_borders(const Shadow& shadow) { return shadow.edges.size() + shadow.faces.size(); }
+
+Border border(const Shadow& shadow, std::size_t k, const Vec3& point) {
+  if (k < shadow.edges.size()) {
+    const Shadow::Edge& edge = shadow.edges[k];
+    return {(edge.end - point).cross(edge.start - point), point};
   }
-  ConvexPolygon rest = piece;
-  for (const HalfSpace& plane : shadow) {
-    const Vec3 on_plane = plane.offset * plane.normal;
-    add_piece(clip_to_half_space(rest.points(), on_plane, -plane.normal, 0), pieces);
-    rest = clip_to_half_space(rest.points(), on_plane, plane.normal, 0);
-    if (rest.empty()) return;
+  const HalfSpace& face = shadow.faces[k - shadow.edges.size()];
+  return {-face.normal, face.normal * face.offset};
+}
+
+/// The part of a polygon within the shadow that the point throws.
+ConvexPolygon shadowed(const ConvexPolygon& polygon, const Shadow& shadow, const Vec3& point) {
+  ConvexPolygon rest = polygon;
+  for (std::size_t k = 0; k < n_borders(shadow) && !rest.empty(); ++k) {
+    const Border limit = border(shadow, k, point);
+    rest = clip_to_half_space(rest.points(), limit.on_plane, limit.inwards, 0);
   }
+  return rest;
+}
+
+/// Appends the parts of `part` outside the shadow that the point sees to `parts`.
+void cut(const ConvexPolygon& part, const Shadow& shadow, const Vec3& point,
+         std::vector<ConvexPolygon>& parts) {
+  ConvexPolygon rest = part;
+  const std::size_t first = parts.size();
+  for (std::size_t k = 0; k < n_borders(shadow) && !rest.empty(); ++k) {
+    const Border limit = border(shadow, k, point);
+    const ConvexPolygon inside =
+        clip_to_half_space(rest.points(), limit.on_plane, limit.inwards, 0);
+    if (inside.empty()) {  // the shadow misses the part
+      parts.resize(first);
+      add_part(part, parts);
+      return;
+    }
+    add_part(clip_to_half_space(rest.points(), limit.on_plane, -limit.inwards, 0), parts);
+    rest = inside;
+  }
+}
+
+/// What an occluder hides from a point, in full.
+Shadow shadow_of(const Occluder& occluder, const Vec3& point, double thickness) {
+  Shadow shadow;
+  const double height = occluder.normal.dot(point) - occluder.offset;
+  if (std::abs(height) <= thickness) return shadow;  // seen edge-on it hides nothing
+  const double side = height > 0 ? 1 : -1;
+  shadow.faces.push_back({side * occluder.normal, side * occluder.offset});
+  for (std::size_t k = 0; k < occluder.corners.size(); ++k) {
+    const Vec3& a = occluder.corners[k];
+    const Vec3& b = occluder.corners[k + 1 < occluder.corners.size() ? k + 1 : 0];
+    shadow.edges.push_back(height > 0 ? Shadow::Edge{a, b} : Shadow::Edge{b, a});
+  }
+  return shadow;
 }
 
 }  // namespace
 
-double visible_point_to_polygon(const Vec3& point, const Vec3& normal, const ConvexPolygon& target,
-                                std::span<const Occluder* const> occluders, double thickness) {
-  std::vector<ConvexPolygon> pieces{target};
-  std::vector<ConvexPolygon> next;
-  for (const Occluder* occluder : occluders) {
-    const std::vector<HalfSpace> shadow = shadow_of(*occluder, point, thickness);
-    next.clear();
-    for (const ConvexPolygon& piece : pieces) cut(piece, shadow, next);
-    pieces.swap(next);
-    if (pieces.empty()) return 0;
+double ShadowCutter::visible_part(const Vec3& point, const Vec3& normal,
+                                  const ConvexPolygon& target, double whole,
+                                  std::span<const Shadow> shadows) {
+  if (shadows.empty()) return whole;
+  if (shadows.size() == 1 && n_borders(shadows[0]) + target.size() < ConvexPolygon::kCapacity) {
+    const ConvexPolygon hidden = shadowed(target, shadows[0], point);
+    return hidden.empty() ? whole : whole - facing_point_to_polygon(point, normal, hidden.points());
+  }
+  parts_.assign(1, target);
+  for (const Shadow& shadow : shadows) {
+    if (n_borders(shadow) == 0) continue;
+    next_parts_.clear();
+    for (const ConvexPolygon& part : parts_) cut(part, shadow, point, next_parts_);
+    parts_.swap(next_parts_);
   }
   double sum = 0;
-  for (const ConvexPolygon& piece : pieces) sum += point_to_polygon(point, normal, piece.points());
+  for (const ConvexPolygon& part : parts_) {
+    sum += facing_point_to_polygon(point, normal, part.points());
+  }
   return sum;
+}
+
+double visible_point_to_polygon(const Vec3& point, const Vec3& normal, const ConvexPolygon& target,
+                                std::span<const Occluder* const> occluders, double thickness) {
+  std::vector<Shadow> shadows;
+  for (const Occluder* occluder : occluders) {
+    shadows.push_back(shadow_of(*occluder, point, thickness));
+  }
+  const double whole = facing_point_to_polygon(point, normal, target.points());
+  return ShadowCutter().visible_part(point, normal, target, whole, shadows);
 }
 
 }  // namespace radiosity

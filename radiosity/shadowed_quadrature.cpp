@@ -1,0 +1,169 @@
+#include "radiosity/shadowed_quadrature.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "radiosity/exchange_area.h"
+#include "radiosity/polygon_quadrature.h"
+
+namespace radiosity {
+namespace {
+
+/// The source is divided into this many pieces at most; what is left undivided costs accuracy.
+constexpr std::size_t kMostPieces = 64;
+/// Polygons with this many corners are halved or not cut further, to stay within their capacity.
+constexpr std::size_t kMostCorners = 9;
+/// Cuts closer to a corner than this share of the piece's size are left out.
+constexpr double kSliver = 1e-7;
+/// Visible parts below this share of the whole are rounding.
+constexpr double kRounding = 1e-12;
+/// Pieces below this share of the source make do with one point, if the rule is low.
+constexpr double kSmallPiece = 0.03;
+/// Divisions of a piece at most.
+constexpr int kMostDivisions = 6;
+
+/// Calls visit(point, weight) for a product rule on a convex polygon, which is cut into quads and
+/// perhaps a triangle.
+template <typename Visit>
+void for_each_point(const ConvexPolygon& polygon, int order, const Visit& visit) {
+  if (polygon.size() <= 4) {
+    for_each_quadrature_point(polygon.points(), order, visit);
+    return;
+  }
+  for (std::size_t k = 1; k + 1 < polygon.size(); k += 2) {
+    ConvexPolygon part;
+    part.push_back(polygon[0]);
+    for (std::size_t c = k; c < std::min(k + 3, polygon.size()); ++c) part.push_back(polygon[c]);
+    for_each_quadrature_point(part.points(), order, visit);
+  }
+}
+
+}  // namespace
+
+VisibleShare ShadowedQuadrature::integrate(const ShadowedPair& pair, double tolerance,
+                                           bool adapts) {
+  divide_source(pair);
+  const double area = vector_area(pair.source.points()).norm();
+  Sums total;
+  const std::vector<ConvexPolygon> pieces = pieces_;
+  for (const ConvexPolygon& piece : pieces) {
+    const double share = vector_area(piece.points()).norm() / area;
+    if (adapts) {
+      const double whole = point_to_polygon(bounding_disc(piece.points()).center,
+                                            pair.source_normal, pair.target.points()) *
+                           area;
+      add_adaptively(pair, piece, tolerance * whole * std::sqrt(share), kMostDivisions, total);
+      continue;
+    }
+    Sums sums = apply_rule(pair, piece, share < kSmallPiece ? 1 : 2);
+    if (sums.any_visible && sums.any_hidden) sums.error = 1e-3 * sums.whole;
+    total.add(sums);
+  }
+  VisibleShare result;
+  if (total.whole <= 0) return result;
+  result.value = total.visible / total.whole;
+  result.error = total.error / total.whole;
+  result.is_exact = pair.shadows.size() == 1 && pieces.size() < kMostPieces &&
+                    !(total.any_visible && total.any_hidden);
+  if (!total.any_hidden) result.value = 1;
+  if (!total.any_visible) result.value = 0;
+  return result;
+}
+
+void ShadowedQuadrature::Sums::add(const Sums& other) {
+  whole += other.whole;
+  visible += other.visible;
+  error += other.error;
+  any_visible |= other.any_visible;
+  any_hidden |= other.any_hidden;
+}
+
+void ShadowedQuadrature::divide_source(const ShadowedPair& pair) {
+  pieces_.assign(1, pair.source);
+  const auto divide = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
+    divide_pieces((b - a).cross(c - a), a);
+  };
+  for (const Shadow& shadow : pair.shadows) {
+    for (const Shadow::Edge& edge : shadow.edges) {
+      for (const Vec3& corner : pair.target) divide(edge.start, edge.end, corner);
+      for (const HalfSpace& face : shadow.faces) {
+        for (std::size_t k = 0; k < pair.target.size(); ++k) {
+          const Vec3& p = pair.target[k];
+          const Vec3& q = pair.target[k + 1 < pair.target.size() ? k + 1 : 0];
+          const double height_p = face.normal.dot(p) - face.offset;
+          const double height_q = face.normal.dot(q) - face.offset;
+          if (height_p * height_q >= 0) continue;
+          divide(edge.start, edge.end, p + height_p / (height_p - height_q) * (q - p));
+        }
+      }
+      for (const Shadow::Edge& other : shadow.edges) {
+        if (edge.end != other.start) continue;
+        for (std::size_t k = 0; k < pair.target.size(); ++k) {
+          divide(edge.end, pair.target[k], pair.target[k + 1 < pair.target.size() ? k + 1 : 0]);
+        }
+      }
+    }
+  }
+}
+
+void ShadowedQuadrature::divide_pieces(const Vec3& normal, const Vec3& on_plane) {
+  const double length = normal.norm();
+  if (length == 0) return;
+  const std::size_t n_pieces = pieces_.size();
+  for (std::size_t k = 0; k < n_pieces && pieces_.size() < kMostPieces; ++k) {
+    const ConvexPolygon& piece = pieces_[k];
+    if (piece.size() >= kMostCorners) continue;
+    double low = 0;
+    double high = 0;
+    for (const Vec3& corner : piece) {
+      const double height = normal.dot(corner - on_plane);
+      low = std::min(low, height);
+      high = std::max(high, height);
+    }
+    const double least = kSliver * length * (piece[0] - piece[2]).norm();
+    if (low > -least || high < least) continue;
+    const ConvexPolygon above = clip_to_half_space(piece.points(), on_plane, normal, 0);
+    const ConvexPolygon below = clip_to_half_space(piece.points(), on_plane, -normal, 0);
+    pieces_[k] = above;
+    pieces_.push_back(below);
+  }
+}
+
+ShadowedQuadrature::Sums ShadowedQuadrature::apply_rule(const ShadowedPair& pair,
+                                                        const ConvexPolygon& piece, int order) {
+  Sums sums;
+  for_each_point(piece, order, [&](const Vec3& point, double weight) {
+    const double whole = facing_point_to_polygon(point, pair.source_normal, pair.target.points());
+    const double visible =
+        cutter_.visible_part(point, pair.source_normal, pair.target, whole, pair.shadows);
+    sums.whole += weight * whole;
+    sums.visible += weight * visible;
+    sums.any_visible |= visible > kRounding * whole;
+    sums.any_hidden |= visible < (1 - kRounding) * whole;
+  });
+  return sums;
+}
+
+void ShadowedQuadrature::add_adaptively(const ShadowedPair& pair, const ConvexPolygon& piece,
+                                        double goal, int depth, Sums& sums) {
+  constexpr std::array kOrders{2, 3, 4, 6};
+  Sums best = apply_rule(pair, piece, kOrders[0]);
+  for (std::size_t k = 1; k < kOrders.size(); ++k) {
+    const Sums next = apply_rule(pair, piece, kOrders[k]);
+    const double share = next.whole > 0 ? next.visible / next.whole : 0;
+    const double change = next.visible - best.visible - share * (next.whole - best.whole);
+    best = next;
+    best.error = std::abs(change);
+    if (best.error <= goal) break;
+  }
+  if (best.error <= goal || depth == 0) {
+    sums.add(best);
+    return;
+  }
+  for (const ConvexPolygon& part : divide_about_corners(piece)) {
+    add_adaptively(pair, part, goal / 2, depth - 1, sums);
+  }
+}
+
+}  // namespace radiosity
