@@ -6,14 +6,6 @@
 #include "radiosity/exchange_area.h"
 
 namespace radiosity {
-namespace {
-
-/// Points closer to a plane than this share of the scene's size lie on it.
-constexpr double kThickness = 1e-11;
-/// Rounding of coordinates far from the origin, relative to their size.
-constexpr double kRounding = 4e-16;
-
-}  // namespace
 
 PatchTable::PatchTable(const PatchMesh& mesh, double tolerance) : tolerance_(tolerance) {
   for (int order = 0; order <= kLargestAreaRule; ++order) {
@@ -21,10 +13,7 @@ PatchTable::PatchTable(const PatchMesh& mesh, double tolerance) : tolerance_(tol
   }
   const Box3 box = bounds(mesh);
   const Vec3 center = box.isEmpty() ? Vec3(Vec3::Zero()) : box.center();
-  if (!box.isEmpty()) {
-    const double furthest = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
-    thickness_ = kThickness * box.diagonal().norm() + kRounding * furthest;
-  }
+  thickness_ = plane_thickness(box);
   for (Index i = 0; i < mesh.size(); ++i) {
     ConvexPolygon polygon;
     for (int k = 0; k < mesh.n_corners(i); ++k) polygon.push_back(mesh.corner(i, k) - center);

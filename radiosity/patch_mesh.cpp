@@ -43,4 +43,12 @@ Box3 bounds(const PatchMesh& mesh) {
   return box;
 }
 
+double plane_thickness(const Box3& box) {
+  constexpr double kShareOfSize = 1e-11;
+  constexpr double kRounding = 4e-16;
+  if (box.isEmpty()) return 0;
+  const double furthest = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
+  return kShareOfSize * box.diagonal().norm() + kRounding * furthest;
+}
+
 }  // namespace radiosity
