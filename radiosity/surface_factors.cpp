@@ -1,6 +1,27 @@
 #include "radiosity/surface_factors.h"
 
+#include <utility>
+
 namespace radiosity {
+namespace {
+
+/// Which surface each patch belongs to, as columns of 0 and 1.
+Eigen::MatrixXd members(const PatchMesh& mesh) {
+  const auto n_surfaces = static_cast<Index>(mesh.surface_names.size());
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(mesh.size(), n_surfaces);
+  for (Index i = 0; i < mesh.size(); ++i) result(i, mesh.surface[i]) = 1;
+  return result;
+}
+
+Eigen::MatrixXd divided_by_areas(const PatchMesh& mesh, Eigen::MatrixXd rows) {
+  const Eigen::VectorXd areas = surface_areas(mesh);
+  for (Index s = 0; s < rows.rows(); ++s) {
+    if (areas[s] > 0) rows.row(s) /= areas[s];
+  }
+  return rows;
+}
+
+}  // namespace
 
 Eigen::VectorXd surface_areas(const PatchMesh& mesh) {
   Eigen::VectorXd areas = Eigen::VectorXd::Zero(static_cast<Index>(mesh.surface_names.size()));
@@ -9,19 +30,22 @@ Eigen::VectorXd surface_areas(const PatchMesh& mesh) {
 }
 
 Eigen::MatrixXd surface_form_factors(const PatchMesh& mesh, const Transport& transport) {
-  const auto n_surfaces = static_cast<Index>(mesh.surface_names.size());
-  Eigen::MatrixXd members = Eigen::MatrixXd::Zero(mesh.size(), n_surfaces);
-  for (Index i = 0; i < mesh.size(); ++i) members(i, mesh.surface[i]) = 1;
-  const Eigen::MatrixXd reached = transport.apply(members);
-  Eigen::MatrixXd factors = Eigen::MatrixXd::Zero(n_surfaces, n_surfaces);
+  const Eigen::MatrixXd reached = transport.apply(members(mesh));
+  Eigen::MatrixXd factors = Eigen::MatrixXd::Zero(reached.cols(), reached.cols());
   for (Index i = 0; i < mesh.size(); ++i) {
     factors.row(mesh.surface[i]) += mesh.area[i] * reached.row(i);
   }
-  const Eigen::VectorXd areas = surface_areas(mesh);
-  for (Index s = 0; s < n_surfaces; ++s) {
-    if (areas[s] > 0) factors.row(s) /= areas[s];
+  return divided_by_areas(mesh, std::move(factors));
+}
+
+Eigen::MatrixXd surface_form_factor_errors(const PatchMesh& mesh, const Transport& transport) {
+  const Eigen::MatrixXd error = transport.apply_error(members(mesh));
+  Eigen::MatrixXd variances = Eigen::MatrixXd::Zero(error.cols(), error.cols());
+  for (Index i = 0; i < mesh.size(); ++i) {
+    variances.row(mesh.surface[i]) += (mesh.area[i] * error.row(i)).cwiseAbs2();
   }
-  return factors;
+  variances.diagonal() *= 2;
+  return divided_by_areas(mesh, variances.cwiseSqrt());
 }
 
 }  // namespace radiosity

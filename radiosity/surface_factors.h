@@ -12,6 +12,10 @@ namespace radiosity {
 /// in t} F_ij / Σ_{i in s} A_i
 Eigen::MatrixXd surface_form_factors(const PatchMesh& mesh, const Transport& transport);
 
+/// One standard error of each of these factors. Patch pairs are independent, but a pair within one
+/// surface counts twice.
+Eigen::MatrixXd surface_form_factor_errors(const PatchMesh& mesh, const Transport& transport);
+
 /// Area of each surface, all its patches together (both sides if two-sided), m².
 Eigen::VectorXd surface_areas(const PatchMesh& mesh);
 
