@@ -138,6 +138,27 @@ std::string form_factors_json(const AssembledScene& assembled, const Eigen::Matr
   return text(json);
 }
 
+std::string factors_from_json(const FactorsFrom& factors, const std::vector<std::string>& outputs,
+                              const std::vector<std::string>& warnings) {
+  const auto& [value, error] = factors.shares;
+  Json list = Json::array();
+  for (std::size_t s = 0; s < factors.surface_names.size(); ++s) {
+    const auto k = static_cast<Eigen::Index>(s);
+    list.push_back({{"surface", factors.surface_names[s]},
+                    {"factor", value.surfaces[k]},
+                    {"error", error.surfaces[k]}});
+  }
+  return text({{"from", factors.from},
+               {"factors", list},
+               {"backs", value.backs},
+               {"backs_error", error.backs},
+               {"sky", value.sky},
+               {"sky_error", error.sky},
+               {"sum", value.sum()},
+               {"outputs", outputs},
+               {"warnings", warnings}});
+}
+
 std::string inspect_json(const radiosity::Scene& scene, const meshing::Inspection& inspection,
                          const std::vector<std::string>& warnings) {
   return text({{"vertices", inspection.n_vertices},

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/factors_from.h"
 #include "apps/solved_scene.h"
 #include "meshing/inspect.h"
 #include "radiosity/scene.h"
@@ -18,6 +19,10 @@ std::string solve_json(const SolvedScene& solved, const std::vector<std::string>
 /// not empty (surface_form_factors).
 std::string form_factors_json(const AssembledScene& assembled, const Eigen::MatrixXd& by_surface,
                               const std::vector<std::string>& outputs,
+                              const std::vector<std::string>& warnings);
+
+/// The JSON object that `form-factors --from` prints.
+std::string factors_from_json(const FactorsFrom& factors, const std::vector<std::string>& outputs,
                               const std::vector<std::string>& warnings);
 
 /// The JSON object that `inspect` prints.

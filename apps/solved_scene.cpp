@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "apps/available_memory.h"
 #include "io/image_file.h"
@@ -20,22 +21,6 @@ using namespace radiosity;
 
 // Beyond this many polygons, looking for flaws costs more than it tells.
 constexpr Index kInspectedPolygons = 200'000;
-
-Scene read_checked_scene(const CommonOptions& common, const Progress& progress,
-                         TerminalProgress& terminal) {
-  Scene scene = read_scene_warning(common, progress, terminal);
-  if (scene.n_polygons() == 0) {
-    throw SceneError(fmt::format("{}: the scene has no polygons", common.scene));
-  }
-  return scene;
-}
-
-void warn_of_findings(const Scene& scene, TerminalProgress& terminal) {
-  if (scene.n_polygons() > kInspectedPolygons) return;
-  for (const meshing::Finding& finding : meshing::inspect(scene).findings) {
-    if (finding.severity == meshing::Finding::Severity::serious) terminal.warn(finding.message);
-  }
-}
 
 meshing::PatchOptions patch_options(const Scene& scene, const ComputeOptions& compute,
                                     const Progress& progress) {
@@ -126,7 +111,11 @@ SolveOptions solve_options(Method method, double tolerance, const Progress& prog
 
 AssembledScene::AssembledScene(const CommonOptions& common, const ComputeOptions& compute,
                                const Progress& progress, TerminalProgress& terminal)
-    : scene(read_checked_scene(common, progress, terminal)),
+    : AssembledScene(read_checked_scene(common, progress, terminal), compute, progress, terminal) {}
+
+AssembledScene::AssembledScene(Scene read_scene, const ComputeOptions& compute,
+                               const Progress& progress, TerminalProgress& terminal)
+    : scene(std::move(read_scene)),
       mesh(make_affordable_patches(scene, compute, progress, terminal)),
       visibility(mesh),
       transport(make_scene_transport(scene, mesh, visibility, compute, progress, terminal)) {}
@@ -146,6 +135,22 @@ Scene read_scene_warning(const CommonOptions& common, const Progress& progress,
   Scene scene = io::read_scene(common.scene, {.unit = common.unit, .progress = progress});
   for (const std::string& warning : scene.warnings) terminal.warn(warning);
   return scene;
+}
+
+Scene read_checked_scene(const CommonOptions& common, const Progress& progress,
+                         TerminalProgress& terminal) {
+  Scene scene = read_scene_warning(common, progress, terminal);
+  if (scene.n_polygons() == 0) {
+    throw SceneError(fmt::format("{}: the scene has no polygons", common.scene));
+  }
+  return scene;
+}
+
+void warn_of_findings(const Scene& scene, TerminalProgress& terminal) {
+  if (scene.n_polygons() > kInspectedPolygons) return;
+  for (const meshing::Finding& finding : meshing::inspect(scene).findings) {
+    if (finding.severity == meshing::Finding::Severity::serious) terminal.warn(finding.message);
+  }
 }
 
 Progress shown_progress(TerminalProgress& terminal, const Interruption& interruption) {

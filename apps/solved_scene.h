@@ -20,6 +20,9 @@ struct AssembledScene {
   /// before anything long if the problem does not fit into memory.
   AssembledScene(const CommonOptions& common, const ComputeOptions& compute,
                  const radiosity::Progress& progress, TerminalProgress& terminal);
+  /// The same from a scene that has been read.
+  AssembledScene(radiosity::Scene read_scene, const ComputeOptions& compute,
+                 const radiosity::Progress& progress, TerminalProgress& terminal);
   AssembledScene(const AssembledScene&) = delete;
   AssembledScene& operator=(const AssembledScene&) = delete;
 
@@ -44,6 +47,14 @@ TerminalProgress::Style terminal_style(const CommonOptions& common);
 radiosity::Scene read_scene_warning(const CommonOptions& common,
                                     const radiosity::Progress& progress,
                                     TerminalProgress& terminal);
+
+/// The same; throws SceneError if the scene has no polygons.
+radiosity::Scene read_checked_scene(const CommonOptions& common,
+                                    const radiosity::Progress& progress,
+                                    TerminalProgress& terminal);
+
+/// Serious flaws of the scene become warnings, unless it is too large to be searched.
+void warn_of_findings(const radiosity::Scene& scene, TerminalProgress& terminal);
 
 /// Progress that is shown by `terminal` and stopped by `interruption`.
 radiosity::Progress shown_progress(TerminalProgress& terminal, const Interruption& interruption);

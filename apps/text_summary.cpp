@@ -210,6 +210,27 @@ std::string solve_text(const SolvedScene& solved, const std::vector<std::string>
   return text;
 }
 
+std::string factors_from_text(const FactorsFrom& factors, const std::vector<std::string>& outputs) {
+  const auto& [value, error] = factors.shares;
+  std::vector<Row> rows = {{"to", "factor", "one-sigma error"}};
+  const auto add = [&](const std::string& to, double share, double sigma) {
+    // What is exact up to rounding has no error worth showing.
+    rows.push_back({to, fmt::format("{:.8f}", std::abs(share) < 5e-9 ? 0.0 : share),
+                    sigma < 1e-14 ? "-" : fmt::format("{:.1e}", sigma)});
+  };
+  for (std::size_t s = 0; s < factors.surface_names.size(); ++s) {
+    const auto k = static_cast<Eigen::Index>(s);
+    add(one_line(factors.surface_names[s]), value.surfaces[k], error.surfaces[k]);
+  }
+  add("(backs of one-sided surfaces)", value.backs, error.backs);
+  add("(sky)", value.sky, error.sky);
+  std::string text = line("from", one_line(factors.from)) + table(rows);
+  text += line("sum",
+               fmt::format("1 {} {:.1e}", value.sum() < 1 ? '-' : '+', std::abs(value.sum() - 1)));
+  for (const std::string& output : outputs) text += line("written", one_line(output));
+  return text;
+}
+
 std::string inspect_text(const radiosity::Scene& scene, const meshing::Inspection& inspection) {
   std::string text = line("scene", one_line(scene.source));
   text += line("vertices", fmt::format("{}", inspection.n_vertices));

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/factors_from.h"
 #include "apps/solved_scene.h"
 #include "meshing/inspect.h"
 #include "radiosity/scene.h"
@@ -16,6 +17,9 @@ std::string solve_text(const SolvedScene& solved, const std::vector<std::string>
 /// empty.
 std::string form_factors_text(const AssembledScene& assembled, const Eigen::MatrixXd& by_surface,
                               const std::vector<std::string>& outputs);
+
+/// Where the power goes that leaves what `form-factors --from` names, one row per destination.
+std::string factors_from_text(const FactorsFrom& factors, const std::vector<std::string>& outputs);
 
 /// What `inspect` found: counts and measures, the surfaces, then each finding on one line.
 std::string inspect_text(const radiosity::Scene& scene, const meshing::Inspection& inspection);

@@ -364,6 +364,70 @@ TEST_F(Program, ThermalSceneTellsNetHeat) {
   EXPECT_NEAR(surfaces[1]["net_flux"].get<double>(), -lost / 5, 1e-6 * lost);
 }
 
+TEST_F(Program, FactorsFromAPointAreExact) {
+  const std::string scene = RADIOSITY_SCENES "/opposed-squares.json";
+  const Outcome outcome = run(
+      {"form-factors", scene, "--from", "0,0,0,0,0,2", "--json", "--quiet", "-o", result("f.csv")});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json json = Json::parse(outcome.out);
+  expect_keys(json, {"from", "factors", "backs", "backs_error", "sky", "sky_error", "sum",
+                     "outputs", "warnings"});
+  const double expected = 0.138531605994892997;  // tests/data/form-factors.json
+  EXPECT_EQ(json["from"], "0,0,0,0,0,2");
+  EXPECT_EQ(json["factors"][0]["factor"], 0.0);
+  EXPECT_EQ(json["factors"][1]["surface"], "target");
+  EXPECT_NEAR(json["factors"][1]["factor"].get<double>(), expected, 1e-14);
+  EXPECT_EQ(json["factors"][1]["error"], 0.0);
+  EXPECT_NEAR(json["sky"].get<double>(), 1 - expected, 1e-14);
+  EXPECT_NEAR(json["sum"].get<double>(), 1, 1e-14);
+  EXPECT_EQ(
+      contents(result("f.csv")).rfind("destination,surface,factor,error\nsurface,source,0,0\n", 0),
+      0U);
+  const std::vector<double> column = csv_columns(result("f.csv"), "factor");
+  ASSERT_EQ(column.size(), 4U);  // two surfaces, backs, sky
+  EXPECT_EQ(column[1], json["factors"][1]["factor"].get<double>());
+  EXPECT_EQ(column[3], json["sky"].get<double>());
+}
+
+TEST_F(Program, FactorsFromASurfaceByName) {
+  // Its name looks like a point, and the name counts.
+  const std::string scene = write_file("plates.json", R"({
+    "bands": "grey", "materials": {"black": {"reflectance": 0}},
+    "surfaces": [
+      {"name": "0,0,0,0,0,1", "material": "black",
+       "polygons": [[[0,0,0], [1,0,0], [1,1,0], [0,1,0]]]},
+      {"name": "target", "material": "black",
+       "polygons": [[[0,0,1], [0,1,1], [1,1,1], [1,0,1]]]}]})");
+  const Outcome outcome =
+      run({"form-factors", scene, "--from", "0,0,0,0,0,1", "--patches", "60", "--json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json json = Json::parse(outcome.out);
+  EXPECT_NEAR(json["factors"][1]["factor"].get<double>(), 0.199824895698387383, 1e-8);
+  const double sigma = json["sky_error"];
+  EXPECT_GT(sigma, 0);
+  EXPECT_LT(sigma, 1e-3);
+  EXPECT_NEAR(json["sky"].get<double>(), 1 - 0.199824895698387383, 5.5 * sigma);
+  EXPECT_EQ(json["backs"], 0.0);
+  const Outcome text = run({"form-factors", scene, "--from", "target", "--as-is", "--quiet"});
+  EXPECT_NE(text.out.find("(sky)"), std::string::npos) << text.out;
+}
+
+TEST_F(Program, FactorsFromRefusesWhatItCannotMean) {
+  const std::string scene = RADIOSITY_SCENES "/opposed-squares.json";
+  const auto outcome = [&](const std::string& from) {
+    return run({"form-factors", scene, "--from", from});
+  };
+  expect_error(outcome("sourse"), 1, "nearest is 'source'");
+  expect_error(outcome(""), 1, "no surface ''");
+  expect_error(outcome("1,2,3"), 2, "found 3 numbers");
+  expect_error(outcome("1,2,3,0,0,0"), 2, "normal is zero");
+  expect_error(outcome("1,2,3,0,0,up"), 2, "'up' is not a number");
+  expect_error(run({"form-factors", scene, "--from", "source", "-o", result("a.h5")}), 2, ".csv");
+  expect_error(run({"form-factors", scene, "--from", "source", "--by", "surface"}), 2, "--by");
+  expect_error(run({"form-factors", scene}), 2, "--output");
+  EXPECT_TRUE(results().empty());
+}
+
 TEST_F(Program, FormFactorsGoToFilesAndByName) {
   const Outcome outcome = run({"form-factors", write_cube(0.5, 1), "--as-is", "--by", "surface",
                                "--json", "--quiet", "-o", result("f.h5"), "-o", result("f.csv")});
