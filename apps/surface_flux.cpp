@@ -15,11 +15,11 @@ std::vector<SurfaceFlux> surface_fluxes(const radiosity::PatchMesh& mesh,
                                         const radiosity::Solution& solution) {
   std::vector<SurfaceFlux> fluxes(mesh.surface_names.size());
   for (std::size_t s = 0; s < fluxes.size(); ++s) fluxes[s].surface = mesh.surface_names[s];
+  const Eigen::VectorXd net_flux = solution.net_flux().rowwise().sum();
   for (radiosity::Index i = 0; i < mesh.size(); ++i) {
     SurfaceFlux& flux = fluxes[mesh.surface[i]];
     flux.area += mesh.area[i];
-    flux.heat +=
-        mesh.area[i] * (solution.radiosity.row(i).sum() - solution.irradiance.row(i).sum());
+    flux.heat += mesh.area[i] * net_flux[i];
   }
   for (SurfaceFlux& flux : fluxes) {
     if (flux.area > 0) flux.flux = flux.heat / flux.area;

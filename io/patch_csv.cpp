@@ -19,7 +19,7 @@ using radiosity::Solution;
 
 std::string csv_header(Index n_bands) {
   std::string header = "patch,surface,polygon,x,y,z,area";
-  for (const char* quantity : {"B", "H", "error"}) {
+  for (const char* quantity : {"B", "H", "error", "net"}) {
     for (Index band = 0; band < n_bands; ++band) {
       fmt::format_to(std::back_inserter(header), ",{}_{}", quantity, band);
     }
@@ -33,6 +33,7 @@ void write_patch_csv(const std::filesystem::path& path, const PatchMesh& mesh,
                      const Solution& solution) {
   std::vector<std::string> names;
   for (const std::string& name : mesh.surface_names) names.push_back(csv_field(name));
+  const Eigen::MatrixXd net_flux = solution.net_flux();
 
   write_stream_atomically(path, [&](std::ofstream& stream) {
     stream << csv_header(solution.radiosity.cols());
@@ -44,7 +45,7 @@ void write_patch_csv(const std::filesystem::path& path, const PatchMesh& mesh,
       fmt::format_to(out, "{},{},{},{},{},{},{}", i, names[mesh.surface[i]], mesh.polygon[i], x[0],
                      x[1], x[2], mesh.area[i]);
       for (const Eigen::MatrixXd* values :
-           {&solution.radiosity, &solution.irradiance, &solution.radiosity_error}) {
+           {&solution.radiosity, &solution.irradiance, &solution.radiosity_error, &net_flux}) {
         for (Index band = 0; band < values->cols(); ++band) {
           fmt::format_to(out, ",{}", (*values)(i, band));
         }

@@ -8,9 +8,9 @@
 namespace io {
 
 /// Writes one row per patch under the header
-/// patch,surface,polygon,x,y,z,area,B_0..,H_0..,error_0..: surface is its name (quoted by RFC 4180
-/// where it must be), x, y, z the centroid (m), area in m², the rest in W/m² per band. Numbers read
-/// back as the same double. Throws OutputError.
+/// patch,surface,polygon,x,y,z,area,B_0..,H_0..,error_0..,net_0..: surface is its name (quoted by
+/// RFC 4180 where it must be), x, y, z the centroid (m), area in m², the rest in W/m² per band, net
+/// being B - H. Numbers read back as the same double. Throws OutputError.
 void write_patch_csv(const std::filesystem::path& path, const radiosity::PatchMesh& mesh,
                      const radiosity::Solution& solution);
 

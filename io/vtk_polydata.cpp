@@ -90,6 +90,7 @@ vtkSmartPointer<vtkPolyData> make_polydata(const PatchMesh& mesh, const Solution
   add_array(*polydata, "area", Eigen::Map<const Eigen::VectorXd>(mesh.area.data(), mesh.size()));
   add_array(*polydata, "surface", mesh.surface);
   add_array(*polydata, "polygon", mesh.polygon);
+  add_array(*polydata, "net_flux", solution.net_flux());
   add_surface_names(*polydata, mesh.surface_names);
   polydata->GetCellData()->SetActiveScalars("radiosity");
   return polydata;

@@ -12,9 +12,10 @@ class vtkPolyData;
 namespace io {
 
 /// A solution as VTK's data model: one polygon per patch, in patch order, with the mesh's vertices
-/// as points (m). Cell arrays: radiosity, irradiance, exitance, reflectance, radiosity_error
-/// (float64, one component per band), area (float64, m²), surface, polygon (int32). Field data:
-/// surface_names (strings, indexed by `surface`). The arrays of the solution have n_patches rows.
+/// as points (m). Cell arrays: radiosity, irradiance, exitance, reflectance, radiosity_error,
+/// net_flux (float64, one component per band), area (float64, m²), surface, polygon (int32). Field
+/// data: surface_names (strings, indexed by `surface`). The arrays of the solution have n_patches
+/// rows.
 vtkSmartPointer<vtkPolyData> make_polydata(const radiosity::PatchMesh& mesh,
                                            const radiosity::Solution& solution);
 

@@ -52,6 +52,9 @@ struct Solution {
                                      ///< may be infinite too
   bool converged = false;  ///< whether error_bound <= tolerance
   double seconds = 0;      ///< wall time
+
+  /// B - H, what each patch loses by radiation (negative: gains), W/m², n x k.
+  [[nodiscard]] Eigen::MatrixXd net_flux() const { return radiosity - irradiance; }
 };
 
 /// Solves B = M_e + ρ F B for every column at once. `exitance` is n x k; `reflectance` n x b, where

@@ -107,14 +107,15 @@ TEST_F(ResultFileTest, CsvReadsBackAsTheSameNumbers) {
   const Solution solution = make_solution(mesh);
   io::write(folder() / "out.csv", mesh, solution);
   const std::string start =
-      "patch,surface,polygon,x,y,z,area,B_0,B_1,B_2,H_0,H_1,H_2,error_0,error_1,error_2\n"
+      "patch,surface,polygon,x,y,z,area,B_0,B_1,B_2,H_0,H_1,H_2,error_0,error_1,error_2,"
+      "net_0,net_1,net_2\n"
       "0,floor,7,";
   EXPECT_EQ(read_file(folder() / "out.csv").substr(0, start.size()), start);
   const auto records = read_csv(folder() / "out.csv");
   ASSERT_EQ(records.size(), 4U);
   for (Index i = 0; i < mesh.size(); ++i) {
     const std::vector<std::string>& record = records[i + 1];
-    ASSERT_EQ(record.size(), 16U);
+    ASSERT_EQ(record.size(), 19U);
     EXPECT_EQ(record[0], std::to_string(i));
     EXPECT_EQ(record[1], mesh.surface_names[mesh.surface[i]]);
     EXPECT_EQ(record[2], std::to_string(mesh.polygon[i]));
@@ -123,6 +124,9 @@ TEST_F(ResultFileTest, CsvReadsBackAsTheSameNumbers) {
     for (const auto* values :
          {&solution.radiosity, &solution.irradiance, &solution.radiosity_error}) {
       for (Index band = 0; band < 3; ++band) expected.push_back((*values)(i, band));
+    }
+    for (Index band = 0; band < 3; ++band) {
+      expected.push_back(solution.radiosity(i, band) - solution.irradiance(i, band));
     }
     for (std::size_t k = 0; k < expected.size(); ++k) {
       EXPECT_EQ(std::stod(record[3 + k]), expected[k]) << "patch " << i << ", column " << 3 + k;
@@ -167,6 +171,7 @@ TEST_F(ResultFileTest, VtpHoldsTheArraysOfTheSolution) {
       {"exitance", solution.exitance},
       {"reflectance", solution.reflectance},
       {"radiosity_error", solution.radiosity_error},
+      {"net_flux", solution.radiosity - solution.irradiance},
       {"area", Eigen::Map<const Eigen::VectorXd>(mesh.area.data(), mesh.size())}};
   for (const auto& [name, values] : doubles) {
     vtkDataArray* array = cells.GetArray(name.c_str());
@@ -186,7 +191,7 @@ TEST_F(ResultFileTest, VtpHoldsTheArraysOfTheSolution) {
     EXPECT_EQ(array->GetDataType(), VTK_INT) << name;
     for (Index i = 0; i < mesh.size(); ++i) EXPECT_EQ(array->GetComponent(i, 0), values[i]);
   }
-  EXPECT_EQ(cells.GetNumberOfArrays(), 8);
+  EXPECT_EQ(cells.GetNumberOfArrays(), 9);
   const auto* names =
       vtkStringArray::SafeDownCast(polydata->GetFieldData()->GetAbstractArray("surface_names"));
   ASSERT_NE(names, nullptr);
