@@ -20,16 +20,33 @@ constexpr double kIntersecting = 1e-13;
 double square_of(double x) { return x * x; }
 
 struct Edge {
-  Vec3 start;
+  std::array<Vec3, 2> ends;
   Vec3 direction;
   double length;
 };
 
 Edge make_edge(std::span<const Vec3> polygon, std::size_t k) {
   const Vec3& a = polygon[k];
-  const Vec3 way = polygon[k + 1 < polygon.size() ? k + 1 : 0] - a;
+  const Vec3& b = polygon[k + 1 < polygon.size() ? k + 1 : 0];
+  const Vec3 way = b - a;
   const double length = way.norm();
-  return {a, length > 0 ? Vec3(way / length) : Vec3(Vec3::Zero()), length};
+  return {{a, b}, length > 0 ? Vec3(way / length) : Vec3(Vec3::Zero()), length};
+}
+
+/// Which ends of two edges are closest to each other.
+std::array<int, 2> nearest_ends(const Edge& e1, const Edge& e2) {
+  std::array<int, 2> nearest{0, 0};
+  double least = std::numeric_limits<double>::infinity();
+  for (const int i : {0, 1}) {
+    for (const int j : {0, 1}) {
+      const double square = (e1.ends[i] - e2.ends[j]).squaredNorm();
+      if (square < least) {
+        least = square;
+        nearest = {i, j};
+      }
+    }
+  }
+  return nearest;
 }
 
 /// ∫ ½ ln(τ² + d²) dτ + τ. (The part linear in τ cancels over closed contours.)
@@ -42,7 +59,7 @@ double log_antiderivative(double tau, double d) {
 /// Every ∬ ln r ds dt below leaves out the term -3/2 L_1 L_2, which cancels over closed contours
 /// because Σ (u·v) L_1 L_2 = (Σ u L_1)·(Σ v L_2) = 0.
 Estimate parallel_edges(const Edge& e1, const Edge& e2, double c) {
-  const Vec3 way = e1.start - e2.start;
+  const Vec3 way = e1.ends[0] - e2.ends[0];
   const double along = way.dot(e2.direction);
   const double d = (way - along * e2.direction).norm();
   const double sign = c > 0 ? 1 : -1;
@@ -156,13 +173,15 @@ Estimate skew_part(const std::array<double, 2>& s, const std::array<double, 2>& 
 /// Euler's theorem for the homogeneous ln r turns ∬ ln r ds dt into boundary terms and h² K, with
 /// s, t measured from the feet of the common perpendicular of length h.
 Estimate skew_edges(const Edge& e1, const Edge& e2, double c, const Vec3& cross, double sine) {
-  const Vec3 way = e1.start - e2.start;
+  // Feet are found from the nearest ends: their rounding is that distance's, over the sine squared.
+  const auto [end1, end2] = nearest_ends(e1, e2);
+  const Vec3 way = e1.ends[end1] - e2.ends[end2];
   const double a = way.dot(e1.direction);
   const double b = way.dot(e2.direction);
   const double foot1 = (c * b - a) / (sine * sine);
   const double foot2 = (b - c * a) / (sine * sine);
-  const std::array s{-foot1, e1.length - foot1};
-  const std::array t{-foot2, e2.length - foot2};
+  const std::array s{-end1 * e1.length - foot1, (1 - end1) * e1.length - foot1};
+  const std::array t{-end2 * e2.length - foot2, (1 - end2) * e2.length - foot2};
   const double h = std::abs(way.dot(cross)) / sine;
 
   Estimate sum;
@@ -197,7 +216,7 @@ Estimate edge_pair(const Edge& e1, const Edge& e2, double c) {
 
 /// ∫ over e2 of ln r for the point at s on e1.
 double inner_integral(const Edge& e1, const Edge& e2, double s) {
-  const Vec3 way = e1.start + s * e1.direction - e2.start;
+  const Vec3 way = e1.ends[0] + s * e1.direction - e2.ends[0];
   const double along = way.dot(e2.direction);
   const double d = (way - along * e2.direction).norm();
   return log_antiderivative(e2.length - along, d) - log_antiderivative(-along, d);

@@ -192,6 +192,15 @@ TEST(ExchangeArea, NearlyParallelAndNearlyTouchingEdges) {
   }
 }
 
+TEST(ExchangeArea, EdgesThatLeaveACornerAtATinyAngle) {
+  // From the origin an edge of the floor's triangle leaves the wall's at 2e-5.
+  const Polygon floor{{0, 0, 0}, {0.5, 1e-5, 0}, {0, 1, 0}};
+  const Polygon wall{{0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {1, 0, 0}};
+  const double expected = contour_exchange_area_adaptive(floor, wall, 1e-14).value;
+  EXPECT_NEAR(exchange_area(floor, wall, 1e-9) / expected, 1, 1e-9);
+  EXPECT_NEAR(contour_exchange_area(floor, wall).value / expected, 1, 1e-9);
+}
+
 TEST(ExchangeArea, BehindIsExactlyZeroAndHorizonIsClipped) {
   const Polygon floor{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   const Polygon below{{0, 0, -1}, {1, 0, -1}, {1, 1, -1}, {0, 1, -1}};
