@@ -20,7 +20,7 @@ class AdjustableExchange {
   virtual void adjust(const Eigen::VectorXd& factors) = 0;
   /// Σ_j G_ij, m², n.
   [[nodiscard]] virtual Eigen::VectorXd row_sums() const = 0;
-  /// Largest relative rounding of an entry as it is stored.
+  /// Relative rounding of an entry as it is stored, or what else is not worth a further round.
   [[nodiscard]] virtual double rounding() const = 0;
 };
 

@@ -32,6 +32,7 @@
 #include "radiosity/render.h"
 #include "radiosity/scene.h"
 #include "radiosity/solve.h"
+#include "radiosity/streamed_factors.h"
 #include "radiosity/surface_factors.h"
 #include "radiosity/transport.h"
 #include "radiosity/visibility.h"

@@ -8,6 +8,10 @@
 namespace radiosity {
 namespace {
 
+/// Each round takes a dozen passes through the file, which gaps of this relative size are not
+/// worth.
+constexpr double kNegligible = 5e-12;
+
 /// Adds the product of a tile and of its mirror image with the columns of `block` to `sum`.
 void add_product(const Eigen::MatrixXd& tile, Index first_row, Index first_column,
                  const Eigen::Ref<const Eigen::MatrixXd>& block, Eigen::Ref<Eigen::MatrixXd> sum) {
@@ -84,6 +88,8 @@ Eigen::VectorXd StoredBalance::weighted_sums(const Eigen::VectorXd& x) const {
 }
 
 Eigen::VectorXd StoredBalance::row_sums() const { return product(Eigen::VectorXd::Ones(size())); }
+
+double StoredBalance::rounding() const { return std::max(closure_.rounding(), kNegligible); }
 
 StoredBalance::Dropped StoredBalance::dropped() const {
   const auto add_tile = [this](Index row_strip, Index column_strip, const Eigen::MatrixXd& block,

@@ -20,7 +20,7 @@ class StoredBalance final : public AdjustableExchange {
   [[nodiscard]] Eigen::VectorXd weighted_sums(const Eigen::VectorXd& x) const override;
   void adjust(const Eigen::VectorXd& factors) override { rounds_.push_back(factors); }
   [[nodiscard]] Eigen::VectorXd row_sums() const override;
-  [[nodiscard]] double rounding() const override { return closure_.rounding(); }
+  [[nodiscard]] double rounding() const override;
   /// Takes back the last `adjust`.
   void undo() { rounds_.pop_back(); }
 
