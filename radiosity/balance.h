@@ -34,9 +34,12 @@ struct RowSums {
 /// Whether a row's sum is as near to what is wanted as the rounding of its entries allows.
 bool is_balanced(const RowSums& sums, Index row, double rounding);
 
+/// Rounds of balancing if nobody says otherwise.
+inline constexpr int kBalanceRounds = 20;
+
 /// Makes the row sums as wanted by the symmetric change of least weighted squares Σ ΔG_ij²/w_ij,
 /// which is ΔG_ij = w_ij (μ_i + μ_j), in at most `n_rounds` rounds: entries that would fall below 0
 /// stay there and leave the rest to the others in the next. Updates `sums.present`.
-void balance_rows(AdjustableExchange& exchange, RowSums& sums, int n_rounds = 20);
+void balance_rows(AdjustableExchange& exchange, RowSums& sums, int n_rounds = kBalanceRounds);
 
 }  // namespace radiosity

@@ -26,7 +26,7 @@ bool is_closed_within_errors(const UncertainExchange& exchange, const Eigen::Vec
 }
 
 ClosureCorrection correct_closure(UncertainExchange& exchange, const Eigen::VectorXd& row_sums,
-                                  const Eigen::VectorXd& areas) {
+                                  const Eigen::VectorXd& areas, int n_rounds) {
   const Eigen::VectorXd variance = exchange.row_variances();
   ClosureCorrection result{0, {row_sums, areas, Eigen::VectorXd::Ones(exchange.size())}};
   for (Index i = 0; i < exchange.size(); ++i) {
@@ -35,7 +35,7 @@ ClosureCorrection correct_closure(UncertainExchange& exchange, const Eigen::Vect
     result.sums.mask[i] = 0;
   }
   exchange.freeze(result.sums.mask);
-  balance_rows(exchange, result.sums);
+  balance_rows(exchange, result.sums, n_rounds);
   for (Index i = 0; i < exchange.size(); ++i) {
     if (is_balanced(result.sums, i, exchange.rounding())) result.sums.present[i] = areas[i];
   }

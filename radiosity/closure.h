@@ -28,8 +28,9 @@ bool is_closed_within_errors(const UncertainExchange& exchange, const Eigen::Vec
 
 /// Changes the uncertain entries so that each row sums to its area, m²: the symmetric change of
 /// least weighted squares Σ (ΔG_ij/σ_ij)². Certain entries and rows whose deficit no sampling error
-/// explains stay as they are. (van Leersum 1989, weighted)
+/// explains stay as they are. In at most `n_rounds` rounds (balance_rows). (van Leersum 1989,
+/// weighted)
 ClosureCorrection correct_closure(UncertainExchange& exchange, const Eigen::VectorXd& row_sums,
-                                  const Eigen::VectorXd& areas);
+                                  const Eigen::VectorXd& areas, int n_rounds = kBalanceRounds);
 
 }  // namespace radiosity

@@ -1,7 +1,10 @@
 #include "radiosity/stored_closure.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "radiosity/parallel.h"
 #include "radiosity/tile_sum.h"
 
 namespace radiosity {
@@ -20,97 +23,115 @@ double variance(const RecordedEntry& entry) {
 StoredClosure::StoredClosure(const TileStore& store, std::size_t memory)
     : store_(store), mask_(Eigen::VectorXd::Ones(size())) {
   const std::size_t needed =
-      store.n_uncertain() * sizeof(RecordedEntry) + strips().n_tiles() * (sizeof(std::int64_t) + 1);
+      store.n_uncertain() * sizeof(RecordedEntry) + strips().n_tiles() * sizeof(Part);
   if (needed <= memory) load();
 }
 
 void StoredClosure::load() {
-  entries_.reserve(store_.n_uncertain());
-  starts_ = {0};
-  for (Index column_strip = 0; column_strip < strips().size(); ++column_strip) {
+  std::vector<Part> parts(strips().n_tiles());
+  parallel_for(strips().size(), [&](Index column_strip) {
     for (Index row_strip = 0; row_strip <= column_strip; ++row_strip) {
-      const TileStore::UncertainPart part = store_.uncertain_part(row_strip, column_strip);
-      entries_.insert(entries_.end(), part.entries.begin(), part.entries.end());
-      starts_.push_back(static_cast<std::int64_t>(entries_.size()));
-      is_zero_.push_back(part.is_zero);
+      parts[Strips::tile(row_strip, column_strip)] = read(row_strip, column_strip);
     }
-  }
-  is_loaded_ = true;
+  });
+  parts_ = std::move(parts);
 }
 
-void StoredClosure::release_memory() {
-  is_loaded_ = false;
-  entries_ = {};
-  starts_ = {};
-  is_zero_ = {};
-}
+void StoredClosure::release_memory() { parts_ = {}; }
 
-/// Calls visit(entry, i, j, state) for the uncertain entries of a tile in their order.
-template <typename Visit>
-void StoredClosure::visit_tile(Index row_strip, Index column_strip, const Visit& visit) const {
-  const Index first_row = strips().begin(row_strip);
-  const Index first_column = strips().begin(column_strip);
-  const auto visit_all = [&](std::span<const RecordedEntry> entries, bool is_zero_tile) {
-    for (const RecordedEntry& entry : entries) {
-      const Index i = first_row + entry.row;
-      const Index j = first_column + entry.column;
-      visit(entry, i, j, replay(entry, i, j, is_zero_tile));
+template <typename Change>
+void StoredClosure::change_loaded(const Change& change) {
+  if (!is_loaded()) return;
+  parallel_for(strips().size(), [&](Index column_strip) {
+    for (Index row_strip = 0; row_strip <= column_strip; ++row_strip) {
+      change(parts_[Strips::tile(row_strip, column_strip)], row_strip, column_strip);
     }
-  };
-  if (is_loaded_) {
-    const Index t = Strips::tile(row_strip, column_strip);
-    visit_all(std::span(entries_).subspan(starts_[t], starts_[t + 1] - starts_[t]), is_zero_[t]);
-  } else {
-    const TileStore::UncertainPart part = store_.uncertain_part(row_strip, column_strip);
-    visit_all(part.entries, part.is_zero);
+  });
+}
+
+void StoredClosure::freeze(const Eigen::VectorXd& mask) {
+  certain_sums_ = store_.totals().row_sums() -
+                  sum_entries(Eigen::VectorXd::Ones(size()),
+                              [](const RecordedEntry& entry) { return entry.value; });
+  mask_ = mask;
+  change_loaded([this](Part& part, Index row_strip, Index column_strip) {
+    freeze_masked(part, row_strip, column_strip);
+  });
+}
+
+void StoredClosure::freeze_masked(Part& part, Index row_strip, Index column_strip) const {
+  const auto row_mask = mask_.segment(strips().begin(row_strip), strips().rows(row_strip));
+  const auto column_mask = mask_.segment(strips().begin(column_strip), strips().rows(column_strip));
+  for (RecordedEntry& entry : part.entries) {
+    if (row_mask[entry.row] == 0 || column_mask[entry.column] == 0) entry.error = -entry.error;
   }
 }
 
-StoredClosure::State StoredClosure::replay(const RecordedEntry& entry, Index i, Index j,
-                                           bool is_zero_tile) const {
-  State state{entry.value, entry.error > 0 && mask_[i] != 0 && mask_[j] != 0};
-  // As in ExchangeTiles, the zeros of a tile without anything else stay what they are.
-  if (is_zero_tile && !rounds_.empty()) state.is_free = false;
-  for (const Eigen::VectorXd& factors : rounds_) {
-    if (!state.is_free) break;
-    const double value = state.value + variance(entry) * (factors[i] + factors[j]);
-    state = {std::max(value, 0.0), value >= 0};
-  }
-  return state;
+void StoredClosure::adjust(const Eigen::VectorXd& factors) {
+  rounds_.push_back(factors);
+  change_loaded([&](Part& part, Index row_strip, Index column_strip) {
+    advance(part, row_strip, column_strip, factors);
+  });
 }
 
-/// Σ_j term(entry, state) x_j over the uncertain entries.
+/// One round of the correction.
+void StoredClosure::advance(Part& part, Index row_strip, Index column_strip,
+                            const Eigen::VectorXd& factors) const {
+  const auto row_factors = factors.segment(strips().begin(row_strip), strips().rows(row_strip));
+  const auto column_factors =
+      factors.segment(strips().begin(column_strip), strips().rows(column_strip));
+  for (RecordedEntry& entry : part.entries) {
+    if (entry.error <= 0) continue;
+    const double change = variance(entry) * (row_factors[entry.row] + column_factors[entry.column]);
+    const double value = entry.value + change;
+    // As in ExchangeTiles, the zeros of a tile without anything else stay what they are.
+    if (value < 0 || part.is_zero) entry.error = -entry.error;
+    if (!part.is_zero) entry.value = std::max(value, 0.0);
+  }
+}
+
+/// The entries of a tile from the file, brought up to date.
+StoredClosure::Part StoredClosure::read(Index row_strip, Index column_strip) const {
+  Part part = store_.uncertain_part(row_strip, column_strip);
+  freeze_masked(part, row_strip, column_strip);
+  for (const Eigen::VectorXd& factors : rounds_) advance(part, row_strip, column_strip, factors);
+  return part;
+}
+
+/// Σ_j term(entry) x_j over the uncertain entries.
 template <typename Term>
 Eigen::VectorXd StoredClosure::sum_entries(const Eigen::VectorXd& x, const Term& term) const {
   const auto add_tile = [&](Index row_strip, Index column_strip, const Eigen::MatrixXd& block,
                             Eigen::MatrixXd& sum) {
-    const bool is_diagonal = row_strip == column_strip;
-    visit_tile(row_strip, column_strip,
-               [&](const RecordedEntry& entry, Index i, Index j, const State& state) {
-                 const double factor = term(entry, state);
-                 sum(i, 0) += factor * block(j, 0);
-                 if (!is_diagonal) sum(j, 0) += factor * block(i, 0);
-               });
+    const Part unloaded = is_loaded() ? Part() : read(row_strip, column_strip);
+    const Part& part = is_loaded() ? parts_[Strips::tile(row_strip, column_strip)] : unloaded;
+    const Index first_row = strips().begin(row_strip);
+    const Index first_column = strips().begin(column_strip);
+    const double* in = block.data();
+    double* out = sum.data();
+    for (const RecordedEntry& entry : part.entries) {
+      const double factor = term(entry);
+      const Index i = first_row + entry.row;
+      const Index j = first_column + entry.column;
+      out[i] += factor * in[j];
+      if (row_strip != column_strip) out[j] += factor * in[i];
+    }
   };
   return sum_over_tiles(strips(), x, add_tile).col(0);
 }
 
 Eigen::VectorXd StoredClosure::weighted_sums(const Eigen::VectorXd& x) const {
-  return sum_entries(x, [](const RecordedEntry& entry, const State& state) {
-    return state.is_free ? variance(entry) : 0.0;
-  });
+  return sum_entries(
+      x, [](const RecordedEntry& entry) { return entry.error > 0 ? variance(entry) : 0.0; });
 }
 
 Eigen::VectorXd StoredClosure::row_variances() const {
-  return sum_entries(Eigen::VectorXd::Ones(size()),
-                     [](const RecordedEntry& entry, const State&) { return variance(entry); });
+  return sum_entries(Eigen::VectorXd::Ones(size()), variance);
 }
 
 Eigen::VectorXd StoredClosure::row_sums() const {
-  return store_.totals().row_sums() +
-         sum_entries(Eigen::VectorXd::Ones(size()), [](const RecordedEntry& entry, const State& s) {
-           return s.value - entry.value;
-         });
+  return certain_sums_ + sum_entries(Eigen::VectorXd::Ones(size()),
+                                     [](const RecordedEntry& entry) { return entry.value; });
 }
 
 double StoredClosure::rounding() const {
@@ -120,10 +141,9 @@ double StoredClosure::rounding() const {
 ExchangeTile StoredClosure::tile(Index row_strip, Index column_strip) const {
   ExchangeTile result = store_.tile(row_strip, column_strip);
   if (rounds_.empty() || result.uncertain.empty()) return result;
-  visit_tile(row_strip, column_strip,
-             [&](const RecordedEntry& entry, Index, Index, const State& state) {
-               result.values(entry.row, entry.column) = state.value;
-             });
+  for (const RecordedEntry& entry : read(row_strip, column_strip).entries) {
+    result.values(entry.row, entry.column) = entry.value;
+  }
   return result;
 }
 

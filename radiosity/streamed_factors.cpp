@@ -18,7 +18,9 @@ constexpr double kPatchBytes = 5e3;
 /// Strips have at least this many rows, but for the last levels of small trees.
 constexpr double kLeastStripRows = 32;
 constexpr std::size_t kLeastRows = 16;
-constexpr int kMaxRounds = 20;
+/// Rounds of the closure correction; each costs passes through the uncertain entries. It has ended
+/// by then, or has only rows left that StoredBalance mends better.
+constexpr int kClosureRounds = 6;
 /// A row sum further than this from what it should be has not been balanced. Relative.
 constexpr double kUnbalanced = 1e-10;
 
@@ -97,7 +99,7 @@ RowSums StreamedFactors::close(const Eigen::VectorXd& row_sums, const Eigen::Vec
       (options_.closed == Closed::automatic && is_closed_within_errors(*closure_, row_sums, areas));
   RowSums sums{row_sums, row_sums, Eigen::VectorXd::Ones(row_sums.size())};
   if (report_.closed) {
-    ClosureCorrection correction = correct_closure(*closure_, row_sums, areas);
+    ClosureCorrection correction = correct_closure(*closure_, row_sums, areas, kClosureRounds);
     report_.open_rows = correction.n_open_rows;
     sums = std::move(correction.sums);
     sums.wanted = (sums.mask.array() != 0).select(sums.wanted, sums.present);
@@ -123,7 +125,7 @@ void StreamedFactors::drop(RowSums& sums) {
 
 /// Makes the sums as wanted, round by round, as long as that brings them nearer.
 void StreamedFactors::balance(RowSums& sums) {
-  for (int round = 0; round < kMaxRounds; ++round) {
+  for (int round = 0; round < kBalanceRounds; ++round) {
     options_.progress.check();
     const Eigen::VectorXd before = sums.present;
     const double gap = largest_gap(sums);
