@@ -9,7 +9,9 @@
 #include <optional>
 #include <string>
 
+#include "apps/memory_size.h"
 #include "radiosity/error.h"
+#include "radiosity/streamed_factors.h"
 #include "radiosity/transport.h"
 
 namespace apps {
@@ -18,6 +20,8 @@ namespace {
 using radiosity::Index;
 
 constexpr double kUsableShare = 0.9;
+/// For streaming if the system does not tell what it has, bytes.
+constexpr std::size_t kModestMemory = 1'000'000'000;
 
 std::optional<std::size_t> machine_memory() {
   std::ifstream file("/proc/meminfo");
@@ -88,6 +92,21 @@ void check_memory(Index n_patches, Index n_polygons, std::size_t memory) {
   throw radiosity::SolveError(
       fmt::format("the form factors of {} patches need {} of memory, but {} can be used: {}",
                   n_patches, gigabytes(needed), gigabytes(memory), way_out));
+}
+
+std::size_t default_streaming_memory() {
+  const std::size_t usable = usable_memory();
+  return usable > 0 ? usable / 2 : kModestMemory;
+}
+
+void check_streaming_memory(Index n_patches, std::size_t memory) {
+  const std::size_t needed =
+      radiosity::streaming_memory(n_patches) + radiosity::least_buffers(n_patches);
+  if (memory == 0 || needed <= memory) return;
+  throw radiosity::SolveError(
+      fmt::format("the form factors of {} patches need at least {} of memory, but {} may be used: "
+                  "use --memory {} or fewer patches",
+                  n_patches, memory_text(needed), memory_text(memory), memory_text(needed)));
 }
 
 }  // namespace apps

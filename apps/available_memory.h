@@ -20,4 +20,11 @@ radiosity::Index largest_problem(std::size_t bytes);
 /// polygons of the scene, below which no choice of patches can go.
 void check_memory(radiosity::Index n_patches, radiosity::Index n_polygons, std::size_t memory);
 
+/// Memory for streamed form factors if nobody says how much: half of what is usable.
+std::size_t default_streaming_memory();
+
+/// The same check for form factors that are streamed through a work file; the message tells the
+/// least that works.
+void check_streaming_memory(radiosity::Index n_patches, std::size_t memory);
+
 }  // namespace apps

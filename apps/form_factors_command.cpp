@@ -1,11 +1,17 @@
 #include "apps/form_factors_command.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "apps/available_memory.h"
 #include "apps/factors_from.h"
 #include "apps/json_summary.h"
+#include "apps/memory_size.h"
 #include "apps/output_files.h"
-#include "apps/solved_scene.h"
 #include "apps/summary.h"
 #include "apps/text_summary.h"
+#include "apps/work_file_check.h"
 #include "io/destinations_csv.h"
 #include "io/extension.h"
 #include "io/form_factor_file.h"
@@ -14,6 +20,32 @@
 #include "radiosity/surface_factors.h"
 
 namespace apps {
+namespace {
+
+bool is_h5(const std::string& output) { return io::lower_case_extension(output) == ".h5"; }
+
+std::string check_memory_size(const std::string& text) {
+  if (parse_memory_size(text)) return "";
+  return fmt::format("found '{}', expected a size such as 2GB, 500MB or 750MiB", text);
+}
+
+std::string check_factor(const std::string& text) {
+  double value = 0;
+  if (CLI::detail::lexical_cast(text, value) && value > 0 && value < 1) return "";
+  return fmt::format("found '{}', expected a number above 0 and below 1", text);
+}
+
+/// Refuses what does not fit into `memory`.
+MemoryChecks streaming_checks(std::size_t memory) {
+  const auto check_against = [](std::size_t bytes) {
+    return [bytes](radiosity::Index n_patches, radiosity::Index) {
+      check_streaming_memory(n_patches, bytes);
+    };
+  };
+  return {check_against(usable_memory()), check_against(memory)};
+}
+
+}  // namespace
 
 FormFactorsCommand::FormFactorsCommand(CLI::App& program, Interruption& interruption)
     : interruption_(interruption) {
@@ -33,12 +65,28 @@ FormFactorsCommand::FormFactorsCommand(CLI::App& program, Interruption& interrup
   auto* by = command->add_option("--by", by_, "Also print the table of factors between surfaces")
                  ->check(CLI::IsMember({"surface"}))
                  ->type_name("WHAT");
+  auto* resume =
+      command->add_flag("--resume", resume_,
+                        "Continue where an earlier run with the same scene and options was stopped");
+  command
+      ->add_option("--memory", memory_,
+                   "Memory to use, such as 2GB or 500MiB; default: half of what there is")
+      ->check(check_memory_size)
+      ->type_name("SIZE");
+  auto* min_factor =
+      command
+          ->add_option("--min-factor", min_factor_,
+                       "Drop the pairs whose form factors are both below X; row sums are kept")
+          ->check(check_factor)
+          ->type_name("X");
   command
       ->add_option("--from", from_,
                    "Only the factors from one surface, by its name, or from the point x,y,z with "
                    "normal nx,ny,nz (metres); shown, and written to a .csv if there is -o")
       ->type_name("NAME|x,y,z,nx,ny,nz")
-      ->excludes(by);
+      ->excludes(by)
+      ->excludes(resume)
+      ->excludes(min_factor);
   add_compute_options(*command, compute_);
   command->callback([this] { run(); });
 }
@@ -50,22 +98,92 @@ void FormFactorsCommand::run() const {
   TerminalProgress terminal(terminal_style(common_));
   const radiosity::ThreadLimit threads(common_.n_threads);
   const radiosity::Progress progress = shown_progress(terminal, interruption_);
-  const AssembledScene assembled(common_, compute_, progress, terminal);
-  const Eigen::MatrixXd by_surface =
-      radiosity::surface_form_factors(assembled.mesh, *assembled.transport);
-  for (const std::string& output : outputs_) {
-    const auto lock = interruption_.hold();
-    if (io::lower_case_extension(output) == ".h5") {
-      io::write_form_factors(output, assembled.mesh, *assembled.transport,
-                             {.tolerance = compute_.tolerance, .progress = progress});
-    } else {
-      io::write_surface_csv(output, assembled.mesh, by_surface);
-    }
-    progress.check();
+  const std::size_t memory = parse_memory_size(memory_).value_or(default_streaming_memory());
+  const PatchedScene patched(common_, compute_, streaming_checks(memory), progress, terminal);
+  const radiosity::StreamOptions options = stream_options(patched, memory, progress);
+  const radiosity::Fingerprint fingerprint = stream_fingerprint(patched.mesh, options);
+  FactorSummary summary{.patched = patched, .min_factor = min_factor_, .outputs = outputs_};
+  if (is_complete(fingerprint)) {
+    terminal.warn(fmt::format("{} is complete already; nothing was computed", outputs_.front()));
+    print_factors(summary, terminal);
+    return;
   }
-  const Eigen::MatrixXd shown = by_ == "surface" ? by_surface : Eigen::MatrixXd();
-  print(common_.json ? form_factors_json(assembled, shown, outputs_, terminal.warnings())
-                     : form_factors_text(assembled, shown, outputs_));
+  radiosity::TileStore store = open_store(patched.mesh, fingerprint, progress, terminal);
+  const radiosity::StreamedFactors factors(patched.mesh, patched.visibility, options, store);
+  warn_of_open_rows(factors.report(), terminal);
+  summary.factors = &factors;
+  const Eigen::MatrixXd by_surface = write_outputs(patched.mesh, factors, fingerprint);
+  if (by_ == "surface") summary.by_surface = by_surface;
+  progress.check();
+  store.remove();
+  print_factors(summary, terminal);
+}
+
+radiosity::StreamOptions FormFactorsCommand::stream_options(
+    const PatchedScene& patched, std::size_t memory, const radiosity::Progress& progress) const {
+  return {.tolerance = compute_.tolerance,
+          .closed = closed_choice(compute_.closed, patched.scene.closed),
+          .seed = compute_.seed,
+          .min_factor = min_factor_,
+          .buffers = memory - radiosity::streaming_memory(patched.mesh.size()),
+          .progress = progress};
+}
+
+radiosity::TileStore FormFactorsCommand::open_store(const radiosity::PatchMesh& mesh,
+                                                    const radiosity::Fingerprint& fingerprint,
+                                                    const radiosity::Progress& progress,
+                                                    TerminalProgress& terminal) const {
+  using Start = radiosity::TileStore::Start;
+  const std::filesystem::path path = work_file_path(outputs_);
+  const Start start = resume_ ? Start::resumed : Start::anew;
+  check_work_file(path, fingerprint, start, terminal);
+  interruption_.advise(fmt::format(
+      "{} keeps what is done; repeat the command with --resume to go on", one_line(path.string())));
+  return {path, fingerprint.value(), start, mesh.area, progress};
+}
+
+bool FormFactorsCommand::is_complete(const radiosity::Fingerprint& fingerprint) const {
+  if (!resume_ || !by_.empty() || std::filesystem::exists(work_file_path(outputs_))) return false;
+  return std::all_of(outputs_.begin(), outputs_.end(), [&](const std::string& output) {
+    return is_h5(output) && io::read_fingerprint(output) == fingerprint.text();
+  });
+}
+
+Eigen::MatrixXd FormFactorsCommand::write_outputs(const radiosity::PatchMesh& mesh,
+                                                  const radiosity::StreamedFactors& factors,
+                                                  const radiosity::Fingerprint& fingerprint) const {
+  const bool is_table_asked = !by_.empty() || !std::all_of(outputs_.begin(), outputs_.end(), is_h5);
+  std::optional<radiosity::SurfaceFactorSums> sums;
+  const auto visit_rows = [&](const radiosity::RowVisitor& visit) {
+    const bool is_counting = is_table_asked && !sums;
+    if (is_counting) sums.emplace(mesh);
+    factors.for_each_row(
+        [&](radiosity::Index i, const Eigen::VectorXd& row, const Eigen::VectorXd& error) {
+          if (is_counting) sums->add_row(i, row);
+          if (visit) visit(i, row, error);
+        });
+  };
+  const auto lock = interruption_.hold();
+  for (const std::string& output : outputs_) {
+    if (is_h5(output)) {
+      io::write_form_factors(output, mesh, {factors.report(), visit_rows},
+                             {.tolerance = compute_.tolerance,
+                              .min_factor = min_factor_,
+                              .fingerprint = fingerprint.text()});
+    }
+  }
+  if (!is_table_asked) return {};
+  if (!sums) visit_rows({});
+  for (const std::string& output : outputs_) {
+    if (!is_h5(output)) io::write_surface_csv(output, mesh, sums->factors());
+  }
+  return sums->factors();
+}
+
+void FormFactorsCommand::print_factors(const FactorSummary& summary,
+                                       const TerminalProgress& terminal) const {
+  print(common_.json ? form_factors_json(summary, terminal.warnings())
+                     : form_factors_text(summary));
 }
 
 void FormFactorsCommand::run_from(const std::string& from) const {

@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <string_view>
 
 namespace apps {
 namespace {
@@ -51,6 +50,16 @@ Interruption::~Interruption() {
   watcher_.join();
 }
 
+void Interruption::advise(const std::string& line) {
+  const std::lock_guard lock(telling_);
+  message_ = "radiosity: interrupted\nradiosity: " + line + "\n";
+}
+
+void Interruption::tell() {
+  const std::lock_guard lock(telling_);
+  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, message_.data(), message_.size());
+}
+
 void Interruption::watch() {
   wait_for_signal();
   if (finished_) return;
@@ -58,8 +67,8 @@ void Interruption::watch() {
   for (auto time = kGrace; !signal_within(time) && !writing_.try_lock(); time = kPoll) {
   }
   if (finished_) return;
-  constexpr std::string_view kMessage = "\nradiosity: interrupted\n";
-  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, kMessage.data(), kMessage.size());
+  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, "\n", 1);
+  tell();
   ::_exit(kInterruptedExit);
 }
 

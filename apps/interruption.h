@@ -3,6 +3,7 @@
 #include <atomic>
 #include <mutex>
 #include <stop_token>
+#include <string>
 #include <thread>
 
 namespace apps {
@@ -26,11 +27,18 @@ class Interruption {
   /// While the lock lives, a single signal does not cut the program off: hold it to write a file.
   [[nodiscard]] std::unique_lock<std::mutex> hold() { return std::unique_lock(writing_); }
 
+  /// Has `line` told on stderr if the program gets interrupted from now on: how to go on, say.
+  void advise(const std::string& line);
+  /// Tells on stderr that the program was interrupted, and the advice.
+  void tell();
+
  private:
   void watch();
 
   std::stop_source source_;
   std::mutex writing_;
+  std::mutex telling_;  // guards the message
+  std::string message_ = "radiosity: interrupted\n";
   std::atomic<bool> finished_ = false;
   std::thread watcher_;
 };

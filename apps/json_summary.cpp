@@ -20,8 +20,7 @@ std::string text(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
-Json form_factors(const radiosity::Transport& transport) {
-  const radiosity::AssemblyReport& report = transport.report();
+Json form_factors(const radiosity::AssemblyReport& report, std::size_t bytes) {
   return {{"seconds", report.seconds},
           {"pairs",
            {{"facing", report.facing},
@@ -34,7 +33,15 @@ Json form_factors(const radiosity::Transport& transport) {
           {"open_rows", report.open_rows},
           {"closure_mean", report.closure_mean},
           {"closure_max", report.closure_max},
-          {"bytes", transport.bytes()}};
+          {"bytes", bytes}};
+}
+
+Json dropped(double min_factor, const radiosity::DroppedFactors& dropped) {
+  return {{"min_factor", min_factor},
+          {"entries", dropped.entries},
+          {"share", dropped.share},
+          {"largest_row_share", dropped.largest_row_share},
+          {"unbalanced_rows", dropped.unbalanced_rows}};
 }
 
 Json solve(const radiosity::Solution& solution) {
@@ -77,6 +84,18 @@ Json surfaces(const radiosity::Scene& scene, const meshing::Inspection& inspecti
   return list;
 }
 
+Json surfaces(const radiosity::PatchMesh& mesh, const Eigen::MatrixXd& factors) {
+  const Eigen::VectorXd areas = radiosity::surface_areas(mesh);
+  Json list = Json::array();
+  for (Eigen::Index s = 0; s < factors.rows(); ++s) {
+    list.push_back({{"name", mesh.surface_names[s]},
+                    {"area", areas[s]},
+                    {"form_factors", array(factors.row(s))},
+                    {"unseen", 1 - factors.row(s).sum()}});
+  }
+  return list;
+}
+
 Json findings(const meshing::Inspection& inspection) {
   Json list = Json::array();
   for (const meshing::Finding& finding : inspection.findings) {
@@ -100,40 +119,35 @@ Json bounds(const radiosity::Box3& box) {
 std::string solve_json(const SolvedScene& solved, const std::vector<std::string>& outputs,
                        const std::vector<std::string>& warnings) {
   const radiosity::EnergyBalance& energy = solved.solution.energy;
-  Json json = {{"patches", solved.mesh.size()},
-               {"bands", solved.scene.bands.count()},
-               {"form_factors", form_factors(*solved.transport)},
-               {"solve", solve(solved.solution)},
-               {"energy",
-                {{"emitted", array(energy.emitted)},
-                 {"absorbed", array(energy.absorbed)},
-                 {"escaped", array(energy.escaped)}}},
-               {"outputs", outputs},
-               {"warnings", warnings}};
+  Json json = {
+      {"patches", solved.mesh.size()},
+      {"bands", solved.scene.bands.count()},
+      {"form_factors", form_factors(solved.transport->report(), solved.transport->bytes())},
+      {"solve", solve(solved.solution)},
+      {"energy",
+       {{"emitted", array(energy.emitted)},
+        {"absorbed", array(energy.absorbed)},
+        {"escaped", array(energy.escaped)}}},
+      {"outputs", outputs},
+      {"warnings", warnings}};
   if (is_thermal(solved.scene)) {
     json["surfaces"] = surfaces(surface_fluxes(solved.mesh, solved.solution));
   }
   return text(json);
 }
 
-std::string form_factors_json(const AssembledScene& assembled, const Eigen::MatrixXd& by_surface,
-                              const std::vector<std::string>& outputs,
+std::string form_factors_json(const FactorSummary& summary,
                               const std::vector<std::string>& warnings) {
-  Json json = {{"patches", assembled.mesh.size()},
-               {"bands", assembled.scene.bands.count()},
-               {"form_factors", form_factors(*assembled.transport)}};
-  if (by_surface.size() > 0) {
-    const Eigen::VectorXd areas = radiosity::surface_areas(assembled.mesh);
-    Json list = Json::array();
-    for (Eigen::Index s = 0; s < by_surface.rows(); ++s) {
-      list.push_back({{"name", assembled.mesh.surface_names[s]},
-                      {"area", areas[s]},
-                      {"form_factors", array(by_surface.row(s))},
-                      {"unseen", 1 - by_surface.row(s).sum()}});
+  const radiosity::PatchMesh& mesh = summary.patched.mesh;
+  Json json = {{"patches", mesh.size()}, {"bands", summary.patched.scene.bands.count()}};
+  if (summary.factors != nullptr) {
+    json["form_factors"] = form_factors(summary.factors->report(), summary.factors->bytes());
+    if (summary.min_factor > 0) {
+      json["dropped"] = dropped(summary.min_factor, summary.factors->dropped());
     }
-    json["surfaces"] = list;
   }
-  json["outputs"] = outputs;
+  if (summary.by_surface.size() > 0) json["surfaces"] = surfaces(mesh, summary.by_surface);
+  json["outputs"] = summary.outputs;
   json["warnings"] = warnings;
   return text(json);
 }

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/factor_summary.h"
 #include "apps/factors_from.h"
 #include "apps/solved_scene.h"
 #include "meshing/inspect.h"
@@ -15,10 +16,8 @@ namespace apps {
 std::string solve_json(const SolvedScene& solved, const std::vector<std::string>& outputs,
                        const std::vector<std::string>& warnings);
 
-/// The JSON object that `form-factors` prints; with the factors between surfaces if `by_surface` is
-/// not empty (surface_form_factors).
-std::string form_factors_json(const AssembledScene& assembled, const Eigen::MatrixXd& by_surface,
-                              const std::vector<std::string>& outputs,
+/// The JSON object that `form-factors` prints.
+std::string form_factors_json(const FactorSummary& summary,
                               const std::vector<std::string>& warnings);
 
 /// The JSON object that `form-factors --from` prints.

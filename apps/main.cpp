@@ -27,7 +27,7 @@ int fail(int exit_code, std::string_view message) {
 }
 
 /// Parses the command line and runs the command; returns the exit code.
-int run(CLI::App& program, int argc, char** argv) {
+int run(CLI::App& program, apps::Interruption& interruption, int argc, char** argv) {
   try {
     program.parse(argc, argv);
     return 0;
@@ -36,7 +36,7 @@ int run(CLI::App& program, int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return fail(kUsageExit, apps::usage_message(program, error));
   } catch (const radiosity::Interrupted&) {
-    fmt::print(stderr, "radiosity: interrupted\n");
+    interruption.tell();
     return apps::kInterruptedExit;
   } catch (const std::bad_alloc&) {
     return fail(kFailureExit, "out of memory; fewer patches need less (--patches N)");
@@ -56,5 +56,5 @@ int main(int argc, char** argv) {
   const apps::FormFactorsCommand form_factors(program, interruption);
   const apps::InspectCommand inspect(program, interruption);
   const apps::RenderCommand render(program, interruption);
-  return run(program, argc, argv);
+  return run(program, interruption, argc, argv);
 }

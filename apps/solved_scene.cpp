@@ -52,14 +52,21 @@ Index least_patches(const Scene& scene, const meshing::PatchOptions& options) {
 
 /// Makes the patches, but refuses first what would not fit into memory.
 PatchMesh make_affordable_patches(const Scene& scene, const ComputeOptions& compute,
-                                  const Progress& progress, TerminalProgress& terminal) {
+                                  const MemoryChecks& checks, const Progress& progress,
+                                  TerminalProgress& terminal) {
   const meshing::PatchOptions options = patch_options(scene, compute, progress);
-  const std::size_t memory = usable_memory();
-  check_memory(least_patches(scene, options), scene.n_polygons(), memory);
+  checks.expected(least_patches(scene, options), scene.n_polygons());
   warn_of_findings(scene, terminal);
   PatchMesh mesh = meshing::make_patches(scene, options);
-  check_memory(mesh.size(), scene.n_polygons(), memory);
+  checks.made(mesh.size(), scene.n_polygons());
   return mesh;
+}
+
+MemoryChecks dense_checks() {
+  const MemoryChecks::Check check = [memory = usable_memory()](Index n_patches, Index n_polygons) {
+    check_memory(n_patches, n_polygons, memory);
+  };
+  return {check, check};
 }
 
 Solution solve_scene(const Scene& scene, const PatchMesh& mesh, const Transport& transport,
@@ -89,12 +96,7 @@ std::unique_ptr<Transport> make_scene_transport(const Scene& scene, const PatchM
                                    .seed = compute.seed,
                                    .memory = usable_memory(),
                                    .progress = progress});
-  if (const auto open_rows = transport->report().open_rows; open_rows > 0) {
-    terminal.warn(
-        fmt::format("the scene is taken as closed, but {} of {} patches see an opening; "
-                    "their form factors stay as they are (--closed no leaves all so)",
-                    open_rows, mesh.size()));
-  }
+  warn_of_open_rows(transport->report(), terminal);
   return transport;
 }
 
@@ -109,15 +111,26 @@ SolveOptions solve_options(Method method, double tolerance, const Progress& prog
 
 }  // namespace
 
+PatchedScene::PatchedScene(const CommonOptions& common, const ComputeOptions& compute,
+                           const MemoryChecks& checks, const Progress& progress,
+                           TerminalProgress& terminal)
+    : PatchedScene(read_checked_scene(common, progress, terminal), compute, checks, progress,
+                   terminal) {}
+
+PatchedScene::PatchedScene(Scene read_scene, const ComputeOptions& compute,
+                           const MemoryChecks& checks, const Progress& progress,
+                           TerminalProgress& terminal)
+    : scene(std::move(read_scene)),
+      mesh(make_affordable_patches(scene, compute, checks, progress, terminal)),
+      visibility(mesh) {}
+
 AssembledScene::AssembledScene(const CommonOptions& common, const ComputeOptions& compute,
                                const Progress& progress, TerminalProgress& terminal)
     : AssembledScene(read_checked_scene(common, progress, terminal), compute, progress, terminal) {}
 
 AssembledScene::AssembledScene(Scene read_scene, const ComputeOptions& compute,
                                const Progress& progress, TerminalProgress& terminal)
-    : scene(std::move(read_scene)),
-      mesh(make_affordable_patches(scene, compute, progress, terminal)),
-      visibility(mesh),
+    : PatchedScene(std::move(read_scene), compute, dense_checks(), progress, terminal),
       transport(make_scene_transport(scene, mesh, visibility, compute, progress, terminal)) {}
 
 SolvedScene::SolvedScene(const CommonOptions& common, const ComputeOptions& compute, Method method,
@@ -151,6 +164,14 @@ void warn_of_findings(const Scene& scene, TerminalProgress& terminal) {
   for (const meshing::Finding& finding : meshing::inspect(scene).findings) {
     if (finding.severity == meshing::Finding::Severity::serious) terminal.warn(finding.message);
   }
+}
+
+void warn_of_open_rows(const AssemblyReport& report, TerminalProgress& terminal) {
+  if (report.open_rows == 0) return;
+  terminal.warn(
+      fmt::format("the scene is taken as closed, but {} of {} patches see an opening; "
+                  "their form factors stay as they are (--closed no leaves all so)",
+                  report.open_rows, report.row_sums.size()));
 }
 
 Progress shown_progress(TerminalProgress& terminal, const Interruption& interruption) {

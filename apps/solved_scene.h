@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "apps/common_options.h"
@@ -13,22 +14,40 @@
 
 namespace apps {
 
-/// A scene file's patches and the form factors between them, every stage's result at hand. Stays
-/// where it was made, since later stages may refer to earlier ones.
-struct AssembledScene {
-  /// Runs the stages; warnings go to `terminal`. Throws what the stages throw, and SolveError
-  /// before anything long if the problem does not fit into memory.
+/// Throw SolveError if so many patches, of so many polygons, do not fit into memory.
+struct MemoryChecks {
+  using Check = std::function<void(radiosity::Index n_patches, radiosity::Index n_polygons)>;
+  Check expected;  ///< asked before patches are made, with a number that will be reached
+  Check made;      ///< asked when their number is known
+};
+
+/// A scene file's patches. Stays where it was made, since later stages may refer to earlier ones.
+struct PatchedScene {
+  /// Runs the stages; warnings go to `terminal`. Throws what the stages and the checks throw.
+  PatchedScene(const CommonOptions& common, const ComputeOptions& compute,
+               const MemoryChecks& checks, const radiosity::Progress& progress,
+               TerminalProgress& terminal);
+  /// The same from a scene that has been read.
+  PatchedScene(radiosity::Scene read_scene, const ComputeOptions& compute,
+               const MemoryChecks& checks, const radiosity::Progress& progress,
+               TerminalProgress& terminal);
+  PatchedScene(const PatchedScene&) = delete;
+  PatchedScene& operator=(const PatchedScene&) = delete;
+
+  radiosity::Scene scene;
+  radiosity::PatchMesh mesh;
+  radiosity::Visibility visibility;
+};
+
+/// The same with the form factors in memory. Throws SolveError before anything long if they do not
+/// fit.
+struct AssembledScene : PatchedScene {
   AssembledScene(const CommonOptions& common, const ComputeOptions& compute,
                  const radiosity::Progress& progress, TerminalProgress& terminal);
   /// The same from a scene that has been read.
   AssembledScene(radiosity::Scene read_scene, const ComputeOptions& compute,
                  const radiosity::Progress& progress, TerminalProgress& terminal);
-  AssembledScene(const AssembledScene&) = delete;
-  AssembledScene& operator=(const AssembledScene&) = delete;
 
-  radiosity::Scene scene;
-  radiosity::PatchMesh mesh;
-  radiosity::Visibility visibility;
   std::unique_ptr<radiosity::Transport> transport;
 };
 
@@ -55,6 +74,9 @@ radiosity::Scene read_checked_scene(const CommonOptions& common,
 
 /// Serious flaws of the scene become warnings, unless it is too large to be searched.
 void warn_of_findings(const radiosity::Scene& scene, TerminalProgress& terminal);
+
+/// Warns if a scene taken as closed has patches that see an opening.
+void warn_of_open_rows(const radiosity::AssemblyReport& report, TerminalProgress& terminal);
 
 /// Progress that is shown by `terminal` and stopped by `interruption`.
 radiosity::Progress shown_progress(TerminalProgress& terminal, const Interruption& interruption);

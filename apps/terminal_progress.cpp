@@ -11,9 +11,6 @@
 namespace apps {
 namespace {
 
-using std::chrono::duration;
-using std::chrono::steady_clock;
-
 constexpr auto kRedrawInterval = std::chrono::milliseconds(100);
 constexpr auto kLineInterval = std::chrono::seconds(5);
 constexpr int kBarWidth = 24;
@@ -31,24 +28,6 @@ std::string as_time(double time) {
   if (seconds < 60) return fmt::format("{} s", seconds);
   if (seconds < 3600) return fmt::format("{} min {:02} s", seconds / 60, seconds % 60);
   return fmt::format("{} h {:02} min", seconds / 3600, seconds / 60 % 60);
-}
-
-/// "45 %, 1.2 Mpairs/s, 12 s left"
-std::string describe(double done, double total, std::string_view unit, double seconds) {
-  std::string text;
-  if (total > 0) text += fmt::format("{:.0f} %", 100 * std::min(done / total, 1.0));
-  const double rate = seconds > kFirstRate ? done / seconds : 0;
-  if (rate > 0) text += fmt::format("{}{}{}/s", text.empty() ? "" : ", ", with_prefix(rate), unit);
-  if (rate > 0 && total > done) {
-    text += fmt::format(", {} left", as_time((total - done) / rate));
-  } else if (total > 0 && done >= total) {
-    text += fmt::format(", took {:.2f} s", seconds);
-  }
-  return text;
-}
-
-double seconds_since(steady_clock::time_point start) {
-  return duration<double>(steady_clock::now() - start).count();
 }
 
 }  // namespace
@@ -71,7 +50,7 @@ void TerminalProgress::report(std::string_view stage, double done, double total,
   if (style_ == Style::none) return;
   const std::lock_guard lock(mutex_);
   const auto now = Clock::now();
-  if (stage != stage_) start_stage(stage, now);
+  if (stage != stage_) start_stage(stage, done, now);
   const bool ended = total > 0 && done >= total;
   if (ended && stage_told_) return;
   const auto interval = style_ == Style::bar ? Clock::duration(kRedrawInterval) : kLineInterval;
@@ -92,7 +71,22 @@ void TerminalProgress::warn(std::string_view message) {
   fmt::print(stderr, "radiosity: warning: {}\n", warnings_.back());
 }
 
-void TerminalProgress::start_stage(std::string_view stage, Clock::time_point now) {
+/// "45 %, 1.2 Mpairs/s, 12 s left"
+std::string TerminalProgress::describe(double done, double total, std::string_view unit) const {
+  const double seconds = std::chrono::duration<double>(Clock::now() - stage_start_).count();
+  std::string text;
+  if (total > 0) text += fmt::format("{:.0f} %", 100 * std::min(done / total, 1.0));
+  const double rate = seconds > kFirstRate ? (done - stage_base_) / seconds : 0;
+  if (rate > 0) text += fmt::format("{}{}{}/s", text.empty() ? "" : ", ", with_prefix(rate), unit);
+  if (rate > 0 && total > done) {
+    text += fmt::format(", {} left", as_time((total - done) / rate));
+  } else if (total > 0 && done >= total) {
+    text += fmt::format(", took {:.2f} s", seconds);
+  }
+  return text;
+}
+
+void TerminalProgress::start_stage(std::string_view stage, double done, Clock::time_point now) {
   if (stage_told_ && bar_visible_) {
     // The finished bar of the stage before stays on the screen.
     fmt::print(stderr, "\n");
@@ -100,6 +94,7 @@ void TerminalProgress::start_stage(std::string_view stage, Clock::time_point now
   }
   stage_ = stage;
   stage_start_ = now;
+  stage_base_ = done;
   // A bar shows at once; a line only after some time, or when the stage has ended.
   last_drawn_ = style_ == Style::bar ? now - kRedrawInterval : now;
   stage_told_ = false;
@@ -109,14 +104,13 @@ void TerminalProgress::draw_bar(double done, double total, std::string_view unit
   const double share = total > 0 ? std::clamp(done / total, 0.0, 1.0) : 0;
   const auto filled = static_cast<int>(share * kBarWidth);
   fmt::print(stderr, "\r\x1b[K{:<14} [{:#<{}}{:.<{}}] {}", stage_, "", filled, "",
-             kBarWidth - filled, describe(done, total, unit, seconds_since(stage_start_)));
+             kBarWidth - filled, describe(done, total, unit));
   std::fflush(stderr);
   bar_visible_ = true;
 }
 
 void TerminalProgress::print_line(double done, double total, std::string_view unit) const {
-  fmt::print(stderr, "radiosity: {}: {}\n", stage_,
-             describe(done, total, unit, seconds_since(stage_start_)));
+  fmt::print(stderr, "radiosity: {}: {}\n", stage_, describe(done, total, unit));
 }
 
 void TerminalProgress::clear_bar() {

@@ -22,7 +22,8 @@ class TerminalProgress {
   TerminalProgress(const TerminalProgress&) = delete;
   TerminalProgress& operator=(const TerminalProgress&) = delete;
 
-  /// Work stands at `done` of `total` (0 if unknown), counted in `unit`. Callable from any thread.
+  /// Work stands at `done` of `total` (0 if unknown), counted in `unit`. The rate counts from the
+  /// first report of a stage on. Callable from any thread.
   void report(std::string_view stage, double done, double total, std::string_view unit);
 
   /// Prints "radiosity: warning: ..." and keeps the message. Also when the style is `none`.
@@ -34,7 +35,8 @@ class TerminalProgress {
  private:
   using Clock = std::chrono::steady_clock;
 
-  void start_stage(std::string_view stage, Clock::time_point now);
+  void start_stage(std::string_view stage, double done, Clock::time_point now);
+  [[nodiscard]] std::string describe(double done, double total, std::string_view unit) const;
   void draw_bar(double done, double total, std::string_view unit);
   void print_line(double done, double total, std::string_view unit) const;
   void clear_bar();
@@ -43,6 +45,7 @@ class TerminalProgress {
   std::mutex mutex_;
   std::string stage_;
   Clock::time_point stage_start_;
+  double stage_base_ = 0;  ///< what was done when the stage started, by an earlier run perhaps
   Clock::time_point last_drawn_;
   bool stage_told_ = false;   ///< the end of the stage has been printed
   bool bar_visible_ = false;  ///< the cursor stands on a line with a bar

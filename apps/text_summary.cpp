@@ -72,10 +72,10 @@ Row band_names(const radiosity::Bands& bands) {
   return names;
 }
 
-std::string scene_lines(const AssembledScene& assembled) {
-  return line("scene", one_line(assembled.scene.source)) +
-         line("patches", fmt::format("{} on {} surfaces", assembled.mesh.size(),
-                                     assembled.mesh.surface_names.size()));
+std::string scene_lines(const PatchedScene& patched) {
+  return line("scene", one_line(patched.scene.source)) +
+         line("patches", fmt::format("{} on {} surfaces", patched.mesh.size(),
+                                     patched.mesh.surface_names.size()));
 }
 
 /// A share to six digits; rounding shows as 0 and never as -0.
@@ -98,10 +98,8 @@ std::string surface_factor_table(const radiosity::PatchMesh& mesh, const Eigen::
   return table(rows);
 }
 
-std::string form_factor_lines(const radiosity::Transport& transport) {
-  const radiosity::AssemblyReport& report = transport.report();
-  std::string text =
-      line("form factors", fmt::format("{:.3g} s, {}", report.seconds, bytes(transport.bytes())));
+std::string form_factor_lines(const radiosity::AssemblyReport& report, std::size_t size) {
+  std::string text = line("form factors", fmt::format("{:.3g} s, {}", report.seconds, bytes(size)));
   text += line("  pairs facing", fmt::format("{}", report.facing));
   text += line("    visible", fmt::format("{}", report.visible));
   text += line("    hidden", fmt::format("{}", report.hidden));
@@ -112,6 +110,18 @@ std::string form_factor_lines(const radiosity::Transport& transport) {
                fmt::format("|1 - row sum| {:.2g} on average, at most {:.2g} ({})",
                            report.closure_mean, report.closure_max,
                            report.closed ? "closed scene, since corrected" : "open scene"));
+  return text;
+}
+
+std::string dropped_lines(double min_factor, const radiosity::DroppedFactors& dropped) {
+  std::string text =
+      line("  dropped",
+           fmt::format("{} entries below {:g}, {:.2g} of all power, at most {:.2g} of "
+                       "a row; row sums kept",
+                       dropped.entries, min_factor, dropped.share, dropped.largest_row_share));
+  if (dropped.unbalanced_rows > 0) {
+    text += line("    but not in", fmt::format("{} rows", dropped.unbalanced_rows));
+  }
   return text;
 }
 
@@ -193,16 +203,25 @@ std::string finding_lines(const meshing::Inspection& inspection) {
 
 }  // namespace
 
-std::string form_factors_text(const AssembledScene& assembled, const Eigen::MatrixXd& by_surface,
-                              const std::vector<std::string>& outputs) {
-  std::string text = scene_lines(assembled) + form_factor_lines(*assembled.transport);
-  if (by_surface.size() > 0) text += surface_factor_table(assembled.mesh, by_surface);
-  for (const std::string& output : outputs) text += line("written", one_line(output));
+std::string form_factors_text(const FactorSummary& summary) {
+  std::string text = scene_lines(summary.patched);
+  if (summary.factors != nullptr) {
+    text += form_factor_lines(summary.factors->report(), summary.factors->bytes());
+    if (summary.min_factor > 0) {
+      text += dropped_lines(summary.min_factor, summary.factors->dropped());
+    }
+  }
+  if (summary.by_surface.size() > 0) {
+    text += surface_factor_table(summary.patched.mesh, summary.by_surface);
+  }
+  const std::string_view label = summary.factors != nullptr ? "written" : "complete";
+  for (const std::string& output : summary.outputs) text += line(label, one_line(output));
   return text;
 }
 
 std::string solve_text(const SolvedScene& solved, const std::vector<std::string>& outputs) {
-  std::string text = scene_lines(solved) + form_factor_lines(*solved.transport);
+  std::string text = scene_lines(solved) +
+                     form_factor_lines(solved.transport->report(), solved.transport->bytes());
   text += solve_lines(solved.solution);
   text += energy_table(solved.scene.bands, solved.solution.energy);
   if (is_thermal(solved.scene)) text += flux_table(surface_fluxes(solved.mesh, solved.solution));

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/factor_summary.h"
 #include "apps/factors_from.h"
 #include "apps/solved_scene.h"
 #include "meshing/inspect.h"
@@ -13,10 +14,8 @@ namespace apps {
 /// What `solve` and `render` did, as an aligned table.
 std::string solve_text(const SolvedScene& solved, const std::vector<std::string>& outputs);
 
-/// What `form-factors` did; with a table of the factors between surfaces if `by_surface` is not
-/// empty.
-std::string form_factors_text(const AssembledScene& assembled, const Eigen::MatrixXd& by_surface,
-                              const std::vector<std::string>& outputs);
+/// What `form-factors` did.
+std::string form_factors_text(const FactorSummary& summary);
 
 /// Where the power goes that leaves what `form-factors --from` names, one row per destination.
 std::string factors_from_text(const FactorsFrom& factors, const std::vector<std::string>& outputs);

@@ -19,15 +19,21 @@ using radiosity::Index;
 
 /// Version of the layout, to be raised when it changes.
 constexpr std::int64_t kVersion = 1;
+constexpr const char* kFingerprint = "fingerprint";
 /// Entries that are collected before they are written.
 constexpr hsize_t kChunk = 1 << 16;
+
+/// What HDF5 could not do, before the file's name is put to it.
+struct HdfError : radiosity::OutputError {
+  using radiosity::OutputError::OutputError;
+};
 
 /// Closes an HDF5 handle.
 class Handle {
  public:
   using Close = herr_t (*)(hid_t);
   Handle(hid_t id, Close close) : id_(id), close_(close) {
-    if (id_ < 0) throw radiosity::OutputError("HDF5 cannot make an object");
+    if (id_ < 0) throw HdfError("HDF5 cannot make an object");
   }
   ~Handle() {
     if (id_ >= 0) close_(id_);
@@ -42,8 +48,15 @@ class Handle {
   Close close_;
 };
 
+void prepare_library() {
+  // What a full disk leaves open cannot be flushed at the end of the program either: HDF5 1.10 then
+  // crashes in the attempt.
+  H5dont_atexit();
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors are ours to tell
+}
+
 void require(herr_t status) {
-  if (status < 0) throw radiosity::OutputError("HDF5 cannot write (is the disk full?)");
+  if (status < 0) throw HdfError("HDF5 cannot write (is the disk full?)");
 }
 
 template <typename T>
@@ -61,13 +74,21 @@ hid_t type_of<std::int64_t>() {
   return H5T_NATIVE_INT64;
 }
 
+/// How datasets are made: without the time, so that equal content makes equal files.
+Handle dataset_properties() {
+  Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  if (H5Pset_obj_track_times(properties, 0) < 0) throw HdfError("HDF5 is too old");
+  return properties;
+}
+
 template <typename T>
 void write_dataset(hid_t file, const char* name, const std::vector<T>& values,
                    const std::vector<hsize_t>& shape) {
   const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
                      H5Sclose);
+  const Handle properties = dataset_properties();
   const Handle set(
-      H5Dcreate2(file, name, type_of<T>(), space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose);
+      H5Dcreate2(file, name, type_of<T>(), space, H5P_DEFAULT, properties, H5P_DEFAULT), H5Dclose);
   if (!values.empty()) {
     require(H5Dwrite(set, type_of<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
   }
@@ -79,7 +100,8 @@ void write_names(hid_t file, const char* name, const std::vector<std::string>& n
   require(H5Tset_cset(type, H5T_CSET_UTF8));
   const hsize_t size = names.size();
   const Handle space(H5Screate_simple(1, &size, nullptr), H5Sclose);
-  const Handle set(H5Dcreate2(file, name, type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+  const Handle properties = dataset_properties();
+  const Handle set(H5Dcreate2(file, name, type, space, H5P_DEFAULT, properties, H5P_DEFAULT),
                    H5Dclose);
   std::vector<const char*> pointers;
   for (const std::string& text : names) pointers.push_back(text.c_str());
@@ -94,6 +116,15 @@ void write_attribute(hid_t file, const char* name, T value) {
   const Handle attribute(H5Acreate2(file, name, type_of<T>(), space, H5P_DEFAULT, H5P_DEFAULT),
                          H5Aclose);
   require(H5Awrite(attribute, type_of<T>(), &value));
+}
+
+/// Text of fixed length, for programs of all kinds to read.
+void write_attribute(hid_t file, const char* name, const std::string& text) {
+  const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  require(H5Tset_size(type, std::max<std::size_t>(text.size(), 1)));
+  const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+  const Handle attribute(H5Acreate2(file, name, type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  require(H5Awrite(attribute, type, text.c_str()));
 }
 
 /// A one-dimensional dataset that grows at its end.
@@ -125,7 +156,7 @@ class GrowingDataset {
     const hsize_t none = 0;
     const hsize_t unlimited = H5S_UNLIMITED;
     const Handle space(H5Screate_simple(1, &none, &unlimited), H5Sclose);
-    const Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    const Handle properties = dataset_properties();
     require(H5Pset_chunk(properties, 1, &kChunk));
     return {H5Dcreate2(file, name, type_of<T>(), space, H5P_DEFAULT, properties, H5P_DEFAULT),
             H5Dclose};
@@ -153,18 +184,14 @@ void write_patches(hid_t file, const radiosity::PatchMesh& mesh) {
   write_dataset(group, "polygon", mesh.polygon, {n});
 }
 
-void write_rows(hid_t file, const radiosity::Transport& transport,
-                const radiosity::Progress& progress) {
+void write_rows(hid_t file, const FormFactorRows& rows) {
   const Handle group(H5Gcreate2(file, "form_factors", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
                      H5Gclose);
   GrowingDataset<double> data(group, "data");
   GrowingDataset<double> error(group, "error");
   GrowingDataset<std::int64_t> indices(group, "indices");
   std::vector<std::int64_t> row_starts{0};
-  for (Index i = 0; i < transport.size(); ++i) {
-    progress.check();
-    const Eigen::VectorXd row = transport.row(i);
-    const Eigen::VectorXd row_error = transport.row_error(i);
+  rows.visit([&](Index, const Eigen::VectorXd& row, const Eigen::VectorXd& row_error) {
     std::int64_t n_entries = row_starts.back();
     for (Index j = 0; j < row.size(); ++j) {
       if (row[j] == 0 && row_error[j] == 0) continue;
@@ -174,11 +201,7 @@ void write_rows(hid_t file, const radiosity::Transport& transport,
       ++n_entries;
     }
     row_starts.push_back(n_entries);
-    if (progress.report) {
-      progress.report("file", static_cast<double>(i + 1), static_cast<double>(transport.size()),
-                      "rows");
-    }
-  }
+  });
   data.flush();
   error.flush();
   indices.flush();
@@ -186,34 +209,59 @@ void write_rows(hid_t file, const radiosity::Transport& transport,
 }
 
 void write_file(const std::filesystem::path& path, const radiosity::PatchMesh& mesh,
-                const radiosity::Transport& transport, const FormFactorFileOptions& options) {
+                const FormFactorRows& rows, const FormFactorFileOptions& options) {
   const Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
   write_attribute(file, "version", kVersion);
   write_attribute(file, "tolerance", options.tolerance);
-  write_attribute(file, "closed", static_cast<std::int32_t>(transport.report().closed));
+  write_attribute(file, "min_factor", options.min_factor);
+  write_attribute(file, "closed", static_cast<std::int32_t>(rows.report.closed));
+  write_attribute(file, kFingerprint, options.fingerprint);
   write_patches(file, mesh);
   const Handle group(H5Gcreate2(file, "surfaces", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
   write_names(group, "name", mesh.surface_names);
-  const Eigen::VectorXd& sums = transport.report().row_sums;
+  const Eigen::VectorXd& sums = rows.report.row_sums;
   write_dataset(file, "closure", std::vector<double>(sums.data(), sums.data() + sums.size()),
                 {static_cast<hsize_t>(sums.size())});
-  write_rows(file, transport, options.progress);
+  write_rows(file, rows);
   require(H5Fflush(file, H5F_SCOPE_GLOBAL));
 }
 
 }  // namespace
 
 void write_form_factors(const std::filesystem::path& path, const radiosity::PatchMesh& mesh,
-                        const radiosity::Transport& transport,
-                        const FormFactorFileOptions& options) {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors are ours to tell
+                        const FormFactorRows& rows, const FormFactorFileOptions& options) {
+  prepare_library();
   write_atomically(path, [&](const std::filesystem::path& temporary) {
     try {
-      write_file(temporary, mesh, transport, options);
-    } catch (const radiosity::OutputError& error) {
+      write_file(temporary, mesh, rows, options);
+    } catch (const HdfError& error) {
       throw radiosity::OutputError(fmt::format("{}: {}", path.string(), error.what()));
     }
   });
+}
+
+void write_form_factors(const std::filesystem::path& path, const radiosity::PatchMesh& mesh,
+                        const radiosity::Transport& transport,
+                        const FormFactorFileOptions& options) {
+  const auto visit = [&](const radiosity::RowVisitor& visit_row) {
+    for (Index i = 0; i < transport.size(); ++i) {
+      visit_row(i, transport.row(i), transport.row_error(i));
+    }
+  };
+  write_form_factors(path, mesh, {transport.report(), visit}, options);
+}
+
+std::optional<std::string> read_fingerprint(const std::filesystem::path& path) {
+  prepare_library();
+  const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  if (id < 0) return std::nullopt;
+  const Handle file(id, H5Fclose);
+  if (H5Aexists(file, kFingerprint) <= 0) return std::nullopt;
+  const Handle attribute(H5Aopen(file, kFingerprint, H5P_DEFAULT), H5Aclose);
+  const Handle type(H5Aget_type(attribute), H5Tclose);
+  std::string text(H5Tget_size(type), '\0');
+  if (H5Aread(attribute, type, text.data()) < 0) return std::nullopt;
+  return text;
 }
 
 }  // namespace io

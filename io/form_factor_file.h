@@ -1,26 +1,44 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
 
 #include "radiosity/patch_mesh.h"
-#include "radiosity/progress.h"
+#include "radiosity/row_stream.h"
 #include "radiosity/transport.h"
 
 namespace io {
 
+/// Form factors as a file takes them: row by row.
+struct FormFactorRows {
+  const radiosity::AssemblyReport& report;
+  /// Visits all rows, 0 to n - 1.
+  std::function<void(const radiosity::RowVisitor&)> visit;
+};
+
 struct FormFactorFileOptions {
-  double tolerance = 1e-3;  ///< the relative error that was asked for, stored as an attribute
-  radiosity::Progress progress{};
+  double tolerance = 1e-3;    ///< the relative error that was asked for, stored as an attribute
+  double min_factor = 0;      ///< below it pairs were dropped (0 = none); likewise
+  std::string fingerprint{};  ///< of the computation (radiosity::stream_fingerprint); likewise
 };
 
 /// Writes form factors to an HDF5 file: /form_factors/{data,indices,indptr}, the CSR form of F
 /// (float64, int64), so that scipy.sparse.csr_matrix((data, indices, indptr)) works as it is;
 /// /form_factors/error, one sigma of each entry; /patches/{area,centroid,normal,surface,polygon};
-/// /surfaces/name; /closure, the raw row sums before any correction; attributes tolerance, closed,
-/// version. Rows are written one after the other, so that memory stays small. Written beside and
-/// renamed into place. Throws OutputError (a full disk, say), Interrupted.
+/// /surfaces/name; /closure, the raw row sums before any correction; attributes tolerance,
+/// min_factor, closed, fingerprint, version. Written beside and renamed into place. The same input
+/// gives the same bytes. Throws OutputError (a full disk, say), Interrupted.
+void write_form_factors(const std::filesystem::path& path, const radiosity::PatchMesh& mesh,
+                        const FormFactorRows& rows, const FormFactorFileOptions& options = {});
+
+/// The same for an operator in memory.
 void write_form_factors(const std::filesystem::path& path, const radiosity::PatchMesh& mesh,
                         const radiosity::Transport& transport,
                         const FormFactorFileOptions& options = {});
+
+/// The attribute `fingerprint` of a form-factor file; nothing if there is no such file.
+std::optional<std::string> read_fingerprint(const std::filesystem::path& path);
 
 }  // namespace io

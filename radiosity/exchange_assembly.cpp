@@ -1,11 +1,12 @@
 #include "radiosity/exchange_assembly.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <mutex>
+#include <optional>
 #include <vector>
 
+#include "radiosity/assembly_report.h"
 #include "radiosity/blocker.h"
 #include "radiosity/cluster_tree.h"
 #include "radiosity/exchange_area.h"
@@ -15,6 +16,7 @@
 #include "radiosity/parallel.h"
 #include "radiosity/segment_bundle.h"
 #include "radiosity/shaft.h"
+#include "radiosity/tile_totals.h"
 
 namespace radiosity {
 namespace {
@@ -31,36 +33,6 @@ constexpr double kMinor = 1e-2;
 constexpr double kNegligible = 1e-3;
 
 using Candidates = std::vector<std::int32_t>;
-
-/// Sums that many threads add to and that still come out the same: integers don't round.
-class OrderFreeSums {
- public:
-  explicit OrderFreeSums(Index n) : sums_(n) {}
-  /// Adds a value of magnitude at most 1, rounded to 2^-52.
-  void add(Index i, double value) {
-    sums_[i].fetch_add(std::llround(value * 0x1p52), std::memory_order_relaxed);
-  }
-  [[nodiscard]] double operator[](Index i) const {
-    return static_cast<double>(sums_[i].load(std::memory_order_relaxed)) * 0x1p-52;
-  }
-
- private:
-  std::vector<std::atomic<std::int64_t>> sums_;
-};
-
-struct Census {
-  std::int64_t facing = 0, visible = 0, hidden = 0, undecided = 0, partial = 0, rays = 0;
-
-  Census& operator+=(const Census& other) {
-    facing += other.facing;
-    visible += other.visible;
-    hidden += other.hidden;
-    undecided += other.undecided;
-    partial += other.partial;
-    rays += other.rays;
-    return *this;
-  }
-};
 
 /// Rays for a pair whose samples disagree. An entry's relative error falls a little faster than
 /// rays^-½; partly hidden pairs hold a few per cent of all exchange.
@@ -84,14 +56,12 @@ class Assembler {
       : options_(options),
         visibility_(visibility),
         table_(mesh, std::min(kKernelTolerance, kKernelShare * options.tolerance)),
-        areas_(mesh.area),
         pair_options_{rays_per_pair(options.tolerance),
                       kMinor / static_cast<double>(mesh.size()),
                       kNegligible * options.tolerance / static_cast<double>(mesh.size()),
                       table_.thickness(),
                       options.tolerance,
-                      table_.tolerance()},
-        sums_(mesh.size()) {
+                      table_.tolerance()} {
     const Box3 box = bounds(mesh);
     if (!box.isEmpty()) center_ = box.center();
     const PatchMesh local = centered(mesh);
@@ -100,28 +70,17 @@ class Assembler {
     find_strips();
   }
 
-  Assembly run() {
+  /// Makes the tiles that `sink` has not.
+  void run(TileSink& sink) {
+    sink_ = &sink;
     std::vector<Index> boundaries{0};
     for (const std::int32_t strip : strips_) boundaries.push_back(tree_.clusters[strip].end);
-    Assembly result{tree_.order, ExchangeTiles(boundaries), {}, {}};
-    tiles_ = &result.tiles;
-    if (!strips_.empty()) {
-      Candidates all(blockers_.size());
-      for (std::size_t k = 0; k < all.size(); ++k) all[k] = static_cast<std::int32_t>(k);
-      visit_blocks(0, 0, all, false);
-    }
-    result.row_sums.resize(table_.size());
-    for (Index row = 0; row < table_.size(); ++row) {
-      result.row_sums[row] = sums_[row] * areas_[tree_.order[row]];
-    }
-    AssemblyReport& report = result.report;
-    report.facing = census_.facing;
-    report.visible = census_.visible;
-    report.hidden = census_.hidden;
-    report.undecided = census_.undecided;
-    report.partial = census_.partial;
-    report.rays = census_.rays;
-    return result;
+    sink.start({tree_.order, Strips(boundaries)});
+    if (strips_.empty()) return;
+    count_done();
+    Candidates all(blockers_.size());
+    for (std::size_t k = 0; k < all.size(); ++k) all[k] = static_cast<std::int32_t>(k);
+    visit_blocks(0, 0, all, false);
   }
 
  private:
@@ -192,8 +151,51 @@ class Assembler {
            is_behind(tree_.clusters[b], tree_.clusters[a]);
   }
 
+  /// The strips that a cluster of at least one strip is made of, from first to last.
+  [[nodiscard]] std::pair<Index, Index> strip_range(std::int32_t cluster) const {
+    std::int32_t first = cluster;
+    std::int32_t last = cluster;
+    while (!is_strip(first)) first = tree_.clusters[first].left;
+    while (!is_strip(last)) last = tree_.clusters[last].right;
+    return {strip_of_cluster_[first], strip_of_cluster_[last]};
+  }
+
+  /// Whether the sink has all tiles between two clusters.
+  [[nodiscard]] bool is_done(std::int32_t a, std::int32_t b) const {
+    const auto [first_row, last_row] = strip_range(a);
+    const auto [first_column, last_column] = strip_range(b);
+    for (Index row = first_row; row <= last_row; ++row) {
+      for (Index column = std::max(row, first_column); column <= last_column; ++column) {
+        if (!sink_->has(row, column)) return false;
+      }
+    }
+    return true;
+  }
+
+  /// Number of pairs between the patches of two strips.
+  [[nodiscard]] double n_pairs(Index row_strip, Index column_strip) const {
+    const auto rows = [this](Index strip) {
+      const Cluster& cluster = tree_.clusters[strips_[strip]];
+      return static_cast<double>(cluster.end - cluster.begin);
+    };
+    return row_strip == column_strip ? 0.5 * rows(row_strip) * (rows(row_strip) - 1)
+                                     : rows(row_strip) * rows(column_strip);
+  }
+
+  /// Counts the pairs of the tiles that the sink has from the start.
+  void count_done() {
+    const auto n_strips = static_cast<Index>(strips_.size());
+    for (Index column = 0; column < n_strips; ++column) {
+      for (Index row = 0; row <= column; ++row) {
+        if (sink_->has(row, column)) done_ += n_pairs(row, column);
+      }
+    }
+    report_progress();
+  }
+
   /// Descends to pairs of strips, in parallel.
   void visit_blocks(std::int32_t a, std::int32_t b, const Candidates& inherited, bool is_hidden) {
+    if (is_done(a, b)) return;
     const Candidates candidates = filter(a, b, inherited, is_hidden);
     if (is_strip(a) && is_strip(b)) {
       make_tile(a, b, candidates, is_hidden);
@@ -234,34 +236,19 @@ class Assembler {
                   Eigen::MatrixXd::Zero(ca.end - ca.begin, cb.end - cb.begin),
                   OccludedPairEstimator(visibility_, pair_options_)};
     visit_pairs(a, b, candidates, is_hidden, work);
-    add_row_sums(work);
-    const double n_pairs = work.is_diagonal ? 0.5 * static_cast<double>(work.values.rows()) *
-                                                  static_cast<double>(work.values.rows() - 1)
-                                            : static_cast<double>(work.values.size());
-    tiles_->set(strip_of_cluster_[a], strip_of_cluster_[b], work.values, std::move(work.uncertain));
-    finish(work.census, n_pairs);
-  }
-
-  void add_row_sums(const TileWork& work) {
-    for (Index r = 0; r < work.values.rows(); ++r) {
-      sums_.add(work.first_row + r,
-                work.values.row(r).sum() / areas_[tree_.order[work.first_row + r]]);
-    }
-    if (work.is_diagonal) return;
-    for (Index c = 0; c < work.values.cols(); ++c) {
-      sums_.add(work.first_column + c,
-                work.values.col(c).sum() / areas_[tree_.order[work.first_column + c]]);
-    }
-  }
-
-  void finish(const Census& census, double n_pairs) {
+    const Index row_strip = strip_of_cluster_[a];
+    const Index column_strip = strip_of_cluster_[b];
+    sink_->put(
+        {row_strip, column_strip, std::move(work.values), std::move(work.uncertain), work.census});
     const std::lock_guard lock(mutex_);
-    census_ += census;
-    done_ += n_pairs;
-    if (options_.progress.report) {
-      const auto n = static_cast<double>(table_.size());
-      options_.progress.report("form factors", done_, 0.5 * n * (n - 1), "pairs");
-    }
+    done_ += n_pairs(row_strip, column_strip);
+    report_progress();
+  }
+
+  void report_progress() const {
+    if (!options_.progress.report) return;
+    const auto n = static_cast<double>(table_.size());
+    options_.progress.report("form factors", done_, 0.5 * n * (n - 1), "pairs");
   }
 
   /// Descends within a tile to the tree's leaves, filtering the candidates on the way.
@@ -365,25 +352,58 @@ class Assembler {
   const TransportOptions& options_;
   const Visibility& visibility_;
   PatchTable table_;
-  const std::vector<double>& areas_;
   Vec3 center_ = Vec3::Zero();
   OccludedPairOptions pair_options_;
   ClusterTree tree_;
   std::vector<Blocker> blockers_;
   std::vector<std::int32_t> strips_;            // clusters
   std::vector<std::int32_t> strip_of_cluster_;  // per cluster, or -1
-  ExchangeTiles* tiles_ = nullptr;
-  OrderFreeSums sums_;  // Σ_j F_ij, tree order
-  std::mutex mutex_;    // guards the following
-  Census census_;
-  double done_ = 0;
+  TileSink* sink_ = nullptr;
+  std::mutex mutex_;  // guards the following
+  double done_ = 0;   // pairs
+};
+
+/// Keeps the tiles in memory.
+class MemorySink final : public TileSink {
+ public:
+  explicit MemorySink(const std::vector<double>& areas) : areas_(areas) {}
+
+  void start(const TileLayout& layout) override {
+    order_ = layout.order;
+    tiles_.emplace(layout.strips);
+    totals_.emplace(layout, areas_);
+  }
+  [[nodiscard]] bool has(Index, Index) const override { return false; }
+  void put(ExchangeTile tile) override {
+    totals_->add(tile);
+    tiles_->set(std::move(tile));
+  }
+
+  Assembly finish() {
+    const Eigen::VectorXd row_sums = totals_->row_sums();
+    AssemblyReport report = make_report(totals_->census(), row_sums, order_, areas_);
+    return {std::move(order_), std::move(*tiles_), row_sums, std::move(report)};
+  }
+
+ private:
+  const std::vector<double>& areas_;
+  std::vector<std::int32_t> order_;
+  std::optional<ExchangeTiles> tiles_;
+  std::optional<TileTotals> totals_;
 };
 
 }  // namespace
 
+void assemble_tiles(const PatchMesh& mesh, const Visibility& visibility,
+                    const TransportOptions& options, TileSink& sink) {
+  Assembler(mesh, visibility, options).run(sink);
+}
+
 Assembly assemble_exchange_areas(const PatchMesh& mesh, const Visibility& visibility,
                                  const TransportOptions& options) {
-  return Assembler(mesh, visibility, options).run();
+  MemorySink sink(mesh.area);
+  assemble_tiles(mesh, visibility, options, sink);
+  return sink.finish();
 }
 
 }  // namespace radiosity

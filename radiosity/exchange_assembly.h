@@ -12,12 +12,16 @@ struct Assembly {
   std::vector<std::int32_t> order;  ///< patch of each row
   ExchangeTiles tiles;
   Eigen::VectorXd row_sums;  ///< Σ_j G_ij before rounding and correction, m², tree order
-  AssemblyReport report;     ///< census and rays; the sums are filled in later
+  AssemblyReport report;     ///< before correction
 };
 
-/// Computes every entry: facing test and clipping, shaft culling with candidate occluders inherited
-/// down the cluster tree, the exact kernel for pairs proved visible, sampled visibility for the
-/// rest.
+/// Computes the entries of every tile that `sink` has not: facing test and clipping, shaft culling
+/// with candidate occluders inherited down the cluster tree, the exact kernel for pairs proved
+/// visible, sampled visibility for the rest.
+void assemble_tiles(const PatchMesh& mesh, const Visibility& visibility,
+                    const TransportOptions& options, TileSink& sink);
+
+/// The same for tiles in memory.
 Assembly assemble_exchange_areas(const PatchMesh& mesh, const Visibility& visibility,
                                  const TransportOptions& options);
 

@@ -34,6 +34,7 @@
 #include "radiosity/sampled_destinations.h"
 #include "radiosity/scene.h"
 #include "radiosity/solve.h"
+#include "radiosity/streamed_factors.h"
 #include "radiosity/surface_factors.h"
 #include "radiosity/transport.h"
 #include "radiosity/visibility.h"

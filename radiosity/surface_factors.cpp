@@ -31,11 +31,11 @@ Eigen::VectorXd surface_areas(const PatchMesh& mesh) {
 
 Eigen::MatrixXd surface_form_factors(const PatchMesh& mesh, const Transport& transport) {
   const Eigen::MatrixXd reached = transport.apply(members(mesh));
-  Eigen::MatrixXd factors = Eigen::MatrixXd::Zero(reached.cols(), reached.cols());
+  Eigen::MatrixXd exchange = Eigen::MatrixXd::Zero(reached.cols(), reached.cols());
   for (Index i = 0; i < mesh.size(); ++i) {
-    factors.row(mesh.surface[i]) += mesh.area[i] * reached.row(i);
+    exchange.row(mesh.surface[i]) += mesh.area[i] * reached.row(i);
   }
-  return divided_by_areas(mesh, std::move(factors));
+  return divided_by_areas(mesh, std::move(exchange));
 }
 
 Eigen::MatrixXd surface_form_factor_errors(const PatchMesh& mesh, const Transport& transport) {
@@ -47,5 +47,19 @@ Eigen::MatrixXd surface_form_factor_errors(const PatchMesh& mesh, const Transpor
   variances.diagonal() *= 2;
   return divided_by_areas(mesh, variances.cwiseSqrt());
 }
+
+SurfaceFactorSums::SurfaceFactorSums(const PatchMesh& mesh)
+    : mesh_(mesh),
+      exchange_(Eigen::MatrixXd::Zero(static_cast<Index>(mesh.surface_names.size()),
+                                      static_cast<Index>(mesh.surface_names.size()))) {}
+
+void SurfaceFactorSums::add_row(Index i, const Eigen::VectorXd& row) {
+  const std::int32_t from = mesh_.surface[i];
+  for (Index j = 0; j < row.size(); ++j) {
+    exchange_(from, mesh_.surface[j]) += mesh_.area[i] * row[j];
+  }
+}
+
+Eigen::MatrixXd SurfaceFactorSums::factors() const { return divided_by_areas(mesh_, exchange_); }
 
 }  // namespace radiosity

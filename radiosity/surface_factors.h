@@ -16,6 +16,19 @@ Eigen::MatrixXd surface_form_factors(const PatchMesh& mesh, const Transport& tra
 /// surface counts twice.
 Eigen::MatrixXd surface_form_factor_errors(const PatchMesh& mesh, const Transport& transport);
 
+/// The same from rows of F that come one after the other, 0 to n - 1.
+class SurfaceFactorSums {
+ public:
+  explicit SurfaceFactorSums(const PatchMesh& mesh);
+  void add_row(Index i, const Eigen::VectorXd& row);
+  /// Once all rows were added.
+  [[nodiscard]] Eigen::MatrixXd factors() const;
+
+ private:
+  const PatchMesh& mesh_;
+  Eigen::MatrixXd exchange_;  // m²
+};
+
 /// Area of each surface, all its patches together (both sides if two-sided), m².
 Eigen::VectorXd surface_areas(const PatchMesh& mesh);
 

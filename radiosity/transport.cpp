@@ -83,18 +83,6 @@ void check_memory(Index n_patches, std::size_t available) {
   throw SolveError(message.str());
 }
 
-void finish_report(AssemblyReport& report, const Eigen::VectorXd& sums_in_tree_order,
-                   const std::vector<std::int32_t>& order, const Eigen::VectorXd& area) {
-  report.row_sums.resize(area.size());
-  for (Index row = 0; row < area.size(); ++row) {
-    report.row_sums[order[row]] = sums_in_tree_order[row] / area[order[row]];
-  }
-  if (area.size() == 0) return;
-  const Eigen::ArrayXd gap = (1 - report.row_sums.array()).abs();
-  report.closure_mean = gap.mean();
-  report.closure_max = gap.maxCoeff();
-}
-
 }  // namespace
 
 std::size_t dense_transport_bytes(Index n_patches) {
@@ -109,8 +97,6 @@ std::unique_ptr<Transport> make_transport(const PatchMesh& mesh, const Visibilit
   const Eigen::VectorXd area = Eigen::Map<const Eigen::VectorXd>(mesh.area.data(), mesh.size());
   Assembly assembly = assemble_exchange_areas(mesh, visibility, options);
   const Eigen::VectorXd area_in_order = area(assembly.order);
-  finish_report(assembly.report, assembly.row_sums, assembly.order, area);
-
   assembly.report.closed =
       options.closed == Closed::yes ||
       (options.closed == Closed::automatic &&
@@ -119,6 +105,8 @@ std::unique_ptr<Transport> make_transport(const PatchMesh& mesh, const Visibilit
   if (assembly.report.closed) {
     const ClosureCorrection correction =
         correct_closure(assembly.tiles, assembly.row_sums, area_in_order);
+    assembly.tiles.unfreeze();
+    assembly.tiles.set_row_sums(correction.sums.present);
     assembly.report.open_rows = correction.n_open_rows;
   }
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
