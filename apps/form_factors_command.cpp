@@ -65,9 +65,9 @@ FormFactorsCommand::FormFactorsCommand(CLI::App& program, Interruption& interrup
   auto* by = command->add_option("--by", by_, "Also print the table of factors between surfaces")
                  ->check(CLI::IsMember({"surface"}))
                  ->type_name("WHAT");
-  auto* resume =
-      command->add_flag("--resume", resume_,
-                        "Continue where an earlier run with the same scene and options was stopped");
+  auto* resume = command->add_flag(
+      "--resume", resume_,
+      "Continue where an earlier run with the same scene and options was stopped");
   command
       ->add_option("--memory", memory_,
                    "Memory to use, such as 2GB or 500MiB; default: half of what there is")

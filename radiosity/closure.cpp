@@ -5,32 +5,34 @@
 namespace radiosity {
 namespace {
 
-/// Deficits beyond this many standard errors of the row are holes, not noise.
+/// Deficits beyond this many standard errors of the row, for independent entries, are holes and not
+/// noise, unless entries that are all off the same way explain them: rules err alike nearby.
 constexpr double kSigmas = 6;
 /// Relative deficits below this are rounding and kernel error.
 constexpr double kNegligible = 1e-6;
 
-bool is_explained(double deficit, double variance, double area) {
-  return std::abs(deficit) <= kSigmas * std::sqrt(variance) + kNegligible * area;
+/// Per row, whether the errors explain its distance from closed.
+Eigen::Array<bool, Eigen::Dynamic, 1> are_explained(const UncertainExchange& exchange,
+                                                    const Eigen::VectorXd& row_sums,
+                                                    const Eigen::VectorXd& areas) {
+  return (areas - row_sums).array().abs() <= kSigmas * exchange.row_variances().array().sqrt() +
+                                                 exchange.row_errors().array() +
+                                                 kNegligible * areas.array();
 }
 
 }  // namespace
 
 bool is_closed_within_errors(const UncertainExchange& exchange, const Eigen::VectorXd& row_sums,
                              const Eigen::VectorXd& areas) {
-  const Eigen::VectorXd variance = exchange.row_variances();
-  for (Index i = 0; i < exchange.size(); ++i) {
-    if (!is_explained(areas[i] - row_sums[i], variance[i], areas[i])) return false;
-  }
-  return exchange.size() > 0;
+  return exchange.size() > 0 && are_explained(exchange, row_sums, areas).all();
 }
 
 ClosureCorrection correct_closure(UncertainExchange& exchange, const Eigen::VectorXd& row_sums,
                                   const Eigen::VectorXd& areas, int n_rounds) {
-  const Eigen::VectorXd variance = exchange.row_variances();
+  const auto explained = are_explained(exchange, row_sums, areas).eval();
   ClosureCorrection result{0, {row_sums, areas, Eigen::VectorXd::Ones(exchange.size())}};
   for (Index i = 0; i < exchange.size(); ++i) {
-    if (is_explained(areas[i] - row_sums[i], variance[i], areas[i])) continue;
+    if (explained[i]) continue;
     ++result.n_open_rows;
     result.sums.mask[i] = 0;
   }

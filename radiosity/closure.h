@@ -12,6 +12,8 @@ class UncertainExchange : public AdjustableExchange {
  public:
   /// Σ_j σ_ij² over all entries, m⁴, n.
   [[nodiscard]] virtual Eigen::VectorXd row_variances() const = 0;
+  /// Σ_j σ_ij over all entries, m², n.
+  [[nodiscard]] virtual Eigen::VectorXd row_errors() const = 0;
   /// Excludes the entries of the rows with mask 0 from change.
   virtual void freeze(const Eigen::VectorXd& mask) = 0;
 };

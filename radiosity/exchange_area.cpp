@@ -135,19 +135,21 @@ std::vector<std::array<Vec3, 3>> fan(std::span<const Vec3> polygon) {
   return triangles;
 }
 
-/// The angle between unit vectors divided by its sine, from their cross and dot product.
-double angle_over_sine(const Vec3& cross, double dot) {
-  const double z = 1 - dot;
-  if (z > 0.1) {
-    const double sine = cross.norm();
-    return sine > 0 ? std::atan2(sine, dot) / sine : 0;
-  }
-  // Σ_k 2^2k (k!)² / (2k+1)! (z/2)^k
-  static constexpr std::array kRatios{2. / 3,   4. / 5,   6. / 7,   8. / 9,   10. / 11, 12. / 13,
-                                      14. / 15, 16. / 17, 18. / 19, 20. / 21, 22. / 23};
+/// Σ_k 2^2k (k!)² / (2k+1)! (z/2)^k, k <= n_terms: the angle θ divided by its sine, z = 1 - cosθ.
+template <int n_terms>
+inline double angle_series(double z) {
   double sum = 1;
-  for (std::size_t k = kRatios.size(); k-- > 0;) sum = 1 + kRatios[k] * 0.5 * z * sum;
+  for (int k = n_terms; k > 0; --k) sum = 1 + (k / (2.0 * k + 1)) * z * sum;
   return sum;
+}
+
+/// The angle between unit vectors divided by its sine, from their cross and dot product.
+inline double angle_over_sine(const Vec3& cross, double dot) {
+  const double z = 1 - dot;
+  if (z <= 0.005) return angle_series<6>(z);
+  if (z <= 0.1) return angle_series<11>(z);
+  const double sine = cross.norm();
+  return sine > 0 ? std::atan2(sine, dot) / sine : 0;
 }
 
 }  // namespace

@@ -6,17 +6,15 @@
 #include <optional>
 #include <vector>
 
-#include "radiosity/assembly_report.h"
 #include "radiosity/blocker.h"
 #include "radiosity/cluster_tree.h"
-#include "radiosity/exchange_area.h"
+#include "radiosity/memory_sink.h"
 #include "radiosity/occluded_pair.h"
 #include "radiosity/occluders.h"
 #include "radiosity/pair_kernel.h"
 #include "radiosity/parallel.h"
 #include "radiosity/segment_bundle.h"
 #include "radiosity/shaft.h"
-#include "radiosity/tile_totals.h"
 
 namespace radiosity {
 namespace {
@@ -24,9 +22,12 @@ namespace {
 constexpr Index kTileSize = 64;
 constexpr Index kLeafSize = 8;
 /// Relative error of the unoccluded kernel, a matter of nanoseconds next to visibility.
-constexpr double kKernelTolerance = 1e-8;
+constexpr double kKernelTolerance = 1e-7;
 /// Share of the tolerance that it may use up.
 constexpr double kKernelShare = 1e-4;
+/// Up to this many patches it is exact: time is no matter there.
+constexpr Index kExactPatches = 512;
+constexpr double kExactTolerance = 1e-11;
 /// Form factors below this share of the mean one need little accuracy, below a far smaller one,
 /// relative to the tolerance, none.
 constexpr double kMinor = 1e-2;
@@ -39,6 +40,11 @@ using Candidates = std::vector<std::int32_t>;
 int rays_per_pair(double tolerance) {
   const double packets = std::clamp(4 * (1e-2 / tolerance), 2.0, 64.0);
   return Visibility::kPacket * static_cast<int>(std::lround(packets));
+}
+
+double kernel_tolerance(Index n_patches, double tolerance) {
+  if (n_patches <= kExactPatches) return kExactTolerance;
+  return std::max(std::min(kKernelTolerance, kKernelShare * tolerance), kExactTolerance);
 }
 
 PatchMesh centered(const PatchMesh& mesh) {
@@ -55,7 +61,7 @@ class Assembler {
   Assembler(const PatchMesh& mesh, const Visibility& visibility, const TransportOptions& options)
       : options_(options),
         visibility_(visibility),
-        table_(mesh, std::min(kKernelTolerance, kKernelShare * options.tolerance)),
+        table_(mesh, kernel_tolerance(mesh.size(), options.tolerance)),
         pair_options_{rays_per_pair(options.tolerance),
                       kMinor / static_cast<double>(mesh.size()),
                       kNegligible * options.tolerance / static_cast<double>(mesh.size()),
@@ -117,21 +123,25 @@ class Assembler {
     const Cluster& cb = tree_.clusters[b];
     const bool is_last = ca.is_leaf() && cb.is_leaf();
     const BoxShaft shaft(ca.box, cb.box);
-    const SegmentBundle there(ca.outline, cb.outline, table_.thickness());
-    const SegmentBundle back(cb.outline, ca.outline, table_.thickness());
+    std::optional<SegmentBundle> there;
+    std::optional<SegmentBundle> back;
     for (const std::int32_t k : candidates) {
       const Blocker& blocker = blockers_[k];
       if (shaft.misses(blocker.box, blocker.corners, table_.thickness())) continue;
-      SegmentBundle::Verdict verdict = there.test(blocker);
+      if (!there) there.emplace(ca.outline, cb.outline, table_.thickness());
+      SegmentBundle::Verdict verdict = there->test(blocker);
       const bool is_divided = verdict.divides_source != nullptr;
-      if (verdict.blocking == Blocking::some) verdict = back.test(blocker);
+      if (verdict.blocking == Blocking::some) {
+        if (!back) back.emplace(cb.outline, ca.outline, table_.thickness());
+        verdict = back->test(blocker);
+      }
       if (verdict.blocking == Blocking::all) {
         is_hidden = true;
         return {};
       }
       if (verdict.blocking == Blocking::none) continue;
       if (is_last && is_divided && verdict.divides_source != nullptr &&
-          there.is_separated(blocker)) {
+          there->is_separated(blocker)) {
         continue;
       }
       kept.push_back(k);
@@ -361,35 +371,6 @@ class Assembler {
   TileSink* sink_ = nullptr;
   std::mutex mutex_;  // guards the following
   double done_ = 0;   // pairs
-};
-
-/// Keeps the tiles in memory.
-class MemorySink final : public TileSink {
- public:
-  explicit MemorySink(const std::vector<double>& areas) : areas_(areas) {}
-
-  void start(const TileLayout& layout) override {
-    order_ = layout.order;
-    tiles_.emplace(layout.strips);
-    totals_.emplace(layout, areas_);
-  }
-  [[nodiscard]] bool has(Index, Index) const override { return false; }
-  void put(ExchangeTile tile) override {
-    totals_->add(tile);
-    tiles_->set(std::move(tile));
-  }
-
-  Assembly finish() {
-    const Eigen::VectorXd row_sums = totals_->row_sums();
-    AssemblyReport report = make_report(totals_->census(), row_sums, order_, areas_);
-    return {std::move(order_), std::move(*tiles_), row_sums, std::move(report)};
-  }
-
- private:
-  const std::vector<double>& areas_;
-  std::vector<std::int32_t> order_;
-  std::optional<ExchangeTiles> tiles_;
-  std::optional<TileTotals> totals_;
 };
 
 }  // namespace

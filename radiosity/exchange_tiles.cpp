@@ -117,7 +117,9 @@ Eigen::MatrixXd ExchangeTiles::product(const Eigen::MatrixXd& x) const {
   return result;
 }
 
-Eigen::MatrixXd ExchangeTiles::sum_variances(const Eigen::MatrixXd& x, bool with_frozen) const {
+/// Σ_j term(entry) x_j over the uncertain entries.
+template <typename Term>
+Eigen::MatrixXd ExchangeTiles::sum_entries(const Eigen::MatrixXd& x, const Term& term) const {
   const auto add_tile = [&](Index row_strip, Index column_strip, const Eigen::MatrixXd& block,
                             Eigen::MatrixXd& sum) {
     const Tile& tile = tiles_[Strips::tile(row_strip, column_strip)];
@@ -127,12 +129,11 @@ Eigen::MatrixXd ExchangeTiles::sum_variances(const Eigen::MatrixXd& x, bool with
       const double* in = block.col(c).data();
       double* out = sum.col(c).data();
       for (const UncertainEntry& entry : tile.uncertain) {
-        if (entry.error < 0 && !with_frozen) continue;
-        const double variance = static_cast<double>(entry.error) * entry.error;
+        const double factor = term(static_cast<double>(entry.error));
         const Index i = first_row + entry.row;
         const Index j = first_column + entry.column;
-        out[i] += variance * in[j];
-        if (row_strip != column_strip) out[j] += variance * in[i];
+        out[i] += factor * in[j];
+        if (row_strip != column_strip) out[j] += factor * in[i];
       }
     }
   };
@@ -140,15 +141,20 @@ Eigen::MatrixXd ExchangeTiles::sum_variances(const Eigen::MatrixXd& x, bool with
 }
 
 Eigen::MatrixXd ExchangeTiles::error_product(const Eigen::MatrixXd& x) const {
-  return sum_variances(x, true);
+  return sum_entries(x, [](double error) { return error * error; });
 }
 
 Eigen::VectorXd ExchangeTiles::weighted_sums(const Eigen::VectorXd& x) const {
-  return sum_variances(x, false).col(0);
+  return sum_entries(x, [](double error) { return error > 0 ? error * error : 0; }).col(0);
 }
 
 Eigen::VectorXd ExchangeTiles::row_variances() const {
   return error_product(Eigen::VectorXd::Ones(size())).col(0);
+}
+
+Eigen::VectorXd ExchangeTiles::row_errors() const {
+  return sum_entries(Eigen::VectorXd::Ones(size()), [](double error) { return std::abs(error); })
+      .col(0);
 }
 
 Eigen::VectorXd ExchangeTiles::row_sums() const {

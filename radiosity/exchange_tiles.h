@@ -29,6 +29,7 @@ class ExchangeTiles final : public UncertainExchange {
   void unfreeze();
   [[nodiscard]] Eigen::VectorXd weighted_sums(const Eigen::VectorXd& x) const override;
   [[nodiscard]] Eigen::VectorXd row_variances() const override;
+  [[nodiscard]] Eigen::VectorXd row_errors() const override;
   [[nodiscard]] Eigen::VectorXd row_sums() const override;
   [[nodiscard]] double rounding() const override { return is_double_ ? 1e-14 : 6e-8; }
 
@@ -54,7 +55,8 @@ class ExchangeTiles final : public UncertainExchange {
 
   template <typename Change>
   void change_uncertain(const Change& change);
-  [[nodiscard]] Eigen::MatrixXd sum_variances(const Eigen::MatrixXd& x, bool with_frozen) const;
+  template <typename Term>
+  [[nodiscard]] Eigen::MatrixXd sum_entries(const Eigen::MatrixXd& x, const Term& term) const;
   [[nodiscard]] Eigen::MatrixXd values(const Tile& tile, Index rows, Index columns) const;
   void store(Tile& tile, const Eigen::MatrixXd& values) const;
 

@@ -48,12 +48,29 @@ class OccludedPairEstimator {
   /// What is kept of a pair, and of the parts into which it is divided, at each depth.
   struct Level {
     std::vector<const Blocker*> blockers;
-    std::vector<Shadow> shadows;
+    std::vector<Shadow> shadows;                ///< of the blockers
+    const HalfSpace* source_divider = nullptr;  ///< a face's plane that cuts the polygon
+    const HalfSpace* target_divider = nullptr;
+  };
+  /// A pair as seen from its smaller polygon.
+  struct View {
+    explicit View(const SampledPair& pair);
+    bool from_i;
+    const ConvexPolygon* source;
+    const ConvexPolygon* target;
+    double source_area;  ///< m²
+    bool is_near;
+    bool is_uneven;  ///< the target is much larger
   };
 
   PairEstimate estimate(const SampledPair& pair, std::span<const Blocker* const> candidates,
                         const std::function<double()>& unoccluded, std::uint64_t seed,
                         std::size_t depth);
+  /// Keeps the candidates that are not proved away, and their shadows.
+  Blocking find_shadows(const View& view, std::span<const Blocker* const> candidates,
+                        Level& level) const;
+  PairEstimate estimate_unproved(const SampledPair& pair, const View& view, double whole,
+                                 std::uint64_t seed, std::size_t depth);
   PairEstimate divide(const SampledPair& pair, bool divides_i,
                       std::span<const ConvexPolygon> pieces, std::size_t depth, std::uint64_t seed);
   [[nodiscard]] PairEstimate cut_shadows(const SampledPair& pair, bool from_i, bool is_near,

@@ -29,12 +29,11 @@ SegmentBundle::SegmentBundle(std::span<const Vec3> source, std::span<const Vec3>
   assert(source.size() <= kMostCorners && target.size() <= kMostCorners);
   for (const Vec3& point : source) box_.extend(point);
   for (const Vec3& point : target) box_.extend(point);
+  least_side_ = thickness * box_.diagonal().norm();
   for (const Vec3& x : source) {
     for (const Vec3& y : target) {
-      const Vec3 way = y - x;
-      const double length = way.norm();
-      const Vec3 direction = length > 0 ? Vec3(way / length) : Vec3(Vec3::Zero());
-      const Vec3 moment = x.cross(direction);
+      const Vec3 direction = y - x;
+      const Vec3 moment = x.cross(y);
       for (int axis = 0; axis < 3; ++axis) {
         lines_[axis][n_lines_] = direction[axis];
         lines_[3 + axis][n_lines_] = moment[axis];
@@ -58,7 +57,7 @@ SegmentBundle::Range SegmentBundle::range_over(std::span<const Vec3> points, con
 }
 
 __attribute__((target_clones("arch=x86-64-v3", "default"))) SegmentBundle::Range
-SegmentBundle::sides(const Vec3& start, const Vec3& end) const {
+SegmentBundle::passing_of(const Vec3& start, const Vec3& end) const {
   // The side operator of two lines in Plücker coordinates. (Stolfi 1991)
   const Vec3 direction = (end - start).normalized();
   const Vec3 moment = start.cross(direction);
@@ -81,81 +80,82 @@ SegmentBundle::sides(const Vec3& start, const Vec3& end) const {
   return {*std::min_element(low, low + kLanes), *std::max_element(high, high + kLanes)};
 }
 
-SegmentBundle::Verdict SegmentBundle::test(const Blocker& blocker, Shadow* shadow) const {
-  if ((blocker.box.min().array() >= box_.max().array() - thickness_).any() ||
-      (box_.min().array() >= blocker.box.max().array() - thickness_).any()) {
-    return {Blocking::none};
-  }
-  enum class Side { front, behind, divided };
-  std::array<Side, Blocker::kMostFaces> side;
-  std::array<bool, Blocker::kMostFaces> is_target_behind;
-  Verdict verdict;
-  bool any_front = false;
-  bool is_target_outside = false;
-  bool is_target_beside = false;
-  bool is_source_on = false;
-  bool is_target_on_front = false;
-  const HalfSpace* target_divider = nullptr;
+std::optional<SegmentBundle::Sides> SegmentBundle::find_sides(const Blocker& blocker) const {
+  Sides sides;
   for (std::size_t f = 0; f < blocker.faces.size(); ++f) {
     const HalfSpace& face = blocker.faces[f];
     const Range a = range_over(source_, face.normal);
     const Range b = range_over(target_, face.normal);
     const double above = face.offset + thickness_;
     const double below = face.offset - thickness_;
-    if (a.low >= below && b.low >= below) return {Blocking::none};
-    if (blocker.is_flat() && a.low >= below && a.high <= above) return {Blocking::none};
-    side[f] = a.high <= above ? Side::behind : a.low >= below ? Side::front : Side::divided;
-    if (side[f] == Side::divided && verdict.divides_source == nullptr) {
-      verdict.divides_source = &face;
+    if (a.low >= below && b.low >= below) return std::nullopt;
+    const bool is_source_on = a.low >= below && a.high <= above;
+    if (blocker.is_flat() && is_source_on) return std::nullopt;
+    sides.of_source[f] = a.high <= above ? Side::behind : a.low >= below ? Side::front : Side::both;
+    if (sides.of_source[f] == Side::both && sides.source_divider == nullptr) {
+      sides.source_divider = &face;
     }
-    any_front |= side[f] == Side::front;
-    is_target_behind[f] = b.high <= above;
-    is_target_on_front |= side[f] == Side::front && b.high >= below;
-    is_target_outside |= b.high > above && b.low >= below;
+    sides.is_target_behind[f] = b.high <= above;
+    sides.sees_a_face |= sides.of_source[f] == Side::front;
+    sides.touches_seen_face |= sides.of_source[f] == Side::front && b.high >= below;
+    sides.is_target_outside |= b.high > above && b.low >= below;
     // What lies on a face is not hidden from what is in front of that face.
-    is_target_beside |= a.high >= below && b.high > above;
-    is_source_on |= a.high >= below && a.low >= below && b.high > above;
-    if (b.high > above && b.low < below) target_divider = &face;
+    sides.is_source_on_face |= is_source_on && b.high > above;
+    sides.touches_own_face |= a.high >= below && b.high > above;
+    if (b.high > above && b.low < below) sides.target_divider = &face;
   }
-  if (!any_front && verdict.divides_source == nullptr) {
-    // The source is inside. What is outside, too, sees it not; what is divided has to be divided.
-    const bool is_beside = is_source_on || (is_target_beside && !is_flat(source_, thickness_));
-    if (is_target_outside && !is_beside) return {Blocking::all};
-    if (target_divider == nullptr) return {Blocking::none};
-    verdict.divides_target = target_divider;
-    return verdict;
+  return sides;
+}
+
+/// The source is inside the blocker. What is outside does not see it; what is divided has to be
+/// divided to tell.
+SegmentBundle::Verdict SegmentBundle::test_from_inside(const Sides& sides) const {
+  const bool is_on_surface =
+      sides.is_source_on_face || (sides.touches_own_face && !is_flat(source_, thickness_));
+  if (sides.is_target_outside && !is_on_surface) return {Blocking::all};
+  if (sides.target_divider == nullptr) return {Blocking::none};
+  return {Blocking::some, nullptr, sides.target_divider};
+}
+
+SegmentBundle::Verdict SegmentBundle::test(const Blocker& blocker, Shadow* shadow) const {
+  if ((blocker.box.min().array() >= box_.max().array() - thickness_).any() ||
+      (box_.min().array() >= blocker.box.max().array() - thickness_).any()) {
+    return {Blocking::none};
   }
-  const std::size_t first_edge = shadow != nullptr ? shadow->edges.size() : 0;
+  const std::optional<Sides> found = find_sides(blocker);
+  if (!found) return {Blocking::none};
+  const Sides& sides = *found;
+  if (!sides.sees_a_face && sides.source_divider == nullptr) return test_from_inside(sides);
+
+  const std::size_t n_edges = shadow != nullptr ? shadow->edges.size() : 0;
   bool hides_all = true;
   for (const Blocker::Edge& edge : blocker.edges) {
-    const Side left = side[edge.left];
-    const Side right = side[edge.right];
-    if (left == right || left == Side::divided || right == Side::divided) continue;
+    const Side left = sides.of_source[edge.left];
+    const Side right = sides.of_source[edge.right];
+    if (left == right || left == Side::both || right == Side::both) continue;
     const Vec3& start = left == Side::front ? edge.start : edge.end;
     const Vec3& end = left == Side::front ? edge.end : edge.start;
-    const Range range = sides(start, end);
-    if (range.high <= thickness_) {
-      if (shadow != nullptr) shadow->edges.resize(first_edge);
+    const Range passing = passing_of(start, end);
+    if (passing.high <= least_side_) {
+      if (shadow != nullptr) shadow->edges.resize(n_edges);
       return {Blocking::none};
     }
-    if (range.low >= -thickness_) continue;
+    if (passing.low >= -least_side_) continue;
     hides_all = false;
     if (shadow != nullptr) shadow->edges.push_back({start, end});
   }
-  if (verdict.divides_source != nullptr) {
-    if (shadow != nullptr) shadow->edges.resize(first_edge);
-    return verdict;
+  if (sides.source_divider != nullptr) {
+    if (shadow != nullptr) shadow->edges.resize(n_edges);
+    return {Blocking::some, sides.source_divider, nullptr};
   }
   for (std::size_t f = 0; f < blocker.faces.size(); ++f) {
-    if (side[f] != Side::front || is_target_behind[f]) continue;
+    if (sides.of_source[f] != Side::front || sides.is_target_behind[f]) continue;
     hides_all = false;
     if (shadow != nullptr) shadow->faces.push_back(blocker.faces[f]);
   }
   // What touches a face from outside is seen; a polygon does so with nothing but its border.
-  if (hides_all && (!is_target_on_front || is_flat(target_, thickness_))) {
-    verdict.blocking = Blocking::all;
-  }
-  return verdict;
+  hides_all &= !sides.touches_seen_face || is_flat(target_, thickness_);
+  return {hides_all ? Blocking::all : Blocking::some};
 }
 
 bool SegmentBundle::is_separated(const Blocker& blocker) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -56,9 +57,26 @@ class SegmentBundle {
     double low;
     double high;
   };
+  enum class Side { front, behind, both };
+  /// Where source and target lie with respect to a blocker's faces.
+  struct Sides {
+    std::array<Side, Blocker::kMostFaces> of_source;
+    std::array<bool, Blocker::kMostFaces> is_target_behind;
+    const HalfSpace* source_divider = nullptr;
+    const HalfSpace* target_divider = nullptr;
+    bool sees_a_face = false;        ///< the source is in front of one
+    bool touches_seen_face = false;  ///< the target reaches one of these
+    bool is_target_outside = false;  ///< in front of a face
+    bool is_source_on_face = false;  ///< with some of the target in front of that face
+    bool touches_own_face = false;   ///< the source reaches such a face
+  };
+  /// Empty if source and target are in front of one face, or the source in the plane of a polygon.
+  [[nodiscard]] std::optional<Sides> find_sides(const Blocker& blocker) const;
+  [[nodiscard]] Verdict test_from_inside(const Sides& sides) const;
   static Range range_over(std::span<const Vec3> points, const Vec3& normal);
-  /// Lowest and highest value, over all segments, of how far they pass on the edge's left.
-  [[nodiscard]] Range sides(const Vec3& start, const Vec3& end) const;
+  /// Lowest and highest value, over all segments, of how far they pass on the edge's left, times
+  /// their length, m².
+  [[nodiscard]] Range passing_of(const Vec3& start, const Vec3& end) const;
 
   static constexpr std::size_t kLanes = 8;
   static constexpr std::size_t kMostLines =
@@ -69,7 +87,8 @@ class SegmentBundle {
   double thickness_;
   Box3 box_;
   std::size_t n_lines_ = 0;  // padded to whole lanes
-  // Plücker coordinates of the lines between corners, (direction, moment), of unit direction.
+  double least_side_ = 0;    // what counts as touching: the thickness times the longest length
+  // Plücker coordinates of the lines between corners, (direction, moment).
   std::array<std::array<double, kMostLines>, 6> lines_;
 };
 

@@ -20,8 +20,22 @@ constexpr double kSliver = 1e-7;
 constexpr double kRounding = 1e-12;
 /// Pieces below this share of the source make do with one point, if the rule is low.
 constexpr double kSmallPiece = 0.03;
+/// One sigma of the low rule's error in a piece, as a share of how much the visible share varies
+/// among its points, and of one point's. Measured against converged rules in the Cornell box, the
+/// box in a box and the canyon: about 90 % are within one sigma and 95 % within two, since the
+/// errors have long tails. The crossings of several shadows' borders are events that the pieces
+/// don't heed.
+constexpr double kLowRuleError = 3e-3;
+constexpr double kOnePointError = 1e-2;
+constexpr double kLowRuleErrorOfMany = 2.5e-2;
+/// One sigma of a converged rule's error as a share of its change from the rule before, and of what
+/// was aimed at: two rules may agree by chance.
+constexpr double kHighRuleError = 0.3;
+constexpr double kChanceError = 0.1;
 /// Divisions of a piece at most.
 constexpr int kMostDivisions = 6;
+
+double square(double x) { return x * x; }
 
 /// Calls visit(point, weight) for a product rule on a convex polygon, which is cut into quads and
 /// perhaps a triangle.
@@ -45,6 +59,7 @@ VisibleShare ShadowedQuadrature::integrate(const ShadowedPair& pair, double tole
                                            bool adapts) {
   divide_source(pair);
   const double area = vector_area(pair.source.points()).norm();
+  const bool is_single = pair.shadows.size() == 1;
   Sums total;
   const std::vector<ConvexPolygon> pieces = pieces_;
   for (const ConvexPolygon& piece : pieces) {
@@ -56,14 +71,21 @@ VisibleShare ShadowedQuadrature::integrate(const ShadowedPair& pair, double tole
       add_adaptively(pair, piece, tolerance * whole * std::sqrt(share), kMostDivisions, total);
       continue;
     }
-    Sums sums = apply_rule(pair, piece, share < kSmallPiece ? 1 : 2);
-    if (sums.any_visible && sums.any_hidden) sums.error = 1e-3 * sums.whole;
+    const bool is_small = share < kSmallPiece;
+    Sums sums = apply_rule(pair, piece, is_small ? 1 : 2);
+    if (sums.any_visible && sums.any_hidden) {
+      const double spread = is_small ? 1 : sums.high - sums.low;
+      const double error = !is_single ? kLowRuleErrorOfMany
+                           : is_small ? kOnePointError
+                                      : kLowRuleError;
+      sums.variance = square(error * spread * sums.whole);
+    }
     total.add(sums);
   }
   VisibleShare result;
   if (total.whole <= 0) return result;
   result.value = total.visible / total.whole;
-  result.error = total.error / total.whole;
+  result.error = std::sqrt(total.variance) / total.whole;
   result.is_exact = pair.shadows.size() == 1 && pieces.size() < kMostPieces &&
                     !(total.any_visible && total.any_hidden);
   if (!total.any_hidden) result.value = 1;
@@ -74,7 +96,7 @@ VisibleShare ShadowedQuadrature::integrate(const ShadowedPair& pair, double tole
 void ShadowedQuadrature::Sums::add(const Sums& other) {
   whole += other.whole;
   visible += other.visible;
-  error += other.error;
+  variance += other.variance;
   any_visible |= other.any_visible;
   any_hidden |= other.any_hidden;
 }
@@ -139,6 +161,8 @@ ShadowedQuadrature::Sums ShadowedQuadrature::apply_rule(const ShadowedPair& pair
         cutter_.visible_part(point, pair.source_normal, pair.target, whole, pair.shadows);
     sums.whole += weight * whole;
     sums.visible += weight * visible;
+    sums.low = std::min(sums.low, visible / whole);
+    sums.high = std::max(sums.high, visible / whole);
     sums.any_visible |= visible > kRounding * whole;
     sums.any_hidden |= visible < (1 - kRounding) * whole;
   });
@@ -149,15 +173,19 @@ void ShadowedQuadrature::add_adaptively(const ShadowedPair& pair, const ConvexPo
                                         double goal, int depth, Sums& sums) {
   constexpr std::array kOrders{2, 3, 4, 6};
   Sums best = apply_rule(pair, piece, kOrders[0]);
+  double error = 0;
   for (std::size_t k = 1; k < kOrders.size(); ++k) {
     const Sums next = apply_rule(pair, piece, kOrders[k]);
     const double share = next.whole > 0 ? next.visible / next.whole : 0;
     const double change = next.visible - best.visible - share * (next.whole - best.whole);
     best = next;
-    best.error = std::abs(change);
-    if (best.error <= goal) break;
+    error = std::abs(change);
+    if (error <= goal) break;
   }
-  if (best.error <= goal || depth == 0) {
+  if (error <= goal || depth == 0) {
+    if (best.any_visible && best.any_hidden) {
+      best.variance = square(kHighRuleError * error) + square(kChanceError * goal);
+    }
     sums.add(best);
     return;
   }

@@ -39,7 +39,9 @@ class ShadowedQuadrature {
   struct Sums {
     double whole = 0;
     double visible = 0;
-    double error = 0;
+    double variance = 0;
+    double low = 1;  ///< least and largest visible share at a point
+    double high = 0;
     bool any_visible = false;
     bool any_hidden = false;
     void add(const Sums& other);

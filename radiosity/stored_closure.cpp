@@ -129,6 +129,11 @@ Eigen::VectorXd StoredClosure::row_variances() const {
   return sum_entries(Eigen::VectorXd::Ones(size()), variance);
 }
 
+Eigen::VectorXd StoredClosure::row_errors() const {
+  return sum_entries(Eigen::VectorXd::Ones(size()),
+                     [](const RecordedEntry& entry) { return std::abs(double{entry.error}); });
+}
+
 Eigen::VectorXd StoredClosure::row_sums() const {
   return certain_sums_ + sum_entries(Eigen::VectorXd::Ones(size()),
                                      [](const RecordedEntry& entry) { return entry.value; });

@@ -23,6 +23,7 @@ class StoredClosure final : public UncertainExchange {
   [[nodiscard]] Eigen::VectorXd row_sums() const override;
   [[nodiscard]] double rounding() const override;
   [[nodiscard]] Eigen::VectorXd row_variances() const override;
+  [[nodiscard]] Eigen::VectorXd row_errors() const override;
   void freeze(const Eigen::VectorXd& mask) override;
 
   /// Gives back the memory for the entries.

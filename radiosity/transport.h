@@ -16,7 +16,7 @@ struct AssemblyReport {
   std::int64_t facing = 0;     ///< unordered pairs that face each other, at least in part
   std::int64_t visible = 0;    ///< of these: proved to see each other wholly
   std::int64_t hidden = 0;     ///< of these: proved not to see each other
-  std::int64_t undecided = 0;  ///< of these: needed visibility samples
+  std::int64_t undecided = 0;  ///< of these: not proved either way
   std::int64_t partial = 0;    ///< of the undecided: found to be partly hidden
   std::int64_t rays = 0;       ///< visibility rays cast
   bool closed = false;         ///< the scene was taken as closed

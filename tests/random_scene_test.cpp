@@ -92,9 +92,9 @@ Eigen::VectorXd sampled_row(const PatchMesh& mesh, const Visibility& visibility,
 }
 
 TEST(RandomScenes, FactorsAreBoundedAndAgreeWithMonteCarlo) {
-  constexpr int kScenes = 12;
+  constexpr int kScenes = 7;
   constexpr int kPatches = 40;
-  constexpr int kRays = 20000;
+  constexpr int kRays = 100000;
   std::mt19937_64 random(kSeed);
   int n_pairs = 0;
   int n_beyond_three = 0;

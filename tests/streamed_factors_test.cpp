@@ -84,8 +84,9 @@ TEST_F(StreamedFactorsTest, AreThoseOfTheOperatorInMemory) {
     const Visibility visibility(mesh);
     const auto transport = make_transport(mesh, visibility, {.tolerance = 1e-3});
     const Factors factors = compute(mesh, {.tolerance = 1e-3, .buffers = kAmple});
-    // Uncorrected entries are the same bits. The correction ends at 2e-14 of a row sum.
-    const double allowed = lid == Lid::on ? 4e-14 : 0;
+    // Uncorrected entries are the same bits. In closed scenes rows without uncertain entries, off
+    // by the kernel's 1e-11 of an entry, are balanced in the file only.
+    const double allowed = lid == Lid::on ? 1e-11 : 0;
     EXPECT_EQ(factors.report.closed, lid == Lid::on);
     EXPECT_EQ(factors.report.row_sums, transport->report().row_sums);
     EXPECT_EQ(factors.report.undecided, transport->report().undecided);

@@ -110,11 +110,14 @@ TEST(Transport, SquareScreenBetweenSquares) {
                                    Vec3(c.side, 0, 0), Vec3(0, c.side, 0), n, n);
       test::make_two_sided(mesh, screen);
       const Visibility visibility(mesh);
-      const auto transport = make_transport(mesh, visibility, {.tolerance = 1e-3});
-      const SurfaceFactor factor = surface_factor(mesh, *transport, low, high);
-      EXPECT_GT(factor.error, 0);
-      EXPECT_NEAR(factor.value, c.expected, 4 * factor.error) << c.side << " " << n;
-      EXPECT_LT(factor.error, 0.05 * c.expected);
+      for (const double tolerance : {1e-3, 1e-7}) {
+        const auto transport = make_transport(mesh, visibility, {.tolerance = tolerance});
+        const SurfaceFactor factor = surface_factor(mesh, *transport, low, high);
+        EXPECT_NEAR(factor.value, c.expected, tolerance * c.expected) << c.side << " " << n;
+        EXPECT_GT(factor.error, 0);
+        EXPECT_LT(factor.error, 10 * tolerance * c.expected);
+        EXPECT_EQ(transport->report().rays, 0);
+      }
     }
   }
 }
