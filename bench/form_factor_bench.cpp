@@ -14,6 +14,7 @@
 #include "bench_scenes.h"
 #include "io/scene_file.h"
 #include "meshing/patches.h"
+#include "radiosity/parallel.h"
 #include "radiosity/radiosity.h"
 
 namespace {
@@ -91,26 +92,46 @@ std::unique_ptr<Transport> timed(const PatchMesh& mesh, double tolerance, std::u
   return transport;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  if (argc < 3) {
-    fmt::print(
-        "usage: form_factor_bench box-in-box|cornell-box|canyon N [TOLERANCE "
-        "[REFERENCE_TOLERANCE [SEED]]]\n");
-    return 2;
-  }
-  const PatchMesh mesh = make_scene(argv[1], std::atol(argv[2]));
-  const double tolerance = argc > 3 ? std::atof(argv[3]) : 1e-3;
-  const double reference_tolerance = argc > 4 ? std::atof(argv[4]) : 0;
-  const auto transport = timed(mesh, tolerance, argc > 5 ? std::atol(argv[5]) : 0);
-  if (reference_tolerance <= 0) return 0;
-  const auto reference = timed(mesh, reference_tolerance, 1000);
+void run(const std::string& name, long n, double tolerance, double reference_tolerance,
+         std::uint64_t seed) {
+  fmt::print("\n{} {} at {}\n", name, n, tolerance);
+  const PatchMesh mesh = make_scene(name, n);
+  const auto transport = timed(mesh, tolerance, seed);
+  if (reference_tolerance <= 0) return;
+  const auto reference = timed(mesh, reference_tolerance, seed + 1);
   const Comparison c = compare(mesh, *transport, *reference);
   fmt::print(
       "sum |dG| / sum G = {:.3g}; worst row sum {:.3g}; uncertain entries hold {:.2f} % of "
       "all exchange; within one sigma {:.1f} %, two {:.1f} %; certain ones that differ: {}\n",
       c.difference / c.sum, c.worst_row, 100 * c.uncertain_sum / c.sum,
       100 * c.within_one / c.n_uncertain, 100 * c.within_two / c.n_uncertain, c.wrong_certain);
+}
+
+/// What docs/DESIGN.md quotes: on one thread, then the same on two, and the canyon.
+void run_all() {
+  {
+    const ThreadLimit single(1);
+    run("box-in-box", 6, 1e-3, 1e-6, 0);
+    run("box-in-box", 12, 1e-3, 0, 0);
+    run("box-in-box", 18, 1e-3, 0, 0);
+    run("cornell-box", 4608, 1e-3, 0, 0);
+    run("cornell-box", 18432, 1e-3, 0, 0);
+  }
+  const ThreadLimit both(2);
+  fmt::print("\ntwo threads:\n");
+  run("cornell-box", 4608, 1e-3, 0, 0);
+  run("canyon", 22000, 1e-2, 0, 0);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const bool has_scene = argc > 2 && argv[1][0] != '-';
+  if (!has_scene) {
+    run_all();
+    return 0;
+  }
+  run(argv[1], std::atol(argv[2]), argc > 3 ? std::atof(argv[3]) : 1e-3,
+      argc > 4 ? std::atof(argv[4]) : 0, argc > 5 ? std::strtoull(argv[5], nullptr, 10) : 0);
   return 0;
 }
