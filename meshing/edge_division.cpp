@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "meshing/text.h"
+#include "radiosity/disjoint_sets.h"
 #include "radiosity/error.h"
 
 namespace meshing {
@@ -22,24 +22,6 @@ constexpr double kMaxRatio = 2;
 constexpr double kMinSine = 0.5;
 /// Rounding allowed before a length counts as longer than max_edge.
 constexpr double kLengthRounding = 1e-12;
-
-/// Sets of edges that get the same count: union-find with path halving.
-class EdgeClasses {
- public:
-  explicit EdgeClasses(Index n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
-  std::int32_t find(std::int32_t e) {
-    while (parent_[e] != e) e = parent_[e] = parent_[parent_[e]];
-    return e;
-  }
-  void join(std::int32_t a, std::int32_t b) {
-    a = find(a);
-    b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::int32_t> parent_;
-};
 
 class EdgeDivider {
  public:
@@ -101,7 +83,7 @@ class EdgeDivider {
   }
 
   void count_along_strips() {
-    EdgeClasses classes(edges_.size());
+    radiosity::DisjointSets classes(edges_.size());
     for (Index i = 0; i < polygons_.size(); ++i) {
       if (!result_.is_grid[i]) continue;
       classes.join(edge(i, 0), edge(i, 2));
@@ -110,11 +92,11 @@ class EdgeDivider {
     std::vector<std::int32_t>& n = result_.n_pieces;
     n = own_;
     for (Index e = 0; e < edges_.size(); ++e) {
-      std::int32_t& largest = n[classes.find(static_cast<std::int32_t>(e))];
+      std::int32_t& largest = n[classes.find(e)];
       largest = std::max(largest, own_[e]);
     }
     for (Index e = 0; e < edges_.size(); ++e) {
-      n[e] = n[classes.find(static_cast<std::int32_t>(e))];
+      n[e] = n[classes.find(e)];
     }
   }
 

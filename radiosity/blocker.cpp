@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <numeric>
 #include <optional>
+
+#include "radiosity/disjoint_sets.h"
 
 namespace radiosity {
 namespace {
@@ -34,33 +35,27 @@ Blocker polygon_blocker(const Occluder& occluder) {
 class BodyFinder {
  public:
   BodyFinder(const std::vector<Occluder>& occluders, const PatchMesh& mesh, double thickness)
-      : occluders_(occluders), mesh_(mesh), thickness_(thickness), group_(occluders.size()) {
-    std::iota(group_.begin(), group_.end(), 0);
-  }
+      : occluders_(occluders),
+        mesh_(mesh),
+        thickness_(thickness),
+        groups_(static_cast<Index>(occluders.size())) {}
 
   std::vector<Blocker> find() {
     join_along_edges();
-    std::map<std::size_t, std::vector<std::size_t>> members;
-    for (std::size_t k = 0; k < occluders_.size(); ++k) members[root(k)].push_back(k);
     std::vector<Blocker> result;
-    for (const auto& [first, group] : members) {
+    for (const std::vector<Index>& group : groups_.sets()) {
       if (const std::optional<Blocker> body = make_body(group)) {
         result.push_back(*body);
       } else {
-        for (const std::size_t k : group) result.push_back(polygon_blocker(occluders_[k]));
+        for (const Index k : group) result.push_back(polygon_blocker(occluders_[k]));
       }
     }
     return result;
   }
 
  private:
-  std::size_t root(std::size_t k) {
-    while (group_[k] != k) k = group_[k] = group_[group_[k]];
-    return k;
-  }
-
   void join_along_edges() {
-    for (std::size_t k = 0; k < occluders_.size(); ++k) {
+    for (Index k = 0; k < static_cast<Index>(occluders_.size()); ++k) {
       const Occluder& occluder = occluders_[k];
       if (!occluder.is_one_sided) continue;
       for (std::size_t c = 0; c < occluder.corners.size(); ++c) {
@@ -69,19 +64,17 @@ class BodyFinder {
     }
     for (const auto& [key, owners] : owners_) {
       const auto opposite = owners_.find({key[3], key[4], key[5], key[0], key[1], key[2]});
-      if (opposite != owners_.end()) {
-        group_[root(owners.front())] = root(opposite->second.front());
-      }
+      if (opposite != owners_.end()) groups_.join(owners.front(), opposite->second.front());
     }
   }
 
   /// The closed convex body that the group bounds, if it does.
-  [[nodiscard]] std::optional<Blocker> make_body(const std::vector<std::size_t>& group) const {
+  [[nodiscard]] std::optional<Blocker> make_body(const std::vector<Index>& group) const {
     if (group.size() < 3 || group.size() >= Blocker::kMostFaces) return std::nullopt;
     Blocker body;
-    std::map<std::size_t, int> face_of;
+    std::map<Index, int> face_of;
     Vec3 open_area = Vec3::Zero();
-    for (const std::size_t k : group) {
+    for (const Index k : group) {
       const Occluder& occluder = occluders_[k];
       face_of[k] = static_cast<int>(body.faces.size());
       body.faces.push_back({occluder.normal, occluder.offset});
@@ -91,7 +84,7 @@ class BodyFinder {
     }
     const auto cap = static_cast<int>(body.faces.size());
     std::vector<Vec3> rim;
-    for (const std::size_t k : group) {
+    for (const Index k : group) {
       const Occluder& occluder = occluders_[k];
       for (std::size_t c = 0; c < occluder.corners.size(); ++c) {
         const Vec3& start = occluder.corners[c];
@@ -130,7 +123,7 @@ class BodyFinder {
 
   /// Whether all faces are different planes with all corners behind them. A closed surface on the
   /// border of a convex body is all of it.
-  [[nodiscard]] bool is_convex(const Blocker& body, const std::vector<std::size_t>& group) const {
+  [[nodiscard]] bool is_convex(const Blocker& body, const std::vector<Index>& group) const {
     for (std::size_t f = 0; f < body.faces.size(); ++f) {
       for (std::size_t g = 0; g < group.size(); ++g) {
         const std::vector<Vec3>& corners = occluders_[group[g]].corners;
@@ -144,8 +137,8 @@ class BodyFinder {
   const std::vector<Occluder>& occluders_;
   const PatchMesh& mesh_;
   double thickness_;
-  std::vector<std::size_t> group_;  // union-find over the occluders
-  std::map<EdgeKey, std::vector<std::size_t>> owners_;
+  DisjointSets groups_;
+  std::map<EdgeKey, std::vector<Index>> owners_;
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "radiosity/convex_hull.h"
+#include "radiosity/disjoint_sets.h"
 
 namespace radiosity {
 namespace {
@@ -145,24 +146,20 @@ class Merger {
   /// The group in parts that share no corner: what lies apart does not merge.
   [[nodiscard]] std::vector<std::vector<std::int32_t>> connected_parts(
       const std::vector<std::int32_t>& group) const {
-    std::vector<std::size_t> parent(group.size());
-    std::iota(parent.begin(), parent.end(), 0);
-    const auto root = [&](std::size_t k) {
-      while (parent[k] != k) k = parent[k] = parent[parent[k]];
-      return k;
-    };
-    std::map<std::array<double, 3>, std::size_t> first_at;
+    DisjointSets parts(static_cast<Index>(group.size()));
+    std::map<std::array<double, 3>, Index> first_at;
     for (std::size_t k = 0; k < group.size(); ++k) {
       for (int c = 0; c < mesh_.n_corners(group[k]); ++c) {
         const Vec3& p = mesh_.corner(group[k], c);
         const auto [place, is_new] = first_at.try_emplace({p.x(), p.y(), p.z()}, k);
-        if (!is_new) parent[root(k)] = root(place->second);
+        if (!is_new) parts.join(static_cast<Index>(k), place->second);
       }
     }
-    std::map<std::size_t, std::vector<std::int32_t>> parts;
-    for (std::size_t k = 0; k < group.size(); ++k) parts[root(k)].push_back(group[k]);
     std::vector<std::vector<std::int32_t>> result;
-    for (auto& [first, part] : parts) result.push_back(std::move(part));
+    for (const std::vector<Index>& part : parts.sets()) {
+      auto& patches = result.emplace_back();
+      for (const Index k : part) patches.push_back(group[k]);
+    }
     return result;
   }
 
