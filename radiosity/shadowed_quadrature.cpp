@@ -61,8 +61,7 @@ VisibleShare ShadowedQuadrature::integrate(const ShadowedPair& pair, double tole
   const double area = vector_area(pair.source.points()).norm();
   const bool is_single = pair.shadows.size() == 1;
   Sums total;
-  const std::vector<ConvexPolygon> pieces = pieces_;
-  for (const ConvexPolygon& piece : pieces) {
+  for (const ConvexPolygon& piece : pieces_) {
     const double share = vector_area(piece.points()).norm() / area;
     if (adapts) {
       const double whole = point_to_polygon(bounding_disc(piece.points()).center,
@@ -86,8 +85,8 @@ VisibleShare ShadowedQuadrature::integrate(const ShadowedPair& pair, double tole
   if (total.whole <= 0) return result;
   result.value = total.visible / total.whole;
   result.error = std::sqrt(total.variance) / total.whole;
-  result.is_exact = pair.shadows.size() == 1 && pieces.size() < kMostPieces &&
-                    !(total.any_visible && total.any_hidden);
+  result.is_exact =
+      is_single && pieces_.size() < kMostPieces && !(total.any_visible && total.any_hidden);
   if (!total.any_hidden) result.value = 1;
   if (!total.any_visible) result.value = 0;
   return result;
