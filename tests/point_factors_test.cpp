@@ -16,6 +16,7 @@ namespace {
 using test::add_box;
 using test::add_grid;
 using test::Facing;
+using test::random_unit;
 
 constexpr std::uint64_t kSeed = 4711;
 /// Some hundred pieces, each with a few roundings of 1.1e-16.
@@ -47,11 +48,6 @@ std::int32_t add_floor(PatchMesh& mesh, double side, double z, int n = 1) {
 
 Destinations from_origin(const PatchMesh& mesh) {
   return point_factors(mesh, Vec3::Zero(), Vec3::UnitZ());
-}
-
-Vec3 random_unit(std::mt19937_64& random) {
-  std::normal_distribution<double> normal;
-  return Vec3(normal(random), normal(random), normal(random)).normalized();
 }
 
 /// Triangles of all sizes anywhere in the unit cube, many crossing; every third two-sided.

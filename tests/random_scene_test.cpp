@@ -9,17 +9,14 @@
 #include "radiosity/exchange_area.h"
 #include "radiosity/parallel.h"
 #include "radiosity/transport.h"
+#include "support/shapes.h"
 
 namespace {
 
 using namespace radiosity;
+using test::random_unit;
 
 constexpr std::uint64_t kSeed = 20260;
-
-Vec3 random_unit(std::mt19937_64& random) {
-  std::normal_distribution<double> normal;
-  return Vec3(normal(random), normal(random), normal(random)).normalized();
-}
 
 /// Triangles and rectangles of all sizes, anywhere in the unit cube, some crossing, some in one
 /// plane.

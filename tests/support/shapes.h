@@ -1,5 +1,6 @@
 #pragma once
 
+#include <random>
 #include <string>
 
 #include "radiosity/patch_mesh.h"
@@ -46,6 +47,12 @@ inline void add_box(PatchMesh& mesh, const Vec3& low, const Vec3& high, int n, F
   add(low + x, z, y);
   add(low, z, x);
   add(low + y, x, z);
+}
+
+/// A direction, all alike.
+inline Vec3 random_unit(std::mt19937_64& random) {
+  std::normal_distribution<double> normal;
+  return Vec3(normal(random), normal(random), normal(random)).normalized();
 }
 
 /// Adds the back side of every patch of a surface.
