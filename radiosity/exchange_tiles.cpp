@@ -12,6 +12,10 @@ namespace {
 /// Up to this many rows entries are float64: 1 MB is no matter, and small cases come out exact.
 constexpr Index kDoubleRows = 512;
 
+bool is_before(const UncertainEntry& a, const UncertainEntry& b) {
+  return a.column < b.column || (a.column == b.column && a.row < b.row);
+}
+
 }  // namespace
 
 ExchangeTiles::ExchangeTiles(const Strips& strips)
@@ -24,6 +28,7 @@ void ExchangeTiles::set(ExchangeTile tile) {
   Tile& place = tiles_[Strips::tile(tile.row_strip, tile.column_strip)];
   place.uncertain = std::move(tile.uncertain);
   place.uncertain.shrink_to_fit();
+  std::sort(place.uncertain.begin(), place.uncertain.end(), is_before);
   if (!tile.values.isZero(0)) store(place, tile.values);
 }
 
@@ -174,6 +179,31 @@ Eigen::VectorXd ExchangeTiles::row(Index i) const {
                                          : tile.twice ? tile.twice[place]
                                                       : 0.0;
     }
+  }
+  return result;
+}
+
+PairFactor ExchangeTiles::entry(Index i, Index j) const {
+  Index row_strip = strips_.of_row(i);
+  Index column_strip = strips_.of_row(j);
+  if (row_strip > column_strip) {
+    std::swap(row_strip, column_strip);
+    std::swap(i, j);
+  }
+  const Tile& tile = tiles_[Strips::tile(row_strip, column_strip)];
+  const Index row = i - strips_.begin(row_strip);
+  const Index column = j - strips_.begin(column_strip);
+  const Index place = row + column * strips_.rows(row_strip);
+  PairFactor result;
+  if (tile.single) result.exchange_area = tile.single[place];
+  if (tile.twice) result.exchange_area = tile.twice[place];
+  const UncertainEntry wanted{static_cast<std::uint16_t>(row), static_cast<std::uint16_t>(column),
+                              0};
+  const auto found =
+      std::lower_bound(tile.uncertain.begin(), tile.uncertain.end(), wanted, is_before);
+  if (found != tile.uncertain.end() && !is_before(wanted, *found)) {
+    result.error = std::abs(found->error);
+    result.is_certain = false;
   }
   return result;
 }
