@@ -35,8 +35,8 @@ class Refiner {
   Refiner(const Scene& scene, const AdaptiveOptions& options)
       : scene_(scene),
         options_(options),
-        patches_(make_patches(scene, {.n_patches = first_patches(), .progress = options.progress})) {
-  }
+        patches_(
+            make_patches(scene, {.n_patches = first_patches(), .progress = options.progress})) {}
 
   AdaptiveMesh run() {
     Stage stage = make_stage({});
@@ -45,10 +45,10 @@ class Refiner {
       result.error = estimated_error(stage);
       result.is_accurate = result.error <= options_.tolerance;
       if (result.is_accurate || result.n_rounds == kMaxRounds) break;
-      const std::vector<Index> marked = patches_to_refine(
-          refinement_indicator(patches_.mesh(), *stage.transport, stage.solution,
-                               options_.progress),
-          kShareOfRound, affordable());
+      const std::vector<Index> marked =
+          patches_to_refine(refinement_indicator(patches_.mesh(), *stage.transport, stage.solution,
+                                                 options_.progress),
+                            kShareOfRound, affordable());
       if (marked.empty()) break;
       const std::vector<std::int32_t> earlier = patches_.refine(marked);
       stage = make_stage({stage.transport.get(), earlier});

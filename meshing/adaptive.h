@@ -28,9 +28,9 @@ struct AdaptiveMesh {
 
 /// Patches small where the light varies: starts from coarse ones, cut where other surfaces stand on
 /// them (`contact_lines`), then solves and divides those whose variation matters most
-/// (`refinement_indicator`), until the estimated error is met or the patches are spent. Form factors
-/// between patches that stay are kept. The error is `DiscretisationError::relative`. Throws what
-/// make_patches, make_transport and solve throw.
+/// (`refinement_indicator`), until the estimated error is met or the patches are spent. Form
+/// factors between patches that stay are kept. The error is `DiscretisationError::relative`. Throws
+/// what make_patches, make_transport and solve throw.
 AdaptiveMesh make_adaptive_patches(const radiosity::Scene& scene,
                                    const AdaptiveOptions& options = {});
 

@@ -156,14 +156,16 @@ void RefinableMesh::cut_patch(const PatchMesh& mesh, Index i, std::span<const Se
   }
   for (const Corners& piece : pieces) {
     for (const Corners& corners : in_patches(piece)) {
-      const std::int32_t cell =
-          add_cell({corners, mesh.surface[i], mesh.polygon[i], -1, -1, {}});
+      const std::int32_t cell = add_cell({corners, mesh.surface[i], mesh.polygon[i], -1, -1, {}});
       roots_.push_back(cell);
       if (mesh.twin[i] < 0) continue;
       cells_[cell].twin = cell + 1;
-      roots_.push_back(add_cell(
-          {Corners(corners.rbegin(), corners.rend()), mesh.surface[i], mesh.polygon[i], cell, -1,
-           {}}));
+      roots_.push_back(add_cell({Corners(corners.rbegin(), corners.rend()),
+                                 mesh.surface[i],
+                                 mesh.polygon[i],
+                                 cell,
+                                 -1,
+                                 {}}));
     }
   }
 }
@@ -229,8 +231,7 @@ void RefinableMesh::divide_one(std::int32_t cell) {
   }
   const std::int32_t family = n_families_++;
   for (const Corners& part : parts) {
-    const std::int32_t made =
-        add_cell({part, whole.surface, whole.polygon, -1, family, {}});
+    const std::int32_t made = add_cell({part, whole.surface, whole.polygon, -1, family, {}});
     cells_[cell].parts.push_back(made);
   }
 }

@@ -47,8 +47,7 @@ class RefinableMesh {
   std::int32_t add_cell(Cell cell);
   std::int32_t cut_point(const Edge& cut, const radiosity::Vec3& point);
   std::vector<std::vector<std::int32_t>> cut(const std::vector<std::int32_t>& polygon,
-                                             const Segment& segment,
-                                             const radiosity::Vec3& normal);
+                                             const Segment& segment, const radiosity::Vec3& normal);
   void cut_patch(const radiosity::PatchMesh& mesh, radiosity::Index i,
                  std::span<const Segment> segments);
   std::int32_t middle(std::int32_t a, std::int32_t b);

@@ -13,7 +13,8 @@ constexpr double kTolerance = 1e-4;
 /// One standard error as a share of the extrapolated error: twice it covers 95 % of the patches.
 constexpr double kErrorShare = 0.75;
 /// Range of the ratio 2^p of changes that is believed: from order 1 (light that stops at a line) to
-/// 1.6, though smooth light has order 2, as patches of different sizes make the measured one uneven.
+/// 1.6, though smooth light has order 2, as patches of different sizes make the measured one
+/// uneven.
 constexpr double kLeastRatio = 2;
 constexpr double kLargestRatio = 3;
 
@@ -91,15 +92,13 @@ DiscretisationError discretisation_error(const PatchMesh& mesh, const Transport&
 
   DiscretisationError result;
   const Eigen::MatrixXd means = coarser.spread(coarser.means(solution.radiosity));
-  const Eigen::MatrixXd once =
-      coarser.spread(solve_coarser(coarser, solution, progress).radiosity);
+  const Eigen::MatrixXd once = coarser.spread(solve_coarser(coarser, solution, progress).radiosity);
   report(1);
   const Eigen::MatrixXd twice =
       coarsest.spread(solve_coarser(coarsest, solution, progress).radiosity);
   report(2);
   result.change = means - once;
-  const Eigen::MatrixXd earlier_change =
-      coarsest.spread(coarsest.means(once)) - twice;
+  const Eigen::MatrixXd earlier_change = coarsest.spread(coarsest.means(once)) - twice;
 
   const Eigen::VectorXd& area = transport.area();
   const Eigen::MatrixXd reflected = solution.radiosity - solution.exitance;

@@ -14,13 +14,14 @@ inline constexpr double kDarkShare = 0.05;
 
 /// What is known about the error of taking the radiosity of each patch as constant.
 struct DiscretisationError {
-  Eigen::MatrixXd error;    ///< one standard error of each patch's mean radiosity, W/m², n x k
-  Eigen::MatrixXd change;   ///< B less the solution on coarser patches, W/m², n x k
-  double order = 0;         ///< measured order in the size of patches, in [1, 1.6]
+  Eigen::MatrixXd error;   ///< one standard error of each patch's mean radiosity, W/m², n x k
+  Eigen::MatrixXd change;  ///< B less the solution on coarser patches, W/m², n x k
+  double order = 0;        ///< measured order in the size of patches, in [1, 1.6]
   /// Root mean square over the area of the patches' errors relative to their reflected light ρ H
   /// (or to kDarkShare of its mean where they are darker), largest over the columns.
   double relative = 0;
-  Index n_unknown = 0;      ///< patches alone in their group, which get the relative error of the others
+  Index n_unknown =
+      0;  ///< patches alone in their group, which get the relative error of the others
 };
 
 /// Compares the solution with those on patches about twice and four times the size, whose exchange

@@ -60,7 +60,6 @@ class ExchangeTiles final : public UncertainExchange {
   void change_uncertain(const Change& change);
   template <typename Term>
   [[nodiscard]] Eigen::MatrixXd sum_entries(const Eigen::MatrixXd& x, const Term& term) const;
-  [[nodiscard]] Eigen::MatrixXd values(const Tile& tile, Index rows, Index columns) const;
   void store(Tile& tile, const Eigen::MatrixXd& values) const;
 
   Strips strips_;

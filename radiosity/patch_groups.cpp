@@ -78,9 +78,8 @@ class Grouper {
     // Faces of different directions part in the middle of their range, wherever most of them are.
     normals.sizes().maxCoeff(&axis);
     const double limit = normals.center()[axis];
-    const auto middle = std::stable_partition(set.begin(), set.end(), [&](std::int32_t i) {
-      return items_[i].normal[axis] < limit;
-    });
+    const auto middle = std::stable_partition(
+        set.begin(), set.end(), [&](std::int32_t i) { return items_[i].normal[axis] < limit; });
     divide({set.begin(), middle});
     divide({middle, set.end()});
   }
@@ -123,8 +122,8 @@ PatchGroups make_patch_groups(const PatchMesh& mesh) {
   std::unordered_map<std::int32_t, std::int32_t> group_of_family;
   for (Index i = 0; i < mesh.size(); ++i) {
     if (mesh.family[i] < 0) continue;
-    const auto [place, is_new] = group_of_family.try_emplace(
-        mesh.family[i], static_cast<std::int32_t>(groups.n_groups));
+    const auto [place, is_new] =
+        group_of_family.try_emplace(mesh.family[i], static_cast<std::int32_t>(groups.n_groups));
     group_of[i] = place->second;
     groups.n_groups += is_new ? 1 : 0;
   }

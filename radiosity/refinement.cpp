@@ -81,8 +81,7 @@ RefinementIndicator refinement_indicator(const PatchMesh& mesh, const Transport&
   const Eigen::MatrixXd shown = corner_values(mesh, grey.radiosity);
   for (Index i = 0; i < mesh.size(); ++i) {
     const Index n_corners = mesh.n_corners(i);
-    const double off =
-        shown.col(0).segment(4 * i, n_corners).mean() - grey.radiosity[i];
+    const double off = shown.col(0).segment(4 * i, n_corners).mean() - grey.radiosity[i];
     result.squared_error[result.groups.group_of[i]] +=
         kPictureWeight * area[i] * grey.weight[i] * grey.weight[i] * off * off;
   }

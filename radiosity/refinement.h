@@ -27,8 +27,8 @@ struct RefinementIndicator {
 RefinementIndicator refinement_indicator(const PatchMesh& mesh, const Transport& transport,
                                          const Solution& solution, const Progress& progress = {});
 
-/// The patches, `most` at most, of the fewest groups that hold `share` of the sum of squared errors,
-/// worst first. Increasing.
+/// The patches, `most` at most, of the fewest groups that hold `share` of the sum of squared
+/// errors, worst first. Increasing.
 std::vector<Index> patches_to_refine(const RefinementIndicator& indicator, double share,
                                      Index most);
 

@@ -72,8 +72,8 @@ TEST(AggregatedTransport, SumsExchangeAreas) {
   const Eigen::VectorXd ones = Eigen::VectorXd::Ones(coarse->size());
   EXPECT_NEAR(aggregated.area().sum(), coarse->area().sum(), 1e-12);
   const Eigen::MatrixXd twice = aggregated.apply(aggregated.apply(ones));
-  EXPECT_NEAR(aggregated.area().dot(twice.col(0)), coarse->area().dot(coarse->apply(
-                                                       coarse->apply(ones)).col(0)),
+  EXPECT_NEAR(aggregated.area().dot(twice.col(0)),
+              coarse->area().dot(coarse->apply(coarse->apply(ones)).col(0)),
               1e-3 * coarse->area().sum());
   for (const Index i : {0, 7, 30}) {
     EXPECT_LT((aggregated.row(i) -
@@ -89,15 +89,13 @@ TEST(AggregatedTransport, SumsExchangeAreas) {
 TEST(KnownPairs, ComeOutAsTheyWere) {
   const PatchMesh mesh = box_in_box(4);
   const Visibility visibility(mesh);
-  const auto before =
-      make_transport(mesh, visibility, {.tolerance = 1e-3, .closed = Closed::no});
+  const auto before = make_transport(mesh, visibility, {.tolerance = 1e-3, .closed = Closed::no});
   // The same patches, but one of them unknown.
   std::vector<std::int32_t> same(mesh.size());
   for (std::size_t i = 0; i < same.size(); ++i) same[i] = static_cast<std::int32_t>(i);
   same[17] = -1;
   const auto after = make_transport(
-      mesh, visibility,
-      {.tolerance = 1e-3, .closed = Closed::no, .known = {before.get(), same}});
+      mesh, visibility, {.tolerance = 1e-3, .closed = Closed::no, .known = {before.get(), same}});
   EXPECT_GT(after->report().known, 0.9 * static_cast<double>(before->report().facing));
   for (Index i = 0; i < mesh.size(); ++i) {
     EXPECT_EQ(after->row(i), before->row(i));
@@ -175,15 +173,14 @@ TEST(AdaptivePatches, NeedAThirdOfThePatches) {
     Eigen::VectorXd sums = Eigen::VectorXd::Zero(scene.n_polygons());
     Eigen::VectorXd areas = Eigen::VectorXd::Zero(scene.n_polygons());
     for (Index i = 0; i < mesh.size(); ++i) {
-      sums[mesh.polygon[i]] +=
-          mesh.area[i] * (solution.radiosity(i, 0) - solution.exitance(i, 0));
+      sums[mesh.polygon[i]] += mesh.area[i] * (solution.radiosity(i, 0) - solution.exitance(i, 0));
       areas[mesh.polygon[i]] += mesh.area[i];
     }
     return Eigen::VectorXd(sums.cwiseQuotient(areas.cwiseSqrt()));
   };
   const auto adaptive_means = [&](double tolerance, long most, Index& n_patches) {
-    const meshing::AdaptiveMesh adaptive = meshing::make_adaptive_patches(
-        scene, {.tolerance = tolerance, .max_patches = most});
+    const meshing::AdaptiveMesh adaptive =
+        meshing::make_adaptive_patches(scene, {.tolerance = tolerance, .max_patches = most});
     n_patches = adaptive.mesh.size();
     EXPECT_LE(n_patches, 1.1 * static_cast<double>(most));
     return polygon_means(adaptive.mesh, *adaptive.transport);
