@@ -64,7 +64,8 @@ void SolveCommand::run() const {
       write_picture(output, solved, picture_, progress, terminal, interruption_);
     } else {
       const auto lock = interruption_.hold();
-      io::write(output, solved.mesh, solved.solution);
+      io::write(output, solved.mesh, solved.solution,
+                {.wavelengths = solved.scene.bands.wavelengths});
     }
     progress.check();
   }

@@ -198,7 +198,9 @@ void write_picture(const std::string& path, const SolvedScene& solved,
       render(solved.mesh, solved.visibility, solved.solution.radiosity, camera, render_options);
   progress.check();
   const auto lock = interruption.hold();
-  io::write_image(path, image, options.image);
+  io::ImageOptions image_options = options.image;
+  image_options.wavelengths = solved.scene.bands.wavelengths;
+  io::write_image(path, image, image_options);
 }
 
 }  // namespace apps

@@ -33,21 +33,22 @@ struct ColoredMesh {
 };
 
 /// Exposure for the light that surfaces reflect; what emits by itself may become white.
-double reflected_light_exposure(const Solution& solution) {
+double reflected_light_exposure(const Solution& solution, const std::vector<double>& wavelengths) {
   std::vector<Index> reflecting;
   for (Index i = 0; i < solution.radiosity.rows(); ++i) {
     if ((solution.exitance.row(i).array() == 0).all()) reflecting.push_back(i);
   }
   if (reflecting.empty())
-    return automatic_exposure(display_colors(solution.radiosity.cast<float>()));
+    return automatic_exposure(display_colors(solution.radiosity.cast<float>(), wavelengths));
   const Eigen::MatrixXd values = solution.radiosity(reflecting, Eigen::all);
-  return automatic_exposure(display_colors(values.cast<float>()));
+  return automatic_exposure(display_colors(values.cast<float>(), wavelengths));
 }
 
-ColoredMesh color_corners(const PatchMesh& mesh, const Solution& solution) {
-  const double exposure = reflected_light_exposure(solution);
+ColoredMesh color_corners(const PatchMesh& mesh, const Solution& solution,
+                          const std::vector<double>& wavelengths) {
+  const double exposure = reflected_light_exposure(solution, wavelengths);
   const Eigen::MatrixX3f colors =
-      display_colors(radiosity::corner_values(mesh, solution.radiosity).cast<float>());
+      display_colors(radiosity::corner_values(mesh, solution.radiosity).cast<float>(), wavelengths);
   ColoredMesh colored;
   std::unordered_map<std::uint64_t, std::int32_t> index_of;
   for (Index i = 0; i < mesh.size(); ++i) {
@@ -78,8 +79,8 @@ void put(std::ostream& stream, T value) {
 }  // namespace
 
 void write_color_ply(const std::filesystem::path& path, const PatchMesh& mesh,
-                     const Solution& solution) {
-  const ColoredMesh colored = color_corners(mesh, solution);
+                     const Solution& solution, const std::vector<double>& wavelengths) {
+  const ColoredMesh colored = color_corners(mesh, solution, wavelengths);
   write_stream_atomically(path, [&](std::ofstream& stream) {
     stream << fmt::format(
         "ply\nformat binary_little_endian 1.0\ncomment radiosity, sRGB vertex colours, metres\n"

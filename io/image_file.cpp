@@ -29,7 +29,7 @@ using radiosity::OutputError;
 
 /// 8-bit sRGB, three bytes a pixel, row by row.
 std::vector<std::uint8_t> srgb_pixels(const Image& image, const ImageOptions& options) {
-  const Eigen::MatrixX3f colors = display_colors(image.values);
+  const Eigen::MatrixX3f colors = display_colors(image.values, options.wavelengths);
   const double exposure = options.exposure ? *options.exposure : automatic_exposure(colors);
   std::vector<std::uint8_t> bytes;
   bytes.reserve(3 * static_cast<std::size_t>(colors.rows()));

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 #include "radiosity/render.h"
 #include "radiosity/scene.h"
@@ -12,10 +13,13 @@ struct ImageOptions {
   /// Factor from radiance to display value for .png; absent: chosen so that the picture is well
   /// exposed. An .exr is linear radiance and ignores it.
   std::optional<double> exposure;
+  /// Wavelengths of the picture's bands, nm, increasing; a .png then shows their colour. Empty:
+  /// three bands are linear RGB, any other number shows as grey.
+  std::vector<double> wavelengths = {};
 };
 
-/// Writes a picture by extension: .png (8-bit sRGB) or .exr (float, linear, all bands). One band
-/// shows as grey, three as linear RGB. Written beside and renamed into place. Throws OutputError.
+/// Writes a picture by extension: .png (8-bit sRGB, colours by `display_colors`) or .exr (float,
+/// linear, all bands as they are). Written beside and renamed into place. Throws OutputError.
 void write_image(const std::filesystem::path& path, const radiosity::Image& image,
                  const ImageOptions& options = {});
 

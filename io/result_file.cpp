@@ -15,7 +15,7 @@
 namespace io {
 
 void write(const std::filesystem::path& path, const radiosity::PatchMesh& mesh,
-           const radiosity::Solution& solution) {
+           const radiosity::Solution& solution, const ResultOptions& options) {
   assert(solution.radiosity.rows() == mesh.size());
   const std::string extension = lower_case_extension(path);
   if (extension == ".vtp") {
@@ -23,7 +23,7 @@ void write(const std::filesystem::path& path, const radiosity::PatchMesh& mesh,
   } else if (extension == ".csv") {
     write_patch_csv(path, mesh, solution);
   } else if (extension == ".ply") {
-    write_color_ply(path, mesh, solution);
+    write_color_ply(path, mesh, solution, options.wavelengths);
   } else {
     throw radiosity::OutputError(
         fmt::format("{}: cannot write a result as '{}', expected .vtp, .csv or .ply", path.string(),

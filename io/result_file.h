@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "radiosity/patch_mesh.h"
 #include "radiosity/scene.h"
@@ -8,12 +9,19 @@
 
 namespace io {
 
+/// What a result file needs to know beyond the solution.
+struct ResultOptions {
+  /// Wavelengths of the bands, nm, increasing, for the colours of a .ply; empty: three bands are
+  /// linear RGB, any other number shows as grey.
+  std::vector<double> wavelengths = {};
+};
+
 /// Writes a solution by extension: .vtp (ParaView: cell arrays radiosity, irradiance, exitance,
 /// reflectance, surface, polygon, area, radiosity_error, net_flux), .csv (one row per patch, header
 /// patch,surface,polygon,x,y,z,area,B_0..,H_0..,error_0..,net_0..) or .ply (smooth vertex colours,
 /// sRGB). The file is written beside and renamed into place, so there is never half a file. Throws
 /// OutputError naming the file if it cannot be written or the extension is none of these.
 void write(const std::filesystem::path& path, const radiosity::PatchMesh& mesh,
-           const radiosity::Solution& solution);
+           const radiosity::Solution& solution, const ResultOptions& options = {});
 
 }  // namespace io

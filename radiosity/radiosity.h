@@ -22,6 +22,7 @@
 ///    H, all W/m²; reflectance ρ in [0, 1]. B / π is radiance, W/(m² sr).
 ///  - Arrays have one row per patch and one column per band.
 
+#include "radiosity/color_matching.h"
 #include "radiosity/error.h"
 #include "radiosity/exchange_area.h"
 #include "radiosity/geometry.h"
