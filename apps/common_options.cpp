@@ -13,14 +13,6 @@ namespace {
 constexpr int kLargestPicture = 16384;  // pixels a side
 constexpr int kMostThreads = 4096;
 
-/// Accepts finite numbers above zero. (CLI::PositiveNumber lets NaN pass.)
-std::string check_positive(const std::string& text) {
-  double value = 0;
-  const bool is_number = CLI::detail::lexical_cast(text, value);
-  if (is_number && std::isfinite(value) && value > 0) return "";
-  return fmt::format("found '{}', expected a number above 0", text);
-}
-
 std::string check_seed(const std::string& text) {
   std::uint64_t seed = 0;
   if (CLI::detail::lexical_cast(text, seed) && text.front() != '-') return "";
@@ -46,6 +38,13 @@ std::string check_samples(const std::string& text) {
 }
 
 }  // namespace
+
+std::string check_positive(const std::string& text) {
+  double value = 0;
+  const bool is_number = CLI::detail::lexical_cast(text, value);
+  if (is_number && std::isfinite(value) && value > 0) return "";
+  return fmt::format("found '{}', expected a number above 0", text);
+}
 
 void add_common_options(CLI::App& command, CommonOptions& options) {
   command

@@ -44,6 +44,10 @@ void add_common_options(CLI::App& command, CommonOptions& options);
 void add_compute_options(CLI::App& command, ComputeOptions& options);
 void add_picture_options(CLI::App& command, PictureOptions& options);
 
+/// For the command line's check: empty if `text` is a finite number above zero, else what was
+/// found. (CLI::PositiveNumber lets NaN pass.)
+std::string check_positive(const std::string& text);
+
 /// --closed as the library takes it; with "auto" the scene's own declaration counts.
 radiosity::Closed closed_choice(const std::string& choice, const std::optional<bool>& declared);
 

@@ -66,6 +66,33 @@ Json surfaces(const std::vector<SurfaceFlux>& fluxes) {
   return list;
 }
 
+/// A photometric quantity has one value, any other a list of one per band.
+Json values(const Eigen::VectorXd& values, const radiosity::QuantityInfo& info) {
+  return info.is_photometric ? Json(values[0]) : array(values);
+}
+
+Json share(const QuantityShare& share, const radiosity::QuantityInfo& info) {
+  Json json = {{"name", share.surface}, {"area", share.area}};
+  if (info.is_additive) {
+    json["sum"] = values(share.sum, info);
+  } else {
+    json["mean"] = values(share.mean, info);
+    json["min"] = values(share.least, info);
+    json["max"] = values(share.greatest, info);
+  }
+  return json;
+}
+
+Json summary(const QuantitySummary& quantity) {
+  Json list = Json::array();
+  for (const QuantityShare& surface : quantity.surfaces) {
+    list.push_back(share(surface, quantity.info));
+  }
+  Json total = share(quantity.total, quantity.info);
+  total.erase("name");
+  return {{"unit", quantity.unit}, {"surfaces", list}, {"total", total}};
+}
+
 Json surfaces(const radiosity::Scene& scene, const meshing::Inspection& inspection) {
   Json list = Json::array();
   for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
@@ -116,7 +143,8 @@ Json bounds(const radiosity::Box3& box) {
 
 }  // namespace
 
-std::string solve_json(const SolvedScene& solved, const std::vector<std::string>& outputs,
+std::string solve_json(const SolvedScene& solved, const std::vector<QuantitySummary>& quantities,
+                       const std::vector<std::string>& outputs,
                        const std::vector<std::string>& warnings) {
   const radiosity::EnergyBalance& energy = solved.solution.energy;
   Json json = {
@@ -132,6 +160,9 @@ std::string solve_json(const SolvedScene& solved, const std::vector<std::string>
       {"warnings", warnings}};
   if (is_thermal(solved.scene)) {
     json["surfaces"] = surfaces(surface_fluxes(solved.mesh, solved.solution));
+  }
+  for (const QuantitySummary& quantity : quantities) {
+    json["quantities"][std::string(quantity.info.name)] = summary(quantity);
   }
   return text(json);
 }

@@ -49,6 +49,8 @@ SolveCommand::SolveCommand(CLI::App& program, Interruption& interruption)
       ->capture_default_str()
       ->type_name("M");
   add_compute_options(*command, compute_);
+  add_quantity_options(*command, quantities_);
+  add_photometry_options(*command, photometry_);
   add_picture_options(*command, picture_);
   command->callback([this] { run(); });
 }
@@ -58,18 +60,25 @@ void SolveCommand::run() const {
   TerminalProgress terminal(terminal_style(common_));
   const radiosity::ThreadLimit threads(common_.n_threads);
   const radiosity::Progress progress = shown_progress(terminal, interruption_);
-  const SolvedScene solved(common_, compute_, method_named(method_), progress, terminal);
+  const std::vector<radiosity::Quantity> quantities = chosen_quantities(quantities_);
+  const PatchCheck check = [&](const PatchedScene& patched) {
+    check_photometry(patched.scene, quantities, photometry_, terminal);
+  };
+  const SolvedScene solved(common_, compute_, method_named(method_), progress, terminal, check);
+  io::ResultOptions options = {.wavelengths = solved.scene.bands.wavelengths};
+  for (const radiosity::Quantity quantity : quantities) {
+    options.quantities.push_back(solved_field(solved, quantity, photometry_));
+  }
   for (const std::string& output : outputs_) {
     if (is_picture(output)) {
       write_picture(output, solved, picture_, progress, terminal, interruption_);
     } else {
       const auto lock = interruption_.hold();
-      io::write(output, solved.mesh, solved.solution,
-                {.wavelengths = solved.scene.bands.wavelengths});
+      io::write(output, solved.mesh, solved.solution, options);
     }
     progress.check();
   }
-  print_summary(solved, outputs_, common_, terminal);
+  print_summary(solved, outputs_, common_, terminal, options.quantities);
 }
 
 }  // namespace apps

@@ -6,6 +6,7 @@
 
 #include "apps/common_options.h"
 #include "apps/interruption.h"
+#include "apps/quantity_options.h"
 
 namespace apps {
 
@@ -24,6 +25,8 @@ class SolveCommand {
   CommonOptions common_;
   ComputeOptions compute_;
   PictureOptions picture_;
+  PhotometryOptions photometry_;
+  QuantityOptions quantities_;
   std::string method_;
   std::vector<std::string> outputs_;
 };

@@ -125,17 +125,23 @@ PatchedScene::PatchedScene(Scene read_scene, const ComputeOptions& compute,
       visibility(mesh) {}
 
 AssembledScene::AssembledScene(const CommonOptions& common, const ComputeOptions& compute,
-                               const Progress& progress, TerminalProgress& terminal)
-    : AssembledScene(read_checked_scene(common, progress, terminal), compute, progress, terminal) {}
+                               const Progress& progress, TerminalProgress& terminal,
+                               const PatchCheck& check)
+    : AssembledScene(read_checked_scene(common, progress, terminal), compute, progress, terminal,
+                     check) {}
 
 AssembledScene::AssembledScene(Scene read_scene, const ComputeOptions& compute,
-                               const Progress& progress, TerminalProgress& terminal)
-    : PatchedScene(std::move(read_scene), compute, dense_checks(), progress, terminal),
-      transport(make_scene_transport(scene, mesh, visibility, compute, progress, terminal)) {}
+                               const Progress& progress, TerminalProgress& terminal,
+                               const PatchCheck& check)
+    : PatchedScene(std::move(read_scene), compute, dense_checks(), progress, terminal) {
+  if (check) check(*this);
+  transport = make_scene_transport(scene, mesh, visibility, compute, progress, terminal);
+}
 
 SolvedScene::SolvedScene(const CommonOptions& common, const ComputeOptions& compute, Method method,
-                         const Progress& progress, TerminalProgress& terminal)
-    : AssembledScene(common, compute, progress, terminal),
+                         const Progress& progress, TerminalProgress& terminal,
+                         const PatchCheck& check)
+    : AssembledScene(common, compute, progress, terminal, check),
       solution(solve_scene(scene, mesh, *transport,
                            solve_options(method, compute.tolerance, progress), terminal)) {}
 

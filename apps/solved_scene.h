@@ -39,14 +39,20 @@ struct PatchedScene {
   radiosity::Visibility visibility;
 };
 
+/// What a command wants to know of the patches before the long work; throws if that would be in
+/// vain.
+using PatchCheck = std::function<void(const PatchedScene&)>;
+
 /// The same with the form factors in memory. Throws SolveError before anything long if they do not
 /// fit.
 struct AssembledScene : PatchedScene {
   AssembledScene(const CommonOptions& common, const ComputeOptions& compute,
-                 const radiosity::Progress& progress, TerminalProgress& terminal);
+                 const radiosity::Progress& progress, TerminalProgress& terminal,
+                 const PatchCheck& check = {});
   /// The same from a scene that has been read.
   AssembledScene(radiosity::Scene read_scene, const ComputeOptions& compute,
-                 const radiosity::Progress& progress, TerminalProgress& terminal);
+                 const radiosity::Progress& progress, TerminalProgress& terminal,
+                 const PatchCheck& check = {});
 
   std::unique_ptr<radiosity::Transport> transport;
 };
@@ -54,7 +60,8 @@ struct AssembledScene : PatchedScene {
 /// The whole pipeline from a scene file to its radiosity.
 struct SolvedScene : AssembledScene {
   SolvedScene(const CommonOptions& common, const ComputeOptions& compute, radiosity::Method method,
-              const radiosity::Progress& progress, TerminalProgress& terminal);
+              const radiosity::Progress& progress, TerminalProgress& terminal,
+              const PatchCheck& check = {});
 
   radiosity::Solution solution;
 };

@@ -136,7 +136,8 @@ std::string solve_lines(const radiosity::Solution& solution) {
 }
 
 std::string energy_table(const radiosity::Bands& bands, const radiosity::EnergyBalance& energy) {
-  std::vector<Row> rows = {{"energy", "emitted, W", "absorbed, W", "escaped, W"}};
+  const std::string unit = radiosity::band_unit("W", bands);
+  std::vector<Row> rows = {{"energy", "emitted, " + unit, "absorbed, " + unit, "escaped, " + unit}};
   const Row names = band_names(bands);
   for (std::size_t band = 0; band < names.size(); ++band) {
     const auto k = static_cast<Eigen::Index>(band);
@@ -156,14 +157,37 @@ std::string flux_table(const std::vector<SurfaceFlux>& fluxes) {
   return table(rows);
 }
 
-std::string emission_text(const radiosity::Emission& emission) {
+std::string quantity_table(const QuantitySummary& quantity) {
+  const bool adds = quantity.info.is_additive;
+  std::string head(quantity.info.name);
+  if (!quantity.unit.empty()) head += ", " + quantity.unit;
+  std::vector<Row> rows = {{head, "area, m²", "mean", "min", "max"}};
+  if (adds) rows.front() = {head, "area, m²", "sum"};
+  const auto add = [&](const QuantityShare& share) {
+    Row row = {one_line(share.surface), fmt::format("{:.4g}", share.area)};
+    if (adds) {
+      row.push_back(numbers(share.sum));
+    } else {
+      for (const auto* value : {&share.mean, &share.least, &share.greatest}) {
+        row.push_back(numbers(*value));
+      }
+    }
+    rows.push_back(row);
+  };
+  for (const QuantityShare& share : quantity.surfaces) add(share);
+  add(quantity.total);
+  return table(rows);
+}
+
+std::string emission_text(const radiosity::Emission& emission, const radiosity::Bands& bands) {
   using Kind = radiosity::Emission::Kind;
   if (emission.kind == Kind::none) return "-";
   std::string_view unit = "W/m²";
   if (emission.kind == Kind::radiance) unit = "W/(m² sr)";
   if (emission.kind == Kind::power) unit = "W";
   if (emission.kind == Kind::temperature) unit = "K";
-  return fmt::format("{} {} {}", emission_name(emission.kind), numbers(emission.value), unit);
+  return fmt::format("{} {} {}", emission_name(emission.kind), numbers(emission.value),
+                     radiosity::band_unit(unit, bands));
 }
 
 std::string surface_table(const radiosity::Scene& scene, const meshing::Inspection& inspection) {
@@ -175,7 +199,7 @@ std::string surface_table(const radiosity::Scene& scene, const meshing::Inspecti
     rows.push_back({one_line(surface.name) + (surface.two_sided ? " (two-sided)" : ""),
                     fmt::format("{}", inspection.surface_polygons[s]),
                     fmt::format("{:.4g}", inspection.surface_area[s]), one_line(material.name),
-                    numbers(material.reflectance), emission_text(material.emission)});
+                    numbers(material.reflectance), emission_text(material.emission, scene.bands)});
   }
   return table(rows);
 }
@@ -219,12 +243,14 @@ std::string form_factors_text(const FactorSummary& summary) {
   return text;
 }
 
-std::string solve_text(const SolvedScene& solved, const std::vector<std::string>& outputs) {
+std::string solve_text(const SolvedScene& solved, const std::vector<QuantitySummary>& quantities,
+                       const std::vector<std::string>& outputs) {
   std::string text = scene_lines(solved) +
                      form_factor_lines(solved.transport->report(), solved.transport->bytes());
   text += solve_lines(solved.solution);
   text += energy_table(solved.scene.bands, solved.solution.energy);
   if (is_thermal(solved.scene)) text += flux_table(surface_fluxes(solved.mesh, solved.solution));
+  for (const QuantitySummary& quantity : quantities) text += quantity_table(quantity);
   for (const std::string& output : outputs) text += line("written", one_line(output));
   return text;
 }

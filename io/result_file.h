@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "radiosity/patch_mesh.h"
+#include "radiosity/quantity.h"
 #include "radiosity/scene.h"
 #include "radiosity/solve.h"
 
@@ -14,6 +15,10 @@ struct ResultOptions {
   /// Wavelengths of the bands, nm, increasing, for the colours of a .ply; empty: three bands are
   /// linear RGB, any other number shows as grey.
   std::vector<double> wavelengths = {};
+  /// Added to every file: after the columns of a .csv (`name`, per band `name_0`..), as arrays of a
+  /// .vtp. The first one, its mean over the bands, colours a .ply through `fitting_scale` and
+  /// `map_color` instead of the radiosity.
+  std::vector<radiosity::QuantityField> quantities = {};
 };
 
 /// Writes a solution by extension: .vtp (ParaView: cell arrays radiosity, irradiance, exitance,
