@@ -5,6 +5,9 @@
 #include <optional>
 #include <string>
 
+#include "apps/camera_options.h"
+#include "apps/false_color_options.h"
+#include "apps/quantity_options.h"
 #include "io/image_file.h"
 #include "radiosity/render.h"
 #include "radiosity/transport.h"
@@ -34,6 +37,9 @@ struct ComputeOptions {
 struct PictureOptions {
   radiosity::RenderOptions render;
   io::ImageOptions image;
+  CameraOptions camera;
+  FalseColorOptions false_color;
+  PhotometryOptions photometry;
 };
 
 /// Number of patches asked for if neither --max-edge, --patches nor --as-is is given.
@@ -43,10 +49,6 @@ inline constexpr long kDefaultPatches = 2000;
 void add_common_options(CLI::App& command, CommonOptions& options);
 void add_compute_options(CLI::App& command, ComputeOptions& options);
 void add_picture_options(CLI::App& command, PictureOptions& options);
-
-/// For the command line's check: empty if `text` is a finite number above zero, else what was
-/// found. (CLI::PositiveNumber lets NaN pass.)
-std::string check_positive(const std::string& text);
 
 /// --closed as the library takes it; with "auto" the scene's own declaration counts.
 radiosity::Closed closed_choice(const std::string& choice, const std::optional<bool>& declared);

@@ -83,7 +83,7 @@ Json share(const QuantityShare& share, const radiosity::QuantityInfo& info) {
   return json;
 }
 
-Json summary(const QuantitySummary& quantity) {
+Json by_surface(const QuantitySummary& quantity) {
   Json list = Json::array();
   for (const QuantityShare& surface : quantity.surfaces) {
     list.push_back(share(surface, quantity.info));
@@ -143,9 +143,8 @@ Json bounds(const radiosity::Box3& box) {
 
 }  // namespace
 
-std::string solve_json(const SolvedScene& solved, const std::vector<QuantitySummary>& quantities,
-                       const std::vector<std::string>& outputs,
-                       const std::vector<std::string>& warnings) {
+std::string solve_json(const SolveSummary& summary, const std::vector<std::string>& warnings) {
+  const SolvedScene& solved = summary.solved;
   const radiosity::EnergyBalance& energy = solved.solution.energy;
   Json json = {
       {"patches", solved.mesh.size()},
@@ -156,13 +155,20 @@ std::string solve_json(const SolvedScene& solved, const std::vector<QuantitySumm
        {{"emitted", array(energy.emitted)},
         {"absorbed", array(energy.absorbed)},
         {"escaped", array(energy.escaped)}}},
-      {"outputs", outputs},
+      {"outputs", summary.outputs},
       {"warnings", warnings}};
   if (is_thermal(solved.scene)) {
     json["surfaces"] = surfaces(surface_fluxes(solved.mesh, solved.solution));
   }
-  for (const QuantitySummary& quantity : quantities) {
-    json["quantities"][std::string(quantity.info.name)] = summary(quantity);
+  for (const QuantitySummary& quantity : summary.quantities) {
+    json["quantities"][std::string(quantity.info.name)] = by_surface(quantity);
+  }
+  if (const auto& shown = summary.false_color) {
+    json["false_colour"] = {{"quantity", shown->quantity},
+                            {"unit", shown->unit},
+                            {"low", shown->scale.low},
+                            {"high", shown->scale.high},
+                            {"log", shown->scale.logarithmic}};
   }
   return text(json);
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "apps/number_list.h"
 #include "apps/surface_flux.h"
 #include "radiosity/error.h"
 
@@ -84,9 +85,9 @@ void check_photometry(const radiosity::Scene& scene, const std::vector<Quantity>
   });
   const bool has_wavelengths = scene.bands.kind == Bands::Kind::wavelengths;
   if (options.efficacy && (!photometric || has_wavelengths)) {
-    terminal.warn(photometric
-                      ? "--efficacy has no effect: the bands are wavelengths, seen by the eye's V(λ)"
-                      : "--efficacy has no effect without a photometric quantity");
+    terminal.warn(
+        photometric ? "--efficacy has no effect: the bands are wavelengths, seen by the eye's V(λ)"
+                    : "--efficacy has no effect without a photometric quantity");
   }
   if (!photometric) return;
   if (has_wavelengths) check_wavelengths(scene, terminal);
@@ -95,12 +96,6 @@ void check_photometry(const radiosity::Scene& scene, const std::vector<Quantity>
         "the scene emits by temperature, all wavelengths together: hardly any of it is light, and "
         "photometric quantities mean nothing");
   }
-}
-
-radiosity::QuantityField solved_field(const SolvedScene& solved, Quantity quantity,
-                                      const PhotometryOptions& options) {
-  return radiosity::make_field(quantity, solved.mesh, solved.solution, solved.scene.bands,
-                               options.efficacy.value_or(radiosity::kWhiteEfficacy));
 }
 
 }  // namespace apps

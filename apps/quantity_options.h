@@ -5,14 +5,18 @@
 #include <string>
 #include <vector>
 
-#include "apps/solved_scene.h"
+#include "apps/terminal_progress.h"
 #include "radiosity/quantity.h"
 
 namespace apps {
 
 /// How bands become photometric quantities.
 struct PhotometryOptions {
-  std::optional<double> efficacy;  ///< lm/W, of RGB and grey bands; absent: the convention's
+  std::optional<double> efficacy;  ///< lm/W, of RGB and grey bands; absent: by convention
+
+  [[nodiscard]] double efficacy_or_default() const {
+    return efficacy.value_or(radiosity::kWhiteEfficacy);
+  }
 };
 
 /// Which quantities are added to the outputs.
@@ -35,9 +39,5 @@ std::vector<radiosity::Quantity> chosen_quantities(const QuantityOptions& option
 void check_photometry(const radiosity::Scene& scene,
                       const std::vector<radiosity::Quantity>& quantities,
                       const PhotometryOptions& options, TerminalProgress& terminal);
-
-/// A quantity of the solved scene.
-radiosity::QuantityField solved_field(const SolvedScene& solved, radiosity::Quantity quantity,
-                                      const PhotometryOptions& options);
 
 }  // namespace apps

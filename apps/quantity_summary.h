@@ -22,8 +22,9 @@ struct QuantityShare {
 struct QuantitySummary {
   radiosity::QuantityInfo info;
   std::string unit;
-  std::vector<QuantityShare> surfaces;  ///< in the scene's order; those without patches are left out
-  QuantityShare total;                  ///< of all patches
+  std::vector<QuantityShare>
+      surfaces;         ///< in the scene's order; those without patches are left out
+  QuantityShare total;  ///< of all patches
 };
 
 QuantitySummary summarize(const radiosity::QuantityField& field, const radiosity::PatchMesh& mesh);

@@ -2,6 +2,8 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
+#include <string>
 
 #include "apps/common_options.h"
 #include "apps/interruption.h"
@@ -88,10 +90,19 @@ void warn_of_open_rows(const radiosity::AssemblyReport& report, TerminalProgress
 /// Progress that is shown by `terminal` and stopped by `interruption`.
 radiosity::Progress shown_progress(TerminalProgress& terminal, const Interruption& interruption);
 
-/// Renders the picture of a solved scene and writes it; warns if the scene has no camera. The file
-/// is written under `interruption.hold()`.
-void write_picture(const std::string& path, const SolvedScene& solved,
-                   const PictureOptions& options, const radiosity::Progress& progress,
-                   TerminalProgress& terminal, Interruption& interruption);
+/// What a picture in false colours shows.
+struct ShownScale {
+  std::string quantity;  ///< its name
+  std::string unit;
+  io::ColorScale scale;
+};
+
+/// Renders the picture of a solved scene and writes it; returns the scale if it is in false
+/// colours. The file is written under `interruption.hold()`. Throws SceneError if all of it is
+/// empty, which `check_picture` finds out beforehand unless it is for lack of pixels.
+std::optional<ShownScale> write_picture(const std::string& path, const SolvedScene& solved,
+                                        const PictureOptions& options,
+                                        const radiosity::Progress& progress,
+                                        Interruption& interruption);
 
 }  // namespace apps

@@ -3,7 +3,6 @@
 #include <cstdio>
 
 #include "apps/json_summary.h"
-#include "apps/quantity_summary.h"
 #include "apps/text_summary.h"
 #include "radiosity/error.h"
 
@@ -17,13 +16,9 @@ void print(const std::string& text) {
   }
 }
 
-void print_summary(const SolvedScene& solved, const std::vector<std::string>& outputs,
-                   const CommonOptions& common, const TerminalProgress& terminal,
-                   const std::vector<radiosity::QuantityField>& quantities) {
-  std::vector<QuantitySummary> summaries;
-  for (const auto& field : quantities) summaries.push_back(summarize(field, solved.mesh));
-  print(common.json ? solve_json(solved, summaries, outputs, terminal.warnings())
-                    : solve_text(solved, summaries, outputs));
+void print_summary(const SolveSummary& summary, const CommonOptions& common,
+                   const TerminalProgress& terminal) {
+  print(common.json ? solve_json(summary, terminal.warnings()) : solve_text(summary));
 }
 
 }  // namespace apps

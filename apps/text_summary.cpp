@@ -57,21 +57,6 @@ std::string bytes(std::size_t n) {
                            : fmt::format("{:.2f} GB", static_cast<double>(n) * 1e-9);
 }
 
-Row band_names(const radiosity::Bands& bands) {
-  switch (bands.kind) {
-    case radiosity::Bands::Kind::grey:
-      return {"grey"};
-    case radiosity::Bands::Kind::rgb:
-      return {"red", "green", "blue"};
-    case radiosity::Bands::Kind::wavelengths:
-      break;
-  }
-  Row names;
-  for (const double wavelength : bands.wavelengths)
-    names.push_back(fmt::format("{} nm", wavelength));
-  return names;
-}
-
 std::string scene_lines(const PatchedScene& patched) {
   return line("scene", one_line(patched.scene.source)) +
          line("patches", fmt::format("{} on {} surfaces", patched.mesh.size(),
@@ -179,6 +164,11 @@ std::string quantity_table(const QuantitySummary& quantity) {
   return table(rows);
 }
 
+std::string scale_text(const ShownScale& shown) {
+  return fmt::format("{} from {:g} to {:g} {}{}", shown.quantity, shown.scale.low, shown.scale.high,
+                     shown.unit, shown.scale.logarithmic ? ", logarithmic" : "");
+}
+
 std::string emission_text(const radiosity::Emission& emission, const radiosity::Bands& bands) {
   using Kind = radiosity::Emission::Kind;
   if (emission.kind == Kind::none) return "-";
@@ -243,15 +233,16 @@ std::string form_factors_text(const FactorSummary& summary) {
   return text;
 }
 
-std::string solve_text(const SolvedScene& solved, const std::vector<QuantitySummary>& quantities,
-                       const std::vector<std::string>& outputs) {
+std::string solve_text(const SolveSummary& summary) {
+  const SolvedScene& solved = summary.solved;
   std::string text = scene_lines(solved) +
                      form_factor_lines(solved.transport->report(), solved.transport->bytes());
   text += solve_lines(solved.solution);
   text += energy_table(solved.scene.bands, solved.solution.energy);
   if (is_thermal(solved.scene)) text += flux_table(surface_fluxes(solved.mesh, solved.solution));
-  for (const QuantitySummary& quantity : quantities) text += quantity_table(quantity);
-  for (const std::string& output : outputs) text += line("written", one_line(output));
+  for (const QuantitySummary& quantity : summary.quantities) text += quantity_table(quantity);
+  if (summary.false_color) text += line("false colours", scale_text(*summary.false_color));
+  for (const std::string& output : summary.outputs) text += line("written", one_line(output));
   return text;
 }
 

@@ -1,6 +1,7 @@
 #include "io/color_map.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 
@@ -52,9 +53,8 @@ double round_down(double value) {
 /// The finite values, and of them only those above 0 if `logarithmic`, sorted.
 std::vector<double> shown_values(const Eigen::VectorXd& values, bool logarithmic) {
   std::vector<double> shown;
-  std::copy_if(values.begin(), values.end(), std::back_inserter(shown), [&](double value) {
-    return std::isfinite(value) && (!logarithmic || value > 0);
-  });
+  std::copy_if(values.begin(), values.end(), std::back_inserter(shown),
+               [&](double value) { return std::isfinite(value) && (!logarithmic || value > 0); });
   std::sort(shown.begin(), shown.end());
   return shown;
 }
@@ -84,7 +84,8 @@ std::vector<double> logarithmic_ticks(const ColorScale& scale, int most, bool fi
   for (int decade = first; decade <= last; ++decade) {
     for (const double digit : {1.0, 2.0, 5.0}) {
       const double tick = digit * std::pow(10, decade);
-      const bool inside = tick >= scale.low * (1 - kRounding) && tick <= scale.high * (1 + kRounding);
+      const bool inside =
+          tick >= scale.low * (1 - kRounding) && tick <= scale.high * (1 + kRounding);
       if (inside && (fine || digit == 1)) ticks.push_back(tick);
     }
   }
@@ -133,11 +134,11 @@ std::vector<double> tick_values(const ColorScale& scale, int most) {
   return thinned;
 }
 
-std::array<std::uint8_t, 3> map_color(double position) {
+Rgb map_color(double position) {
   const double place = std::clamp(position, 0.0, 1.0) * (kViridis.size() - 1);
   const auto k = std::min(static_cast<std::size_t>(place), kViridis.size() - 2);
   const double t = place - static_cast<double>(k);
-  std::array<std::uint8_t, 3> color{};
+  Rgb color{};
   for (std::size_t c = 0; c < 3; ++c) {
     const double value = (1 - t) * kViridis[k][c] + t * kViridis[k + 1][c];
     color[c] = static_cast<std::uint8_t>(std::lround(255 * value));

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
-#include <cstdint>
 #include <vector>
+
+#include "io/rgb_picture.h"
 
 namespace io {
 
@@ -15,9 +15,9 @@ struct ColorScale {
 };
 
 /// A scale for the values: from their minimum to what 98 % of them stay below, widened to round
-/// numbers (multiples of the ticks' step; of 1, 2, 5 times a power of ten if logarithmic, where only
-/// values above 0 count and at most six decades are shown). Values that are not finite are left
-/// out. Something to look at even if there are none or all are equal.
+/// numbers (multiples of the ticks' step; of 1, 2, 5 times a power of ten if logarithmic, where
+/// only values above 0 count and at most six decades are shown). Values that are not finite are
+/// left out. Something to look at even if there are none or all are equal.
 ColorScale fitting_scale(const Eigen::VectorXd& values, bool logarithmic);
 
 /// Where a value lies on the scale, from 0 (low or below) to 1 (high or above).
@@ -27,8 +27,8 @@ double position_on(const ColorScale& scale, double value);
 /// 2, 5 if logarithmic), at most `most` of them (>= 2), at least the two ends.
 std::vector<double> tick_values(const ColorScale& scale, int most);
 
-/// 8-bit sRGB of a position in [0, 1] in the colour map viridis: dark blue, green, yellow, lightness
-/// rising evenly. (Smith & van der Walt 2015, matplotlib; public domain, CC0)
-std::array<std::uint8_t, 3> map_color(double position);
+/// 8-bit sRGB of a position in [0, 1] in the colour map viridis: dark blue, green, yellow,
+/// lightness rising evenly. (Smith & van der Walt 2015, matplotlib; public domain, CC0)
+Rgb map_color(double position);
 
 }  // namespace io

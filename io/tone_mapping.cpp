@@ -58,7 +58,7 @@ double automatic_exposure(const Eigen::MatrixX3f& colors) {
   return kWhite / white;
 }
 
-std::array<std::uint8_t, 3> srgb_bytes(const Eigen::RowVector3f& color, double exposure) {
+Rgb srgb_bytes(const Eigen::RowVector3f& color, double exposure) {
   return {srgb_byte(exposure * color[0]), srgb_byte(exposure * color[1]),
           srgb_byte(exposure * color[2])};
 }

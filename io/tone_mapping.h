@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "io/rgb_picture.h"
+
 namespace io {
 
 /// Linear sRGB to show, n x 3, of n colours in any number of bands (n x n_bands). With
@@ -22,6 +24,6 @@ double automatic_exposure(const Eigen::MatrixX3f& colors);
 
 /// 8-bit sRGB (IEC 61966-2-1) of a linear colour times `exposure`; what is brighter than white
 /// becomes white, and a negative component 0.
-std::array<std::uint8_t, 3> srgb_bytes(const Eigen::RowVector3f& color, double exposure);
+Rgb srgb_bytes(const Eigen::RowVector3f& color, double exposure);
 
 }  // namespace io

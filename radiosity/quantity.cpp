@@ -78,12 +78,12 @@ std::optional<Quantity> quantity_named(std::string_view name) {
 }
 
 std::string band_unit(std::string_view unit, const Bands& bands) {
-  std::string text(unit);
+  const std::string text(unit);
   if (bands.kind != Bands::Kind::wavelengths || text.empty()) return text;
-  if (text.back() == ')') return text.insert(text.size() - 1, " nm");
-  const auto slash = text.find('/');
-  if (slash == std::string::npos) return text + "/nm";
-  return text.insert(slash + 1, "(") + " nm)";
+  if (text.back() == ')') return text.substr(0, text.size() - 1) + " nm)";
+  const auto denominator = text.find('/') + 1;
+  if (denominator == 0) return text + "/nm";
+  return text.substr(0, denominator) + "(" + text.substr(denominator) + " nm)";
 }
 
 Eigen::VectorXd luminous_weights(const Bands& bands, double efficacy) {

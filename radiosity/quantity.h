@@ -57,9 +57,9 @@ inline constexpr double kWhiteEfficacy = 179;
 inline constexpr double kPeakEfficacy = 683;
 
 /// Weights of the bands in the photometric counterpart of a quantity, lm/W: X_v = Σ_b w_b X_b.
-/// Wavelengths: 683 lm/W ∫ V(λ) X_λ dλ by the trapezoidal rule, with V = ȳ of the CIE 1931 observer,
-/// 0 outside 360..830 nm; 0 for a single wavelength, which spans nothing. RGB: `efficacy` times
-/// 0.2126, 0.7152, 0.0722 (linear sRGB, Rec. 709). Grey: `efficacy`.
+/// Wavelengths: 683 lm/W ∫ V(λ) X_λ dλ by the trapezoidal rule, with V = ȳ of the CIE 1931
+/// observer, 0 outside 360..830 nm; 0 for a single wavelength, which spans nothing. RGB: `efficacy`
+/// times 0.2126, 0.7152, 0.0722 (linear sRGB, Rec. 709). Grey: `efficacy`.
 Eigen::VectorXd luminous_weights(const Bands& bands, double efficacy = kWhiteEfficacy);
 
 /// The mean over bands: with wavelengths (nm, increasing, one per band) that over their range

@@ -28,6 +28,7 @@
 ///    told otherwise) times 0.2126 R + 0.7152 G + 0.0722 B, or times the grey band.
 ///  - Arrays have one row per patch and one column per band.
 
+#include "radiosity/camera_view.h"
 #include "radiosity/color_matching.h"
 #include "radiosity/error.h"
 #include "radiosity/exchange_area.h"

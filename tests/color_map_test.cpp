@@ -65,7 +65,8 @@ TEST(Ticks, AreRoundAndFew) {
   EXPECT_EQ(io::tick_values({1, 100, true}, 4), (std::vector<double>{1, 10, 100}));
   EXPECT_EQ(io::tick_values({3.2, 3.4, true}, 4), (std::vector<double>{3.2, 3.4}));
   for (int most = 2; most < 20; ++most) {
-    for (const ColorScale& scale : {ColorScale{0, 7e-5}, {-3, 1234}, {1e-6, 1, true}, {2, 90, true}}) {
+    for (const ColorScale& scale :
+         {ColorScale{0, 7e-5}, {-3, 1234}, {1e-6, 1, true}, {2, 90, true}}) {
       const auto ticks = io::tick_values(scale, most);
       EXPECT_GE(ticks.size(), 2U) << most;
       EXPECT_LE(static_cast<int>(ticks.size()), most);

@@ -66,8 +66,8 @@ TEST_F(Quantities, OfAFurnaceAreKnown) {
 TEST_F(Quantities, OfWavelengthsAreIntegralsOverTheVisible) {
   std::string bands = "[";
   for (int nm = 360; nm <= 830; nm += 5) bands += std::to_string(nm) + (nm < 830 ? ", " : "]");
-  const Json json = solve({write_lamp(bands), "--as-is", "--quantity", "luminous-exitance",
-                           "--quantity", "radiance"});
+  const Json json = solve(
+      {write_lamp(bands), "--as-is", "--quantity", "luminous-exitance", "--quantity", "radiance"});
   EXPECT_TRUE(json["warnings"].empty());
   const Json& all = json["quantities"];
   EXPECT_NEAR(all["luminous-exitance"]["total"]["mean"].get<double>(), 683 * 106.857 * M_PI, 5);
@@ -77,10 +77,9 @@ TEST_F(Quantities, OfWavelengthsAreIntegralsOverTheVisible) {
 }
 
 TEST_F(Quantities, StandAfterTheOtherColumns) {
-  const Json json =
-      solve({write_cube(0.5, 1), "--as-is", "--quantity", "illuminance", "--quantity", "radiance",
-             "--quantity", "illuminance", "--quantity", "error", "-o", result("a.csv"), "-o",
-             result("a.vtp"), "-o", result("a.ply")});
+  const Json json = solve({write_cube(0.5, 1), "--as-is", "--quantity", "illuminance", "--quantity",
+                           "radiance", "--quantity", "illuminance", "--quantity", "error", "-o",
+                           result("a.csv"), "-o", result("a.vtp"), "-o", result("a.ply")});
   EXPECT_EQ(first_line(contents(result("a.csv"))),
             "patch,surface,polygon,x,y,z,area,B_0,B_1,B_2,H_0,H_1,H_2,error_0,error_1,error_2,"
             "net_0,net_1,net_2,illuminance,radiance_0,radiance_1,radiance_2,"
