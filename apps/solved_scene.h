@@ -8,6 +8,8 @@
 #include "apps/common_options.h"
 #include "apps/interruption.h"
 #include "apps/terminal_progress.h"
+#include "meshing/adaptive.h"
+#include "radiosity/discretisation_error.h"
 #include "radiosity/patch_mesh.h"
 #include "radiosity/scene.h"
 #include "radiosity/solve.h"
@@ -57,6 +59,7 @@ struct AssembledScene : PatchedScene {
                  const PatchCheck& check = {});
 
   std::unique_ptr<radiosity::Transport> transport;
+  std::optional<meshing::Refinement> refinement;  ///< with --adaptive
 };
 
 /// The whole pipeline from a scene file to its radiosity.
@@ -65,7 +68,8 @@ struct SolvedScene : AssembledScene {
               const radiosity::Progress& progress, TerminalProgress& terminal,
               const PatchCheck& check = {});
 
-  radiosity::Solution solution;
+  radiosity::DiscretisationError discretisation;
+  radiosity::Solution solution;  ///< its errors include `discretisation`
 };
 
 /// How progress is shown: not at all with --quiet, else as stderr allows.
