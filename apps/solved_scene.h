@@ -94,13 +94,6 @@ void warn_of_open_rows(const radiosity::AssemblyReport& report, TerminalProgress
 /// Progress that is shown by `terminal` and stopped by `interruption`.
 radiosity::Progress shown_progress(TerminalProgress& terminal, const Interruption& interruption);
 
-/// What a picture in false colours shows.
-struct ShownScale {
-  std::string quantity;  ///< its name
-  std::string unit;
-  io::ColorScale scale;
-};
-
 /// Renders the picture of a solved scene and writes it; returns the scale if it is in false
 /// colours. The file is written under `interruption.hold()`. Throws SceneError if all of it is
 /// empty, which `check_picture` finds out beforehand unless it is for lack of pixels.
