@@ -11,8 +11,8 @@
 #include "io/scene_file.h"
 #include "meshing/inspect.h"
 #include "meshing/patches.h"
+#include "radiosity/gathered_picture.h"
 #include "radiosity/radiometry.h"
-#include "radiosity/render.h"
 
 namespace apps {
 namespace {
@@ -109,6 +109,19 @@ SolveOptions solve_options(Method method, double tolerance, const Progress& prog
   return options;
 }
 
+Image draw(const SolvedScene& solved, const Camera& camera, const PictureOptions& options,
+           const Progress& progress) {
+  RenderOptions render_options = options.render;
+  render_options.progress = progress;
+  const Solution& solution = solved.solution;
+  if (!options.gather) {
+    return render(solved.mesh, solved.visibility, solution.radiosity, camera, render_options);
+  }
+  const FinalGather gather(solved.mesh, solution.radiosity);
+  return render_gathered(gather, solved.visibility, {solution.exitance, solution.reflectance},
+                         camera, render_options);
+}
+
 }  // namespace
 
 PatchedScene::PatchedScene(const CommonOptions& common, const ComputeOptions& compute,
@@ -192,10 +205,7 @@ void write_picture(const std::string& path, const SolvedScene& solved,
                     "{:.3g}) m, where all of it is in view",
                     p.x(), p.y(), p.z()));
   }
-  RenderOptions render_options = options.render;
-  render_options.progress = progress;
-  const Image image =
-      render(solved.mesh, solved.visibility, solved.solution.radiosity, camera, render_options);
+  const Image image = draw(solved, camera, options, progress);
   progress.check();
   const auto lock = interruption.hold();
   io::write_image(path, image, options.image);

@@ -29,8 +29,7 @@ PrimaryRays::PrimaryRays(const Visibility& visibility, const Camera& camera, int
 std::optional<SurfacePoint> PrimaryRays::first_front(int x, int y, int k) const {
   const Eigen::Vector2d place =
       Eigen::Vector2d(x, y) + sample_position(k, samples_per_side_) - center_;
-  const Vec3 direction =
-      (forward_ + pixel_ * (place[0] * right_ + place[1] * down_)).normalized();
+  const Vec3 direction = (forward_ + pixel_ * (place[0] * right_ + place[1] * down_)).normalized();
   const std::optional<Hit> hit = visibility_.first_front_hit(position_, direction);
   if (!hit) return std::nullopt;
   return SurfacePoint{hit->patch, position_ + hit->distance * direction};
