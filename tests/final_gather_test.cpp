@@ -172,7 +172,8 @@ TEST(FinalGather, IsExactInTheCornellBox) {
   std::mt19937_64 random(kSeed);
   for (const SurfacePoint& point : random_points(mesh, 30, random)) {
     expect_exact(mesh, {&point, 1}, kExact);
-    expect_exact(mesh, tile_of_points(mesh, point, 3, 1e-4), FinalGather::kInterpolationTolerance);
+    expect_exact(mesh, tile_of_points(mesh, point, 3, 1e-4), FinalGather::kInterpolationTolerance,
+                 4);
   }
 }
 
