@@ -132,6 +132,11 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
       ->type_name("N")
       ->group(picture);
   command
+      .add_flag("--gather", options.gather,
+                "Gather the light of each pixel anew from the patches: crisp shadows")
+      ->excludes(false_color)
+      ->group(picture);
+  command
       .add_option("--exposure", options.image.exposure,
                   "Factor from radiance to brightness in a .png; default: chosen to fit")
       ->check(check_positive)

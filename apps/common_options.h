@@ -36,6 +36,7 @@ struct ComputeOptions {
 
 /// How pictures are made.
 struct PictureOptions {
+  bool gather = false;  ///< gather the light of each pixel anew instead of interpolating
   radiosity::RenderOptions render;
   io::ImageOptions image;
   CameraOptions camera;

@@ -12,9 +12,9 @@
 #include "io/scene_file.h"
 #include "meshing/inspect.h"
 #include "meshing/patches.h"
+#include "radiosity/gathered_picture.h"
 #include "radiosity/quantity.h"
 #include "radiosity/radiometry.h"
-#include "radiosity/render.h"
 
 namespace apps {
 namespace {
@@ -132,7 +132,7 @@ DiscretisationError estimate_discretisation(const PatchMesh& mesh, const Transpo
                                             const Solution& solution, const Progress& progress,
                                             TerminalProgress& terminal) {
   DiscretisationError result = discretisation_error(mesh, transport, solution, progress);
-  if (result.n_unknown == mesh.size()) {
+  if (result.n_unknown == mesh.size() && !solution.reflectance.isZero(0)) {
     terminal.warn(
         "each surface has one patch only, so how far their size makes the result wrong is not "
         "known and not in the errors given; --patches N makes more");
@@ -172,6 +172,17 @@ ShownScale write_false_color_picture(const std::string& path, const SolvedScene&
   const auto lock = interruption.hold();
   const io::ColorScale scale = io::write_false_color(path, image, shown.options);
   return {std::string(field.info.name), field.unit, scale};
+}
+
+Image draw(const SolvedScene& solved, const Camera& camera, bool gathers,
+           const RenderOptions& options) {
+  const Solution& solution = solved.solution;
+  if (!gathers) {
+    return render(solved.mesh, solved.visibility, solution.radiosity, camera, options);
+  }
+  const FinalGather gather(solved.mesh, solution.radiosity);
+  return render_gathered(gather, solved.visibility, {solution.exitance, solution.reflectance},
+                         camera, options);
 }
 
 }  // namespace
@@ -272,8 +283,7 @@ std::optional<ShownScale> write_picture(const std::string& path, const SolvedSce
   if (options.false_color.quantity) {
     return write_false_color_picture(path, solved, options, camera, render_options, interruption);
   }
-  const Image image =
-      render(solved.mesh, solved.visibility, solved.solution.radiosity, camera, render_options);
+  const Image image = draw(solved, camera, options.gather, render_options);
   progress.check();
   refuse_empty(image);
   io::ImageOptions image_options = options.image;

@@ -3,18 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
-#include <optional>
 #include <vector>
 
 #include "radiosity/blocker.h"
 #include "radiosity/cluster_tree.h"
+#include "radiosity/cluster_visibility.h"
 #include "radiosity/memory_sink.h"
 #include "radiosity/occluded_pair.h"
 #include "radiosity/occluders.h"
 #include "radiosity/pair_kernel.h"
 #include "radiosity/parallel.h"
-#include "radiosity/segment_bundle.h"
-#include "radiosity/shaft.h"
 
 namespace radiosity {
 namespace {
@@ -33,8 +31,6 @@ constexpr double kExactTolerance = 1e-11;
 constexpr double kMinor = 1e-2;
 constexpr double kNegligible = 1e-3;
 
-using Candidates = std::vector<std::int32_t>;
-
 /// Rays for a pair whose samples disagree. An entry's relative error falls a little faster than
 /// rays^-½; partly hidden pairs hold a few per cent of all exchange.
 int rays_per_pair(double tolerance) {
@@ -45,15 +41,6 @@ int rays_per_pair(double tolerance) {
 double kernel_tolerance(Index n_patches, double tolerance) {
   if (n_patches <= kExactPatches) return kExactTolerance;
   return std::max(std::min(kKernelTolerance, kKernelShare * tolerance), kExactTolerance);
-}
-
-PatchMesh centered(const PatchMesh& mesh) {
-  PatchMesh result = mesh;
-  const Box3 box = bounds(mesh);
-  if (box.isEmpty()) return result;
-  for (Vec3& vertex : result.vertices) vertex -= box.center();
-  for (Vec3& centroid : result.centroid) centroid -= box.center();
-  return result;
 }
 
 class Assembler {
@@ -130,48 +117,11 @@ class Assembler {
   /// blocks everything.
   [[nodiscard]] Candidates filter(std::int32_t a, std::int32_t b, const Candidates& candidates,
                                   bool& is_hidden) const {
-    Candidates kept;
-    if (is_hidden || candidates.empty() || (is_known_[a] && is_known_[b])) return kept;
-    const Cluster& ca = tree_.clusters[a];
-    const Cluster& cb = tree_.clusters[b];
-    const bool is_last = ca.is_leaf() && cb.is_leaf();
-    const BoxShaft shaft(ca.box, cb.box);
-    std::optional<SegmentBundle> there;
-    std::optional<SegmentBundle> back;
-    for (const std::int32_t k : candidates) {
-      const Blocker& blocker = blockers_[k];
-      if (shaft.misses(blocker.box, blocker.corners, table_.thickness())) continue;
-      if (!there) there.emplace(ca.outline, cb.outline, table_.thickness());
-      SegmentBundle::Verdict verdict = there->test(blocker);
-      const bool is_divided = verdict.divides_source != nullptr;
-      if (verdict.blocking == Blocking::some) {
-        if (!back) back.emplace(cb.outline, ca.outline, table_.thickness());
-        verdict = back->test(blocker);
-      }
-      if (verdict.blocking == Blocking::all) {
-        is_hidden = true;
-        return {};
-      }
-      if (verdict.blocking == Blocking::none) continue;
-      if (is_last && is_divided && verdict.divides_source != nullptr &&
-          there->is_separated(blocker)) {
-        continue;
-      }
-      kept.push_back(k);
-    }
-    return kept;
-  }
-
-  /// Whether the patches of one cluster all lie behind those of the other.
-  [[nodiscard]] bool are_averted(std::int32_t a, std::int32_t b) const {
-    const auto is_behind = [&](const Cluster& cluster, const Cluster& of) {
-      if (!of.plane) return false;
-      return std::all_of(cluster.outline.begin(), cluster.outline.end(), [&](const Vec3& corner) {
-        return of.plane->normal.dot(corner) <= of.plane->offset + table_.thickness();
-      });
-    };
-    return is_behind(tree_.clusters[a], tree_.clusters[b]) ||
-           is_behind(tree_.clusters[b], tree_.clusters[a]);
+    if (is_hidden || (is_known_[a] && is_known_[b])) return {};
+    const auto kept = possible_blockers(tree_.clusters[a], tree_.clusters[b], blockers_, candidates,
+                                        table_.thickness());
+    is_hidden = !kept;
+    return kept.value_or(Candidates());
   }
 
   /// The strips that a cluster of at least one strip is made of, from first to last.
@@ -277,7 +227,7 @@ class Assembler {
   /// Descends within a tile to the tree's leaves, filtering the candidates on the way.
   void visit_pairs(std::int32_t a, std::int32_t b, const Candidates& candidates, bool is_hidden,
                    TileWork& work) {
-    if (are_averted(a, b)) return;
+    if (are_averted(tree_.clusters[a], tree_.clusters[b], table_.thickness())) return;
     const Cluster& ca = tree_.clusters[a];
     const Cluster& cb = tree_.clusters[b];
     if (ca.is_leaf() && cb.is_leaf()) {

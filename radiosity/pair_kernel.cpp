@@ -15,11 +15,18 @@ PatchTable::PatchTable(const PatchMesh& mesh, double tolerance) : tolerance_(tol
   const Vec3 center = box.isEmpty() ? Vec3(Vec3::Zero()) : box.center();
   thickness_ = plane_thickness(box);
   for (Index i = 0; i < mesh.size(); ++i) {
+    const HalfSpace plane{mesh.normal[i], mesh.normal[i].dot(mesh.centroid[i] - center)};
     ConvexPolygon polygon;
-    for (int k = 0; k < mesh.n_corners(i); ++k) polygon.push_back(mesh.corner(i, k) - center);
+    for (int k = 0; k < mesh.n_corners(i); ++k) {
+      const Vec3 corner = mesh.corner(i, k) - center;
+      // A quad that is planar only to a file's digits would lie in its own shadow.
+      const double height = plane.normal.dot(corner) - plane.offset;
+      const bool is_off = std::abs(height) > thickness_;
+      polygon.push_back(is_off ? Vec3(corner - height * plane.normal) : corner);
+    }
     const Disc disc = bounding_disc(polygon.points());
     polygons_.push_back(polygon);
-    planes_.push_back({mesh.normal[i], mesh.normal[i].dot(mesh.centroid[i] - center)});
+    planes_.push_back(plane);
     centers_.push_back(disc.center);
     radii_.push_back(disc.radius);
     for (int order = 2; order <= kKeptOrder; ++order) {

@@ -44,6 +44,15 @@ Box3 bounds(const PatchMesh& mesh) {
   return box;
 }
 
+PatchMesh centered(const PatchMesh& mesh) {
+  PatchMesh result = mesh;
+  const Box3 box = bounds(mesh);
+  if (box.isEmpty()) return result;
+  for (Vec3& vertex : result.vertices) vertex -= box.center();
+  for (Vec3& centroid : result.centroid) centroid -= box.center();
+  return result;
+}
+
 double plane_thickness(const Box3& box) {
   constexpr double kShareOfSize = 1e-11;
   constexpr double kRounding = 4e-16;

@@ -39,6 +39,10 @@ struct PatchMesh {
 /// The box around all patches. Empty if there are none.
 Box3 bounds(const PatchMesh& mesh);
 
+/// The same patches moved so that the centre of their box is the origin, which keeps digits when
+/// the scene lies far from it.
+PatchMesh centered(const PatchMesh& mesh);
+
 /// How far from a plane a point may be and still count as on it, in a scene within `box`, m: a
 /// share of its size, and the rounding of coordinates far from the origin. 0 if it is empty.
 double plane_thickness(const Box3& box);

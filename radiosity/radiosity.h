@@ -33,6 +33,8 @@
 #include "radiosity/discretisation_error.h"
 #include "radiosity/error.h"
 #include "radiosity/exchange_area.h"
+#include "radiosity/final_gather.h"
+#include "radiosity/gathered_picture.h"
 #include "radiosity/geometry.h"
 #include "radiosity/parallel.h"
 #include "radiosity/patch_mesh.h"

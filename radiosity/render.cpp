@@ -4,10 +4,9 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <mutex>
-#include <optional>
 
 #include "radiosity/parallel.h"
+#include "radiosity/primary_rays.h"
 
 namespace radiosity {
 namespace {
@@ -68,99 +67,29 @@ Eigen::RowVectorXd interpolate(const PatchMesh& mesh, const Eigen::MatrixXd& cor
   return value(0) + at_b * (value(1) - value(0)) + at_c * (value(2) - value(0));
 }
 
-/// A point on the emitting side of a patch.
-struct SurfacePoint {
-  Index patch;
-  Vec3 position;
-};
-
-/// The first emitting side that a ray meets; backs are passed through. `direction` has unit length.
-std::optional<SurfacePoint> first_front(const Visibility& visibility, const Vec3& origin,
-                                        const Vec3& direction) {
-  const std::optional<Hit> hit = visibility.first_front_hit(origin, direction);
-  if (!hit) return std::nullopt;
-  return SurfacePoint{hit->patch, origin + hit->distance * direction};
-}
-
-/// The directions of a pinhole camera's rays.
-class Pinhole {
- public:
-  Pinhole(const Camera& camera, int width, int height)
-      : forward_(camera.direction.normalized()),
-        right_(forward_.cross(camera.up).normalized()),
-        down_(forward_.cross(right_)),
-        pixel_(2 * std::tan(camera.vertical_fov / 2) / height),
-        center_(0.5 * width, 0.5 * height) {}
-
-  /// Unit direction through a position in pixels from the picture's top left corner.
-  [[nodiscard]] Vec3 direction(double x, double y) const {
-    return (forward_ + pixel_ * ((x - center_[0]) * right_ + (y - center_[1]) * down_))
-        .normalized();
-  }
-
- private:
-  Vec3 forward_;
-  Vec3 right_;
-  Vec3 down_;
-  double pixel_;
-  Vec2 center_;
-};
-
-/// Sample k of a pixel cut into n x n cells, in [0, 1)²: one in each cell, and all n² in different
-/// rows and columns of the n² x n² grid, so that edges near the axes are smooth too.
-Vec2 sample_position(int k, int n) {
-  const int column = k % n;
-  const int row = k / n;
-  return {(column + (row + 0.5) / n) / n, (row + (column + 0.5) / n) / n};
-}
-
-/// Reports rows as they are finished, one call at a time.
-class RowCounter {
- public:
-  RowCounter(const Progress& progress, int n_rows) : progress_(progress), n_rows_(n_rows) {}
-  void add_row() {
-    if (!progress_.report) return;
-    const std::scoped_lock lock(mutex_);
-    ++done_;
-    progress_.report("picture", done_, n_rows_, "rows");
-  }
-
- private:
-  const Progress& progress_;
-  int n_rows_;
-  int done_ = 0;
-  std::mutex mutex_;
-};
-
 /// What a camera sees. Holds all that the pixels share.
 class Renderer {
  public:
   Renderer(const PatchMesh& mesh, const Visibility& visibility, const Eigen::MatrixXd& patch_values,
            const Camera& camera, const RenderOptions& options)
       : mesh_(mesh),
-        visibility_(visibility),
         corner_values_(corner_values(mesh, patch_values, options.crease_angle)),
-        camera_(camera),
-        pinhole_(camera, options.width, options.height),
-        samples_per_side_(static_cast<int>(std::lround(std::sqrt(options.samples)))) {}
+        rays_(visibility, camera, options.width, options.height, options.samples) {}
 
   [[nodiscard]] Index n_bands() const { return corner_values_.cols(); }
 
   /// Fills one pixel of the picture.
   void draw_pixel(int x, int y, Image& image) const {
-    const int n_samples = samples_per_side_ * samples_per_side_;
     Eigen::RowVectorXd mean = Eigen::RowVectorXd::Zero(n_bands());
     int n_hits = 0;
-    for (int k = 0; k < n_samples; ++k) {
-      const Vec2 offset = sample_position(k, samples_per_side_);
-      const Vec3 direction = pinhole_.direction(x + offset[0], y + offset[1]);
-      const auto seen = first_front(visibility_, camera_.position, direction);
+    for (int k = 0; k < rays_.n_samples(); ++k) {
+      const auto seen = rays_.first_front(x, y, k);
       if (!seen) continue;
       ++n_hits;
       // A running mean of equal values is exactly that value, unlike their sum divided.
       mean += (interpolate(mesh_, corner_values_, seen->patch, seen->position) - mean) / n_hits;
     }
-    const double coverage = static_cast<double>(n_hits) / n_samples;
+    const double coverage = static_cast<double>(n_hits) / rays_.n_samples();
     const Index pixel = static_cast<Index>(y) * image.width + x;
     image.values.row(pixel) = (coverage * mean).cast<float>();
     image.alpha[pixel] = static_cast<float>(coverage);
@@ -168,14 +97,19 @@ class Renderer {
 
  private:
   const PatchMesh& mesh_;
-  const Visibility& visibility_;
   Eigen::MatrixXd corner_values_;
-  const Camera& camera_;
-  Pinhole pinhole_;
-  int samples_per_side_;
+  PrimaryRays rays_;
 };
 
 }  // namespace
+
+Image blank_image(int width, int height, Index n_bands) {
+  const Index n_pixels = Index{width} * height;
+  return {.width = width,
+          .height = height,
+          .values = Eigen::MatrixXf::Zero(n_pixels, n_bands),
+          .alpha = std::vector<float>(n_pixels)};
+}
 
 Image render(const PatchMesh& mesh, const Visibility& visibility, const Eigen::MatrixXd& radiosity,
              const Camera& camera, const RenderOptions& options) {
@@ -187,16 +121,12 @@ Image render_values(const PatchMesh& mesh, const Visibility& visibility,
                     const RenderOptions& options) {
   assert(options.width > 0 && options.height > 0 && options.samples > 0);
   const Renderer renderer(mesh, visibility, patch_values, camera, options);
-  const Index n_pixels = Index{options.width} * options.height;
-  Image image = {.width = options.width,
-                 .height = options.height,
-                 .values = Eigen::MatrixXf::Zero(n_pixels, renderer.n_bands()),
-                 .alpha = std::vector<float>(n_pixels)};
+  Image image = blank_image(options.width, options.height, renderer.n_bands());
   RowCounter counter(options.progress, options.height);
   parallel_for(options.height, [&](std::ptrdiff_t y) {
     options.progress.check();
     for (int x = 0; x < options.width; ++x) renderer.draw_pixel(x, static_cast<int>(y), image);
-    counter.add_row();
+    counter.add_rows(1);
   });
   return image;
 }

@@ -19,6 +19,9 @@ struct Image {
   std::vector<float> alpha;  ///< coverage in [0, 1] per pixel: 0 where nothing was hit
 };
 
+/// A picture in which nothing was hit.
+Image blank_image(int width, int height, Index n_bands);
+
 struct RenderOptions {
   int width = 512;             ///< pixels
   int height = 512;            ///< pixels

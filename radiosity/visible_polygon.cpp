@@ -54,9 +54,25 @@ ConvexPolygon shadowed(const ConvexPolygon& polygon, const Shadow& shadow, const
   return rest;
 }
 
+/// Whether a border of the shadow that the point throws has the whole polygon outside.
+bool misses(const ConvexPolygon& polygon, const Shadow& shadow, const Vec3& point) {
+  for (std::size_t k = 0; k < n_borders(shadow); ++k) {
+    const Border limit = border(shadow, k, point);
+    const bool is_outside = std::all_of(polygon.begin(), polygon.end(), [&](const Vec3& corner) {
+      return limit.inwards.dot(corner - limit.on_plane) <= 0;
+    });
+    if (is_outside) return true;
+  }
+  return false;
+}
+
 /// Appends the parts of `part` outside the shadow that the point sees to `parts`.
 void cut(const ConvexPolygon& part, const Shadow& shadow, const Vec3& point,
          std::vector<ConvexPolygon>& parts) {
+  if (misses(part, shadow, point)) {
+    add_part(part, parts);
+    return;
+  }
   ConvexPolygon rest = part;
   const std::size_t first = parts.size();
   for (std::size_t k = 0; k < n_borders(shadow) && !rest.empty(); ++k) {
@@ -104,6 +120,7 @@ double ShadowCutter::visible_part(const Vec3& point, const Vec3& normal,
     next_parts_.clear();
     for (const ConvexPolygon& part : parts_) cut(part, shadow, point, next_parts_);
     parts_.swap(next_parts_);
+    if (parts_.empty()) return 0;
   }
   double sum = 0;
   for (const ConvexPolygon& part : parts_) {

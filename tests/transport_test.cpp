@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <stop_token>
 
@@ -292,6 +293,31 @@ TEST(Transport, EmptyMesh) {
   const PatchMesh mesh;
   const Visibility visibility(mesh);
   EXPECT_EQ(make_transport(mesh, visibility)->size(), 0);
+}
+
+/// A turned box whose corners were rounded to a micrometre: its faces are not quite planar, and
+/// must not lie in their own shadow.
+TEST(Transport, FacesThatAreOnlyPlanarToTheDigitsOfAFileShadowNothingOfTheirOwn) {
+  PatchMesh mesh;
+  add_box(mesh, Vec3::Zero(), Vec3::Ones(), 2, Facing::inwards);
+  const auto first = static_cast<Index>(mesh.vertices.size());
+  add_box(mesh, Vec3(-0.2, -0.15, -0.25), Vec3(0.2, 0.15, 0.25), 1, Facing::outwards);
+  const Eigen::AngleAxisd turn(0.7, Vec3(1, 2, 3).normalized());
+  PatchMesh rounded;
+  rounded.vertices = mesh.vertices;
+  rounded.surface_names = mesh.surface_names;
+  rounded.surface_two_sided = mesh.surface_two_sided;
+  for (auto v = first; v < static_cast<Index>(rounded.vertices.size()); ++v) {
+    const Vec3 turned = turn * mesh.vertices[v] + Vec3(0.5, 0.5, 0.5);
+    rounded.vertices[v] = (turned * 1e6).array().round() / 1e6;
+  }
+  for (Index i = 0; i < mesh.size(); ++i) {
+    rounded.add_patch(mesh.corners[i], mesh.surface[i], mesh.polygon[i]);
+  }
+  const Visibility visibility(rounded);
+  const auto transport =
+      make_transport(rounded, visibility, {.tolerance = 1e-4, .closed = Closed::no});
+  EXPECT_LE(transport->report().closure_max, 1e-4);
 }
 
 }  // namespace

@@ -1,0 +1,43 @@
+/// Time of a gathered picture. Usage: gather_bench SCENE N [SIDE [SAMPLES]], with SCENE the name of
+/// a file in scenes/ that has a camera, in about N patches, and SIDE x SIDE pixels. Set the number
+/// of threads with taskset.
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <ctime>
+#include <string>
+
+#include "io/scene_file.h"
+#include "meshing/patches.h"
+#include "radiosity/radiosity.h"
+
+int main(int argc, char** argv) {
+  using namespace radiosity;
+  if (argc < 3) {
+    fmt::print(stderr, "usage: gather_bench SCENE N [SIDE [SAMPLES]]\n");
+    return 2;
+  }
+  const Scene scene = io::read_scene(std::string(RADIOSITY_SCENES "/") + argv[1]);
+  const PatchMesh mesh = meshing::make_patches(scene, {.n_patches = std::atol(argv[2])});
+  const Visibility visibility(mesh);
+  // How bright the patches are makes no difference, but dark ones are passed over.
+  const Eigen::MatrixXd reflectance = radiosity::reflectance(scene, mesh);
+  const Eigen::MatrixXd exitance = Eigen::MatrixXd::Ones(mesh.size(), scene.bands.count());
+  const int side = argc > 3 ? std::atoi(argv[3]) : 512;
+  const int samples = argc > 4 ? std::atoi(argv[4]) : 16;
+
+  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start_cpu = std::clock();
+  const FinalGather gather(mesh, exitance + reflectance);
+  const Image image = render_gathered(gather, visibility, {exitance, reflectance},
+                                      scene.camera.value_or(fit_camera(mesh)),
+                                      {.width = side, .height = side, .samples = samples});
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double cpu = static_cast<double>(std::clock() - start_cpu) / CLOCKS_PER_SEC;
+  fmt::print("{} patches, {} x {} pixels: {:.2f} s, {:.2f} s of processor time, {:.1f} us/pixel\n",
+             mesh.size(), side, side, seconds, cpu, 1e6 * cpu / (double(side) * side));
+  return image.values.allFinite() ? 0 : 1;
+}
