@@ -27,9 +27,9 @@ std::string machine_text() {
   utsname system{};
   const bool is_known = ::uname(&system) == 0;
   return fmt::format("{}, {} threads, {}", processor(), std::thread::hardware_concurrency(),
-                     is_known ? fmt::format("{} {} {}", system.sysname, system.release,
-                                            system.machine)
-                              : "unknown system");
+                     is_known
+                         ? fmt::format("{} {} {}", system.sysname, system.release, system.machine)
+                         : "unknown system");
 }
 
 std::string time_text() {

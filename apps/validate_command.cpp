@@ -79,9 +79,7 @@ void throw_if_failed(const validation::Report& report, const fs::path& folder) {
 }  // namespace
 
 ValidateCommand::ValidateCommand(CLI::App& program, Interruption& interruption)
-    : interruption_(interruption),
-      data_(RADIOSITY_REFERENCE_DATA),
-      scenes_(RADIOSITY_SCENES) {
+    : interruption_(interruption), data_(RADIOSITY_REFERENCE_DATA), scenes_(RADIOSITY_SCENES) {
   CLI::App* command = program.add_subcommand(
       "validate", "Compare what the program computes with known answers and write a report");
   command->add_option("CASE", cases_, "Cases to run; none: all (see --list)")
@@ -111,13 +109,12 @@ std::vector<validation::Case> ValidateCommand::chosen_cases() const {
 }
 
 validation::Report ValidateCommand::run_cases() const {
-  validation::Report report{.version = RADIOSITY_VERSION,
-                            .machine = machine_text(),
-                            .date = time_text(),
-                            .n_threads = common_.n_threads > 0
-                                             ? common_.n_threads
-                                             : std::thread::hardware_concurrency(),
-                            .seed = seed_};
+  validation::Report report{
+      .version = RADIOSITY_VERSION,
+      .machine = machine_text(),
+      .date = time_text(),
+      .n_threads = common_.n_threads > 0 ? common_.n_threads : std::thread::hardware_concurrency(),
+      .seed = seed_};
   const validation::Context context{
       data_, scenes_, seed_, {.report = {}, .stop = interruption_.token()}};
   const std::vector<validation::Case> chosen = chosen_cases();

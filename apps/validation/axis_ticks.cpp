@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace apps::validation {
 namespace {
 
-constexpr int kTicks = 5;
+constexpr int kMostTicks = 6;
 /// Room between the outermost values and the ends of the axis, relative to what it spans.
 constexpr double kRoom = 0.04;
 
@@ -23,7 +24,7 @@ double nice_step(double step) {
 }
 
 std::vector<double> linear_ticks(double low, double high) {
-  const double step = nice_step((high - low) / kTicks);
+  const double step = nice_step((high - low) / kMostTicks);
   std::vector<double> ticks;
   for (double k = std::ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k) {
     ticks.push_back(k * step);
@@ -36,7 +37,7 @@ std::vector<double> logarithmic_ticks(double low, double high) {
   const auto first = static_cast<int>(std::floor(low));
   const auto last = static_cast<int>(std::ceil(high));
   const bool is_wide = high - low >= 2;
-  const int stride = std::max(1, static_cast<int>(std::ceil((high - low) / (kTicks + 2))));
+  const int stride = std::max(1, static_cast<int>(std::ceil((high - low) / (kMostTicks + 1))));
   const std::vector<double> factors = is_wide ? std::vector{1.} : std::vector{1., 2., 5.};
   std::vector<double> ticks;
   for (int exponent = first; exponent <= last; ++exponent) {
@@ -63,7 +64,7 @@ std::string superscript(int number) {
 
 double AxisRange::position(double value) const {
   if (scale == Axis::Scale::linear) return (value - low) / (high - low);
-  return std::log(value / low) / std::log(high / low);
+  return (std::log(value) - std::log(low)) / (std::log(high) - std::log(low));
 }
 
 bool AxisRange::shows(double value) const {
@@ -93,6 +94,10 @@ AxisRange make_range(Axis::Scale scale, const std::vector<double>& values) {
   const bool keeps_zero = is_linear && low == 0;
   low -= keeps_zero ? 0 : room;
   high += room;
+  if (!is_linear) {
+    low = std::max<double>(low, std::numeric_limits<double>::min_exponent10);
+    high = std::min<double>(high, std::numeric_limits<double>::max_exponent10);
+  }
   range.ticks = is_linear ? linear_ticks(low, high) : logarithmic_ticks(low, high);
   range.low = is_linear ? low : std::pow(10, low);
   range.high = is_linear ? high : std::pow(10, high);

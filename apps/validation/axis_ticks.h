@@ -11,7 +11,7 @@ namespace apps::validation {
 struct AxisRange {
   Axis::Scale scale = Axis::Scale::linear;
   double low = 0;
-  double high = 1;            ///< above low
+  double high = 1;              ///< above low
   std::vector<double> ticks{};  ///< increasing, within [low, high]
 
   /// Where a value stands: 0 at `low`, 1 at `high`.

@@ -90,9 +90,9 @@ std::vector<Polygon> box_faces(const Vec3& low, const Vec3& high, Facing facing)
   const Vec3 x(high.x() - low.x(), 0, 0);
   const Vec3 y(0, high.y() - low.y(), 0);
   const Vec3 z(0, 0, high.z() - low.z());
-  std::vector<Polygon> faces = {parallelogram(low, x, y),     parallelogram(low + z, y, x),
-                                parallelogram(low, y, z),     parallelogram(low + x, z, y),
-                                parallelogram(low, z, x),     parallelogram(low + y, x, z)};
+  std::vector<Polygon> faces = {parallelogram(low, x, y), parallelogram(low + z, y, x),
+                                parallelogram(low, y, z), parallelogram(low + x, z, y),
+                                parallelogram(low, z, x), parallelogram(low + y, x, z)};
   if (facing == Facing::outwards) {
     for (Polygon& face : faces) std::swap(face[1], face[3]);
   }

@@ -28,8 +28,7 @@ std::int32_t add_surface(radiosity::Scene& scene, const std::string& name,
                          const std::vector<Polygon>& polygons, const Grey& grey = {});
 
 /// The parallelogram a + s u + t v, s, t in [0, 1], facing u x v.
-Polygon parallelogram(const radiosity::Vec3& a, const radiosity::Vec3& u,
-                      const radiosity::Vec3& v);
+Polygon parallelogram(const radiosity::Vec3& a, const radiosity::Vec3& u, const radiosity::Vec3& v);
 
 /// The faces of a box: -z, +z, -x, +x, -y, +y.
 std::vector<Polygon> box_faces(const radiosity::Vec3& low, const radiosity::Vec3& high,

@@ -23,4 +23,17 @@ CaseResult run_plates(const Context& context);
 /// Emitted = absorbed + escaped in every scene that comes with the program.
 CaseResult run_energy(const Context& context);
 
+/// The inside of a sphere of facets.
+CaseResult run_sphere(const Context& context);
+/// Mean indirect irradiance of rooms of uniform reflectance.
+CaseResult run_room(const Context& context);
+/// Irradiance by rays over the hemisphere and by form factors.
+CaseResult run_hemisphere(const Context& context);
+/// Radiosity and error intervals against path tracing.
+CaseResult run_cornell_box(const Context& context);
+/// Many bands together and alone.
+CaseResult run_spectral(const Context& context);
+/// Error against the number of patches.
+CaseResult run_convergence(const Context& context);
+
 }  // namespace apps::validation

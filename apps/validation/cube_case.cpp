@@ -12,8 +12,8 @@ namespace {
 
 using namespace radiosity;
 
-constexpr double kAskedOfSolver = 1e-8;  // SolveOptions::tolerance
-constexpr double kAskedOfFactors = 1e-9; // unobstructed pairs
+constexpr double kAskedOfSolver = 1e-8;   // SolveOptions::tolerance
+constexpr double kAskedOfFactors = 1e-9;  // unobstructed pairs
 
 Scene cube(double rho) {
   Scene scene = empty_scene("unit cube");
@@ -70,10 +70,12 @@ void check_radiosity(CaseResult& result, Table& table, const KnownFactor& known,
 
 CaseResult run_cube(const Context& context) {
   CaseResult result{
-      .compared = "The unit cube with one patch per face, one of which emits 1 W/m²: all form "
-                  "factors, and the radiosity for ρ = 0.5 and 0.95.",
-      .reference = "Closed forms of the 6 x 6 system to 30 digits (tests/data/form-factors.json); "
-                   "F of opposite faces 0.19982..., of adjacent ones 0.20004..."};
+      .compared =
+          "The unit cube with one patch per face, one of which emits 1 W/m²: all form "
+          "factors, and the radiosity for ρ = 0.5 and 0.95.",
+      .reference =
+          "Closed forms of the 6 x 6 system to 30 digits (tests/data/form-factors.json); "
+          "F of opposite faces 0.19982..., of adjacent ones 0.20004..."};
   const std::vector<KnownFactor> known = read_known_factors(context.data);
   const Assembly assembly = assemble(cube(0.5), {}, {.seed = context.seed});
   check_factors(result, *assembly.transport, known);

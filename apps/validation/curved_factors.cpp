@@ -134,14 +134,13 @@ std::vector<FactorComparison> compare_sphere(const KnownFactor& known) {
   const auto& params = known.params;
   if (params.contains("c")) {
     const double c = params.at("c");
-    const Polygon rectangle = parallelogram(Vec3::Zero(), params.at("a") * Vec3::UnitX(),
-                                            params.at("b") * Vec3::UnitY());
+    const Polygon rectangle =
+        parallelogram(Vec3::Zero(), params.at("a") * Vec3::UnitX(), params.at("b") * Vec3::UnitY());
     return {compare(known, "F_sphere_rect", sphere({0, 0, c}, c / 2),
                     [&](int /*n*/) { return Facets{rectangle}; })};
   }
   const double h = params.at("h");
-  return {compare(known, "F_sphere_disk", sphere({0, 0, h}, h / 2),
-                  disk(params.at("r"), 0, true))};
+  return {compare(known, "F_sphere_disk", sphere({0, 0, h}, h / 2), disk(params.at("r"), 0, true))};
 }
 
 }  // namespace

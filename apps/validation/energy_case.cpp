@@ -44,10 +44,9 @@ Imbalance worst_imbalance(const Solution& solution, const Eigen::VectorXd& area)
     const double norm = std::sqrt(area.dot(solution.exitance.col(c).cwiseAbs2()));
     const double rounding =
         static_cast<double>(area.size()) * std::numeric_limits<double>::epsilon();
-    const Imbalance found{
-        std::abs(energy.absorbed[c] + energy.escaped[c] - emitted) / emitted,
-        solution.residual * norm * std::sqrt(area.sum()) / emitted +
-            rounding * area.dot(solution.radiosity.col(c)) / emitted};
+    const Imbalance found{std::abs(energy.absorbed[c] + energy.escaped[c] - emitted) / emitted,
+                          solution.residual * norm * std::sqrt(area.sum()) / emitted +
+                              rounding * area.dot(solution.radiosity.col(c)) / emitted};
     if (worst.allowed == 0 || found.value * worst.allowed > worst.value * found.allowed) {
       worst = found;
     }
@@ -59,8 +58,8 @@ Imbalance worst_imbalance(const Solution& solution, const Eigen::VectorXd& area)
 void check_closed(CaseResult& result, const std::string& name, const Assembly& room,
                   const Solution& solution) {
   const Eigen::VectorXd power = solution.radiosity.transpose() * areas(room.mesh);
-  const Eigen::ArrayXd share = solution.energy.escaped.array() /
-                               power.array().max(std::numeric_limits<double>::min());
+  const Eigen::ArrayXd share =
+      solution.energy.escaped.array() / power.array().max(std::numeric_limits<double>::min());
   const std::int64_t open_rows = room.transport->report().open_rows;
   Check check{fmt::format("{}: escaped / Σ A B, a closed room", name), share.abs().maxCoeff(),
               kAskedOfRowSums, "Row sums of closed scenes are 1 within 1e-10, as promised."};
@@ -83,10 +82,10 @@ std::string watts(double power) { return fmt::format("{:.6g}", power); }
 }  // namespace
 
 CaseResult run_energy(const Context& context) {
-  CaseResult result{
-      .compared = "Emitted power, Σ A M, with the power absorbed, Σ A (1-ρ) H, and escaped, "
-                  "Σ A B (1-ΣF), in every scene of scenes/, about 600 patches each.",
-      .reference = "Energy conservation."};
+  CaseResult result{.compared =
+                        "Emitted power, Σ A M, with the power absorbed, Σ A (1-ρ) H, and escaped, "
+                        "Σ A B (1-ΣF), in every scene of scenes/, about 600 patches each.",
+                    .reference = "Energy conservation."};
   Table table{"Powers of all bands together, W",
               {"scene", "patches", "emitted", "absorbed", "escaped", "imbalance / emitted"},
               {}};
@@ -97,7 +96,8 @@ CaseResult run_energy(const Context& context) {
     meshing::PatchOptions patches;
     if (scene.n_polygons() < kPatches / 2) patches.n_patches = kPatches;
     const Assembly assembly =
-        assemble(std::move(scene), patches, {.tolerance = kTolerance, .seed = context.seed, .progress = quiet});
+        assemble(std::move(scene), patches,
+                 {.tolerance = kTolerance, .seed = context.seed, .progress = quiet});
     const Solution solution = solve_own_light(assembly, {.progress = quiet});
     const Imbalance imbalance = worst_imbalance(solution, areas(assembly.mesh));
     const std::string name = file.stem().string();
@@ -108,11 +108,10 @@ CaseResult run_energy(const Context& context) {
          "and Schwarz, with the residual that the solver reports; and n roundings. The largest "
          "over the bands."});
     if (assembly.scene.closed.value_or(false)) check_closed(result, name, assembly, solution);
-    table.rows.push_back({name, std::to_string(assembly.mesh.size()),
-                          watts(solution.energy.emitted.sum()),
-                          watts(solution.energy.absorbed.sum()),
-                          watts(solution.energy.escaped.sum()),
-                          fmt::format("{:.1e}", imbalance.value)});
+    table.rows.push_back(
+        {name, std::to_string(assembly.mesh.size()), watts(solution.energy.emitted.sum()),
+         watts(solution.energy.absorbed.sum()), watts(solution.energy.escaped.sum()),
+         fmt::format("{:.1e}", imbalance.value)});
   }
   result.figures.emplace_back(table);
   return result;

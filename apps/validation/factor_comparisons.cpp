@@ -66,8 +66,8 @@ Comparisons compare_prism(const KnownFactor& known) {
                       pair(known, "F_side_end", faces[2], faces[0], known.value("F_side_end"))};
   const std::vector<double>& sides = known.values.at("F_side_side_by_separation");
   for (std::size_t k = 0; k < sides.size(); ++k) {
-    list.push_back(pair(known, fmt::format("F_side_side, {} apart", k + 1), faces[2], faces[3 + k],
-                        sides[k]));
+    list.push_back(
+        pair(known, fmt::format("F_side_side, {} apart", k + 1), faces[2], faces[3 + k], sides[k]));
   }
   return list;
 }
@@ -86,8 +86,8 @@ Comparisons compare_point(const KnownFactor& known, const Context& /*context*/) 
   const double c = known.params.at("c");
   const Polygon rectangle =
       parallelogram(Vec3(0, 0, c), Vec3(0, b, 0), Vec3(a, 0, 0));  // faces down
-  return {{known.name, FactorKind::point,
-           point_to_polygon(Vec3::Zero(), Vec3::UnitZ(), rectangle), known.value("F_d1_2")}};
+  return {{known.name, FactorKind::point, point_to_polygon(Vec3::Zero(), Vec3::UnitZ(), rectangle),
+           known.value("F_d1_2")}};
 }
 
 /// The scene as it is, its form factors without a correction.
@@ -105,8 +105,7 @@ Eigen::MatrixXd occluded_factors(Scene scene, const Context& context) {
 }
 
 FactorComparison occluded(const KnownFactor& known, const std::string& key, double computed) {
-  return {fmt::format("{}: {}", known.name, key), FactorKind::occluded, computed,
-          known.value(key)};
+  return {fmt::format("{}: {}", known.name, key), FactorKind::occluded, computed, known.value(key)};
 }
 
 /// Unit squares about the z axis at z = 0 and 1, surfaces 0 and 1, with a screen between them.
@@ -160,8 +159,7 @@ Comparisons compare_nested_spheres(const KnownFactor& known, const Context& cont
     constexpr double kSigmas = 4;
     FactorComparison comparison = occluded(known, key, factors(from, to));
     comparison.kind = FactorKind::body;
-    comparison.tolerance =
-        kSigmas * errors(from, to) / comparison.expected + kAskedOfFactors;
+    comparison.tolerance = kSigmas * errors(from, to) / comparison.expected + kAskedOfFactors;
     return comparison;
   };
   return {compare("F_in_out", 0, 1), compare("F_out_in", 1, 0), compare("F_out_out", 1, 1)};

@@ -44,12 +44,13 @@ double strain(const FactorComparison& c) {
 }  // namespace
 
 CaseResult run_form_factors(const Context& context) {
-  CaseResult result{
-      .compared = "Form factors: polygons that see each other, touching at edges and corners "
-                  "included; polygons partly hidden by others; facetted cylinders, cones and "
-                  "spheres, extrapolated to the round shape.",
-      .reference = "Closed forms, worked out to 30 digits with mpmath, in "
-                   "tests/data/form-factors.json, every entry of which is listed below."};
+  CaseResult result{.compared =
+                        "Form factors: polygons that see each other, touching at edges and corners "
+                        "included; polygons partly hidden by others; facetted cylinders, cones and "
+                        "spheres, extrapolated to the round shape.",
+                    .reference =
+                        "Closed forms, worked out to 30 digits with mpmath, in "
+                        "tests/data/form-factors.json, every entry of which is listed below."};
   FactorComparisons all = compare_factors(context);
   Table table{"Every comparison", {"", "computed", "closed form", "relative error", "asked"}, {}};
   Plot plot{"Relative errors",
@@ -78,8 +79,8 @@ CaseResult run_form_factors(const Context& context) {
                             fmt::format("{:.1e}", c.tolerance)});
     }
     if (errors.x.empty()) continue;
-    result.checks.push_back({group.what, worst, group.tolerance > 0 ? group.tolerance : 1,
-                             group.derivation});
+    result.checks.push_back(
+        {group.what, worst, group.tolerance > 0 ? group.tolerance : 1, group.derivation});
     plot.series.push_back(errors);
     asked.x.push_back(index);
     asked.y.push_back(std::numeric_limits<double>::quiet_NaN());  // lifts the pen

@@ -12,8 +12,8 @@ namespace {
 
 using namespace radiosity;
 
-constexpr double kAskedOfSolver = 1e-8;   // SolveOptions::tolerance
-constexpr double kAskedOfRowSums = 1e-10; // docs/command-line.md: rows of closed scenes
+constexpr double kAskedOfSolver = 1e-8;    // SolveOptions::tolerance
+constexpr double kAskedOfRowSums = 1e-10;  // docs/command-line.md: rows of closed scenes
 constexpr double kReflectances[] = {0, 0.2, 0.5, 0.8, 0.9, 0.95, 0.99};
 
 struct Room {
@@ -41,11 +41,13 @@ double asked(const Assembly& room, double rho) {
 
 CaseResult run_furnace(const Context& context) {
   CaseResult result{
-      .compared = "The radiosity B of closed rooms whose patches all have the same reflectance ρ and "
-                  "exitance M = 1 W/m²: a cube, and an L-shaped room where half of the patches do "
-                  "not see each other.",
-      .reference = "B = M / (1 - ρ) on every patch, whatever the shape: a closed room with ΣF = 1 "
-                   "leaves nothing else. The classical white furnace test."};
+      .compared =
+          "The radiosity B of closed rooms whose patches all have the same reflectance ρ and "
+          "exitance M = 1 W/m²: a cube, and an L-shaped room where half of the patches do "
+          "not see each other.",
+      .reference =
+          "B = M / (1 - ρ) on every patch, whatever the shape: a closed room with ΣF = 1 "
+          "leaves nothing else. The classical white furnace test."};
   Plot plot{"Largest relative error of B over the patches",
             {"reflectance ρ"},
             {"relative error", Axis::Scale::logarithmic},
@@ -53,9 +55,9 @@ CaseResult run_furnace(const Context& context) {
   for (const Room& room : {Room{"furnace-cube.json", "cube", {.max_edge = 0.1}},
                            Room{"l-room.json", "L-shaped room", {.n_patches = 800}}}) {
     context.progress.check();
-    const Assembly assembly = assemble(io::read_scene(context.scenes / room.file), room.patches,
-                                       {.seed = context.seed,
-                                        .progress = {.report = {}, .stop = context.progress.stop}});
+    const Assembly assembly =
+        assemble(io::read_scene(context.scenes / room.file), room.patches,
+                 {.seed = context.seed, .progress = {.report = {}, .stop = context.progress.stop}});
     Series measured{fmt::format("{}, {} patches", room.name, assembly.mesh.size())};
     Series limit{fmt::format("{}: asked", room.name), Series::Style::dashed};
     for (const double rho : kReflectances) {

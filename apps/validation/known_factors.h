@@ -15,8 +15,8 @@ struct KnownFactor {
   std::string kind;
   std::vector<radiosity::Vec3> polygon1;  ///< m; empty if only described in words
   std::vector<radiosity::Vec3> polygon2;
-  double exchange_area = 0;              ///< A_1 F_12, m²; 0 if not given
-  std::map<std::string, double> params{};  ///< those that are numbers
+  double exchange_area = 0;                             ///< A_1 F_12, m²; 0 if not given
+  std::map<std::string, double> params{};               ///< those that are numbers
   std::map<std::string, std::vector<double>> values{};  ///< a number is a list of one
 
   /// A value that is one number. Throws SceneError if there is none of that name.

@@ -21,8 +21,7 @@ constexpr const char* kBound =
 
 /// Most that a patch of area `area` may be off, W/m².
 double allowed(const Assembly& assembly, const Solution& solution, double area, double rho) {
-  const double norm =
-      std::sqrt(areas(assembly.mesh).dot(solution.radiosity.col(0).cwiseAbs2()));
+  const double norm = std::sqrt(areas(assembly.mesh).dot(solution.radiosity.col(0).cwiseAbs2()));
   return (kAskedOfSolver + kAskedOfFactors / (1 - rho)) * norm / std::sqrt(area);
 }
 
@@ -33,8 +32,7 @@ void check_open_pair(CaseResult& result, Table& table, const std::string& name,
   constexpr double kExitance[] = {1, 0.25};
   Scene scene = empty_scene(name);
   scene.closed = false;
-  add_surface(scene, "plate 1",
-              {parallelogram(Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY())},
+  add_surface(scene, "plate 1", {parallelogram(Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY())},
               {.reflectance = kRho[0], .exitance = kExitance[0]});
   add_surface(scene, "plate 2", {other}, {.reflectance = kRho[1], .exitance = kExitance[1]});
   const Assembly assembly = assemble(std::move(scene), {}, {.seed = context.seed});
@@ -44,9 +42,8 @@ void check_open_pair(CaseResult& result, Table& table, const std::string& name,
     const double expected = (kExitance[i] + kRho[i] * factor * kExitance[j]) /
                             (1 - kRho[0] * kRho[1] * factor * factor);
     const double computed = solution.radiosity(i, 0);
-    result.checks.push_back({fmt::format("{}: |ΔB_{}|", name, i + 1),
-                             std::abs(computed - expected), allowed(assembly, solution, 1, kRho[0]),
-                             kBound, "W/m²"});
+    result.checks.push_back({fmt::format("{}: |ΔB_{}|", name, i + 1), std::abs(computed - expected),
+                             allowed(assembly, solution, 1, kRho[0]), kBound, "W/m²"});
     table.rows.push_back({fmt::format("{}: B_{}", name, i + 1), fmt::format("{:.10f}", computed),
                           fmt::format("{:.10f}", expected)});
   }
@@ -64,12 +61,11 @@ double heat(const Assembly& assembly, const Solution& solution, const std::strin
 }
 
 /// Area of the surface over how far its heat may be off: √(A_s) of B and of H each.
-void add_heat(CaseResult& result, Table& table, const Assembly& assembly,
-              const std::string& name, const std::string& surface, double area, double expected) {
+void add_heat(CaseResult& result, Table& table, const Assembly& assembly, const std::string& name,
+              const std::string& surface, double area, double expected) {
   const Solution solution = solve_own_light(assembly, {.tolerance = kAskedOfSolver});
   const double computed = heat(assembly, solution, surface);
-  const double norm =
-      std::sqrt(areas(assembly.mesh).dot(solution.radiosity.col(0).cwiseAbs2()));
+  const double norm = std::sqrt(areas(assembly.mesh).dot(solution.radiosity.col(0).cwiseAbs2()));
   result.checks.push_back(
       {fmt::format("{}: |ΔQ|", name), std::abs(computed - expected),
        2 * (kAskedOfSolver + kAskedOfFactors) * norm * std::sqrt(area),
@@ -94,19 +90,19 @@ void check_cube_in_cube(CaseResult& result, Table& table, double side, double ho
   scene.closed = true;
   add_surface(scene, "outer", box_faces(Vec3::Zero(), Vec3::Ones(), Facing::inwards),
               {.reflectance = 1 - cold_emissivity, .temperature = kCold});
-  add_surface(scene, "inner",
-              box_faces(Vec3::Constant(0.5 - side / 2), Vec3::Constant(0.5 + side / 2),
-                        Facing::outwards),
-              {.reflectance = 1 - hot_emissivity, .temperature = kHot});
+  add_surface(
+      scene, "inner",
+      box_faces(Vec3::Constant(0.5 - side / 2), Vec3::Constant(0.5 + side / 2), Facing::outwards),
+      {.reflectance = 1 - hot_emissivity, .temperature = kHot});
   const Assembly assembly =
       assemble(std::move(scene), {}, {.tolerance = 1e-7, .seed = context.seed});
   const double inner = 6 * side * side;
   const double resistance = (1 - hot_emissivity) / (hot_emissivity * inner) + 1 / inner +
                             (1 - cold_emissivity) / (cold_emissivity * 6);
-  add_heat(result, table, assembly,
-           fmt::format("cube of {} in unit cube, ε = {}, {}", side, hot_emissivity,
-                       cold_emissivity),
-           "inner", inner, black_body_difference() / resistance);
+  add_heat(
+      result, table, assembly,
+      fmt::format("cube of {} in unit cube, ε = {}, {}", side, hot_emissivity, cold_emissivity),
+      "inner", inner, black_body_difference() / resistance);
 }
 
 /// Unit plates at distance 1 within four adiabatic (white) walls: a three-surface network.
@@ -116,8 +112,7 @@ void check_reradiating(CaseResult& result, Table& table, double factor, const Co
   Scene scene = empty_scene("plates with adiabatic walls");
   scene.closed = true;
   std::vector<Polygon> faces = box_faces(Vec3::Zero(), Vec3::Ones(), Facing::inwards);
-  add_surface(scene, "hot", {faces[0]},
-              {.reflectance = 1 - kHotEmissivity, .temperature = kHot});
+  add_surface(scene, "hot", {faces[0]}, {.reflectance = 1 - kHotEmissivity, .temperature = kHot});
   add_surface(scene, "cold", {faces[1]},
               {.reflectance = 1 - kColdEmissivity, .temperature = kCold});
   faces.erase(faces.begin(), faces.begin() + 2);
@@ -134,14 +129,16 @@ void check_reradiating(CaseResult& result, Table& table, double factor, const Co
 
 CaseResult run_plates(const Context& context) {
   CaseResult result{
-      .compared = "Radiosity of two unit plates alone, opposed and at a right angle; net heat, by "
-                  "temperature and emissivity, between a cube and the cube around it, and between "
-                  "opposed plates within adiabatic walls. One patch per face.",
-      .reference = "B_1 = (M_1 + ρ_1 F M_2)/(1 - ρ_1 ρ_2 F²); two-surface enclosure Q = "
-                   "σ(T_1⁴-T_2⁴) / ((1-ε_1)/(ε_1 A_1) + 1/(A_1 F_12) + (1-ε_2)/(ε_2 A_2)) and the "
-                   "three-surface network with a reradiating wall (Incropera & DeWitt, ch. 13; "
-                   "Modest, ch. 5). They presume uniform radiosity on each surface, which holds "
-                   "here by symmetry. F from tests/data/form-factors.json."};
+      .compared =
+          "Radiosity of two unit plates alone, opposed and at a right angle; net heat, by "
+          "temperature and emissivity, between a cube and the cube around it, and between "
+          "opposed plates within adiabatic walls. One patch per face.",
+      .reference =
+          "B_1 = (M_1 + ρ_1 F M_2)/(1 - ρ_1 ρ_2 F²); two-surface enclosure Q = "
+          "σ(T_1⁴-T_2⁴) / ((1-ε_1)/(ε_1 A_1) + 1/(A_1 F_12) + (1-ε_2)/(ε_2 A_2)) and the "
+          "three-surface network with a reradiating wall (Incropera & DeWitt, ch. 13; "
+          "Modest, ch. 5). They presume uniform radiosity on each surface, which holds "
+          "here by symmetry. F from tests/data/form-factors.json."};
   const std::vector<KnownFactor> known = read_known_factors(context.data);
   const double opposed = known_factor(known, "directly opposed, distance 1").value("F12");
   const double adjacent =

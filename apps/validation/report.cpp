@@ -68,8 +68,8 @@ std::string outcome_line(const CaseOutcome& outcome) {
     if (check.passed()) continue;
     const bool is_upper = check.relation == Check::Relation::at_most;
     line += fmt::format("\n  failed: {}: {:.3g}{}{}, expected {} {:.3g}", check.what, check.value,
-                        check.unit.empty() ? "" : " ", check.unit, is_upper ? "at most" : "at least",
-                        check.tolerance);
+                        check.unit.empty() ? "" : " ", check.unit,
+                        is_upper ? "at most" : "at least", check.tolerance);
   }
   return line;
 }

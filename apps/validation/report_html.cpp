@@ -58,7 +58,9 @@ std::string mark(Status status) {
   return fmt::format("<span class=\"{0}\">{1} {0}</span>", status_name(status), sign);
 }
 
-std::string mark(const Check& check) { return mark(check.passed() ? Status::passed : Status::failed); }
+std::string mark(const Check& check) {
+  return mark(check.passed() ? Status::passed : Status::failed);
+}
 
 std::string with_unit(double value, const std::string& unit) {
   return fmt::format("{:.3g}{}{}", value, unit.empty() ? "" : " ", escaped(unit));
@@ -78,16 +80,17 @@ const Check* tightest(const std::vector<Check>& checks) {
     if (larger <= smaller) return smaller > 0 ? larger / smaller : 1;
     return smaller > 0 ? larger / smaller : 1e300;
   };
-  const auto found = std::max_element(
-      checks.begin(), checks.end(),
-      [&](const Check& a, const Check& b) { return strain(a) < strain(b); });
+  const auto found =
+      std::max_element(checks.begin(), checks.end(),
+                       [&](const Check& a, const Check& b) { return strain(a) < strain(b); });
   return found == checks.end() ? nullptr : &*found;
 }
 
 void add_summary(Page& page, const Report& report) {
-  page.add("<div class=\"wide\"><table><thead><tr><th>Case</th><th>Verdict</th>"
-           "<th class=\"number\">Checks</th><th class=\"number\">Seconds</th>"
-           "<th>The figure nearest to its limit</th></tr></thead><tbody>\n");
+  page.add(
+      "<div class=\"wide\"><table><thead><tr><th>Case</th><th>Verdict</th>"
+      "<th class=\"number\">Checks</th><th class=\"number\">Seconds</th>"
+      "<th>The figure nearest to its limit</th></tr></thead><tbody>\n");
   for (const CaseOutcome& outcome : report.outcomes) {
     const std::vector<Check>& checks = outcome.result.checks;
     const auto n = std::count_if(checks.begin(), checks.end(),
@@ -97,21 +100,24 @@ void add_summary(Page& page, const Report& report) {
       last = fmt::format("{}: {} ({})", escaped(check->what), with_unit(check->value, check->unit),
                          asked(*check));
     }
-    page.add("<tr><td><a href=\"#{0}\">{0}</a></td><td>{1}</td><td class=\"number\">{2} / {3}</td>"
-             "<td class=\"number\">{4:.1f}</td><td>{5}</td></tr>\n",
-             escaped(outcome.name), mark(outcome.status), n, checks.size(), outcome.seconds, last);
+    page.add(
+        "<tr><td><a href=\"#{0}\">{0}</a></td><td>{1}</td><td class=\"number\">{2} / {3}</td>"
+        "<td class=\"number\">{4:.1f}</td><td>{5}</td></tr>\n",
+        escaped(outcome.name), mark(outcome.status), n, checks.size(), outcome.seconds, last);
   }
   page.add("</tbody></table></div>\n");
 }
 
 void add_checks(Page& page, const std::vector<Check>& checks) {
-  page.add("<div class=\"wide\"><table><thead><tr><th>Figure</th><th class=\"number\">Measured</th>"
-           "<th class=\"number\">Asked</th><th>Verdict</th></tr></thead><tbody>\n");
+  page.add(
+      "<div class=\"wide\"><table><thead><tr><th>Figure</th><th class=\"number\">Measured</th>"
+      "<th class=\"number\">Asked</th><th>Verdict</th></tr></thead><tbody>\n");
   for (const Check& check : checks) {
-    page.add("<tr><td>{}<div class=\"why\">{}</div></td><td class=\"number\">{}</td>"
-             "<td class=\"number\">{}</td><td>{}</td></tr>\n",
-             escaped(check.what), escaped(check.derivation), with_unit(check.value, check.unit),
-             asked(check), mark(check));
+    page.add(
+        "<tr><td>{}<div class=\"why\">{}</div></td><td class=\"number\">{}</td>"
+        "<td class=\"number\">{}</td><td>{}</td></tr>\n",
+        escaped(check.what), escaped(check.derivation), with_unit(check.value, check.unit),
+        asked(check), mark(check));
   }
   page.add("</tbody></table></div>\n");
 }
@@ -150,12 +156,13 @@ void add_notes(Page& page, const std::vector<std::string>& notes) {
 }
 
 void add_case(Page& page, const CaseOutcome& outcome) {
-  page.add("<section><h2 id=\"{0}\">{1}</h2>\n<p class=\"facts\"><code>{0}</code> · {2} · {3:.1f} s"
-           "</p>\n",
-           escaped(outcome.name), escaped(outcome.title), mark(outcome.status), outcome.seconds);
+  page.add(
+      "<section><h2 id=\"{0}\">{1}</h2>\n<p class=\"facts\"><code>{0}</code> · {2} · {3:.1f} s"
+      "</p>\n",
+      escaped(outcome.name), escaped(outcome.title), mark(outcome.status), outcome.seconds);
   if (!outcome.message.empty()) {
-    page.add("<p class=\"{}\">{}</p>\n",
-             outcome.status == Status::skipped ? "note" : "message", escaped(outcome.message));
+    page.add("<p class=\"{}\">{}</p>\n", outcome.status == Status::skipped ? "note" : "message",
+             escaped(outcome.message));
   }
   const CaseResult& result = outcome.result;
   if (!result.compared.empty()) {
@@ -170,9 +177,8 @@ void add_case(Page& page, const CaseOutcome& outcome) {
 
 std::string verdict(const std::vector<CaseOutcome>& outcomes) {
   const auto count = [&](Status status) {
-    return std::count_if(outcomes.begin(), outcomes.end(), [&](const CaseOutcome& outcome) {
-      return outcome.status == status;
-    });
+    return std::count_if(outcomes.begin(), outcomes.end(),
+                         [&](const CaseOutcome& outcome) { return outcome.status == status; });
   };
   std::string text = fmt::format("{} of {} cases passed", count(Status::passed), outcomes.size());
   if (count(Status::failed) > 0) text += fmt::format(", {} failed", count(Status::failed));
@@ -186,17 +192,18 @@ std::string report_html(const Report& report) {
   double seconds = 0;
   for (const CaseOutcome& outcome : report.outcomes) seconds += outcome.seconds;
   Page page;
-  page.add("<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
-           "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"
-           "<title>Validation of radiosity {}</title><style>{}</style></head><body>\n",
-           escaped(report.version), kStyle);
+  page.add(
+      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"
+      "<title>Validation of radiosity {}</title><style>{}</style></head><body>\n",
+      escaped(report.version), kStyle);
   page.add("<h1>Validation of radiosity {}</h1>\n<p><strong>{}.</strong></p>\n",
            escaped(report.version), verdict(report.outcomes));
   page.add("<p class=\"facts\">{} · {} · threads: {} · seed {} · {:.0f} s in all</p>\n",
            escaped(report.date), escaped(report.machine), report.n_threads, report.seed, seconds);
-  page.add("<p>Every case compares what the program computes with something that is known without "
-           "it. Each figure has a limit, and under it stands where the limit comes from; none was "
-           "adjusted to the outcome.</p>\n");
+  page.add(
+      "<p>Every case compares what the program computes with something that is known without "
+      "it. Under each figure stands what its limit is derived from.</p>\n");
   add_summary(page, report);
   for (const CaseOutcome& outcome : report.outcomes) add_case(page, outcome);
   page.add("</body></html>\n");

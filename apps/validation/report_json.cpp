@@ -31,10 +31,8 @@ Json figures(const std::vector<Figure>& list) {
       for (const Series& s : plot->series) {
         series.push_back({{"label", s.label}, {"x", s.x}, {"y", s.y}});
       }
-      array.push_back({{"title", plot->title},
-                       {"x", plot->x.label},
-                       {"y", plot->y.label},
-                       {"series", series}});
+      array.push_back(
+          {{"title", plot->title}, {"x", plot->x.label}, {"y", plot->y.label}, {"series", series}});
     } else if (const auto* table = std::get_if<Table>(&figure)) {
       array.push_back({{"title", table->title}, {"header", table->header}, {"rows", table->rows}});
     }
@@ -60,9 +58,12 @@ std::string report_json(const Report& report) {
                      {"notes", outcome.result.notes},
                      {"figures", figures(outcome.result.figures)}});
   }
-  const Json json = {{"version", report.version}, {"machine", report.machine},
-                     {"date", report.date},       {"threads", report.n_threads},
-                     {"seed", report.seed},       {"passed", is_passed},
+  const Json json = {{"version", report.version},
+                     {"machine", report.machine},
+                     {"date", report.date},
+                     {"threads", report.n_threads},
+                     {"seed", report.seed},
+                     {"passed", is_passed},
                      {"cases", cases}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }

@@ -108,10 +108,11 @@ std::string svg(const SurfaceMap& map) {
   }
   top += row_height + kGap;
   draw_legend(panels, map, top);
-  return fmt::format(R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {} {:.0f}" role="img" )"
-                     R"(font-family="Helvetica,Arial,sans-serif" font-size="{}" fill="#222">)"
-                     "<title>{}</title>{}</svg>",
-                     kWidth, top + kLegendHeight, kFont, escaped(map.title), panels);
+  return fmt::format(
+      R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {} {:.0f}" role="img" )"
+      R"(font-family="Helvetica,Arial,sans-serif" font-size="{}" fill="#222">)"
+      "<title>{}</title>{}</svg>",
+      kWidth, top + kLegendHeight, kFont, escaped(map.title), panels);
 }
 
 }  // namespace apps::validation

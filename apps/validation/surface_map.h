@@ -19,8 +19,8 @@ struct MapPanel {
   std::vector<MapPolygon> polygons;
 };
 
-/// The surfaces of a scene side by side, at one scale, each polygon in the colour of a signed value:
-/// blue below 0, white at 0, red above.
+/// The surfaces of a scene side by side, at one scale, each polygon in the colour of a signed
+/// value: blue below 0, white at 0, red above.
 struct SurfaceMap {
   std::string title;
   std::string value_label;

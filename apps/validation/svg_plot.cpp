@@ -162,8 +162,9 @@ void draw_axes(Canvas& canvas, const Frame& frame, const Plot& plot) {
              frame.top, right - kLeft, kPlotHeight);
   canvas.add(R"(<text x="{:.1f}" y="{:.1f}" text-anchor="middle">{}</text>)", (kLeft + right) / 2,
              bottom + 38, escaped(plot.x.label));
-  canvas.add(R"svg(<text transform="translate(14 {:.1f}) rotate(-90)" text-anchor="middle">{}</text>)svg",
-             frame.top + kPlotHeight / 2, escaped(plot.y.label));
+  canvas.add(
+      R"svg(<text transform="translate(14 {:.1f}) rotate(-90)" text-anchor="middle">{}</text>)svg",
+      frame.top + kPlotHeight / 2, escaped(plot.y.label));
 }
 
 void draw_bars(Canvas& canvas, const Frame& frame, const Series& series, std::size_t s) {
