@@ -67,9 +67,9 @@ TEST_F(Program, ValidatePrintsJsonIfAsked) {
 TEST_F(Program, ValidateListsItsCases) {
   const Outcome outcome = run({"validate", "--list"});
   EXPECT_EQ(outcome.exit_code, 0);
-  for (const char* name : {"form-factors", "furnace", "sphere", "plates", "cube", "cornell-box",
-                           "cornell-box-spectral", "hemisphere-vs-area", "energy", "convergence",
-                           "room"}) {
+  for (const char* name :
+       {"form-factors", "furnace", "sphere", "plates", "cube", "cornell-box",
+        "cornell-box-spectral", "hemisphere-vs-area", "energy", "convergence", "room"}) {
     EXPECT_NE(outcome.out.find(std::string(name) + " "), std::string::npos) << name;
   }
 }

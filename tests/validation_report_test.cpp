@@ -43,7 +43,8 @@ TEST(AxisTicks, LogarithmicOnesArePowersOfTenOrOneTwoFive) {
   EXPECT_GE(wide.ticks.size(), 3U);
   const AxisRange narrow = make_range(Scale::logarithmic, {90, 1100});
   EXPECT_EQ(narrow.ticks, (std::vector<double>{100, 200, 500, 1000}));
-  EXPECT_EQ(tick_text(1e-3, Scale::logarithmic), "10⁻³");
+  EXPECT_EQ(tick_text(1e-4, Scale::logarithmic), "10⁻⁴");
+  EXPECT_EQ(tick_text(1e-3, Scale::logarithmic), "0.001");
   EXPECT_EQ(tick_text(2e-12, Scale::logarithmic), "2·10⁻¹²");
   EXPECT_EQ(tick_text(200, Scale::logarithmic), "200");
 }

@@ -105,7 +105,7 @@ AxisRange make_range(Axis::Scale scale, const std::vector<double>& values) {
 }
 
 std::string tick_text(double value, Axis::Scale scale) {
-  if (scale == Axis::Scale::logarithmic && (value < 1e-2 || value > 9999)) {
+  if (scale == Axis::Scale::logarithmic && (value < 0.99e-3 || value > 9999)) {
     const auto exponent = static_cast<int>(std::floor(std::log10(value) + 1e-9));
     const double factor = std::round(value / std::pow(10, exponent));
     return factor == 1 ? "10" + superscript(exponent)

@@ -27,10 +27,12 @@ struct Study {
 constexpr double kTolerance = 1e-3;  // of the form factors: well below what discretisation leaves
 
 std::vector<Study> studies() {
+  // All lengths of the L-room are whole metres, so that these patches are nested; none is larger
+  // than the lamp.
   return {{"l-room.json",
            "L-room",
-           {2, 1, 0.5},
-           0.25,
+           {1, 1. / 2, 1. / 3},
+           1. / 6,
            0.8,
            "Constant patches follow a smooth field to order 1; 0.2 less is granted, since shadows "
            "have edges that coarse patches do not resolve."},
@@ -182,7 +184,7 @@ CaseResult run_convergence(const Context& context) {
           "Radiosity on ever finer uniform patches, each of constant radiosity, as a field "
           "over the surfaces, the lamp left out.",
       .reference =
-          "Our own solution on patches half as large as the finest shown. Its own error is "
+          "Our own solution on patches half as large as the finest. Its own error is "
           "reckoned with: where patches are nested, the square of a coarse field's error is "
           "that of its distance from the finer field and that of the finer field's error "
           "together, so that the order p is fitted to d² = C² (h^2p - h_ref^2p)."};
@@ -203,6 +205,9 @@ CaseResult run_convergence(const Context& context) {
     errors.series.push_back(std::move(curves.means));
     times.series.push_back(std::move(curves.time));
   }
+  result.notes.emplace_back(
+      "An order of 0.8 is asked of the L-room only, on patches no larger than its lamp. Patches of "
+      "280 to 70 mm of the Cornell box do not reach it.");
   result.figures.emplace_back(errors);
   result.figures.emplace_back(times);
   result.figures.emplace_back(table);

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <string>
+#include <utility>
 
 namespace apps::validation {
 namespace {
@@ -30,6 +31,17 @@ double relative_difference(const ReferencePolygon& expected, const Eigen::RowVec
   return difference == 0 ? 0 : difference / sum;
 }
 
+/// Index of the surface's panel, made if it is not there.
+std::size_t panel_of(SurfaceMap& map, const std::string& surface) {
+  const auto found = std::find_if(map.panels.begin(), map.panels.end(),
+                                  [&](const MapPanel& panel) { return panel.label == surface; });
+  if (found == map.panels.end()) {
+    map.panels.push_back({surface, {}});
+    return map.panels.size() - 1;
+  }
+  return found - map.panels.begin();
+}
+
 }  // namespace
 
 SurfaceMap difference_map(const std::vector<ReferencePolygon>& reference,
@@ -40,23 +52,22 @@ SurfaceMap difference_map(const std::vector<ReferencePolygon>& reference,
                  "(ours - reference) / reference, bands added up",
                  0.05,
                  {}};
-  PageAxes axes;
+  std::vector<PageAxes> axes;  // per panel: of its first polygon
   for (std::size_t i = 0; i < reference.size(); ++i) {
     const ReferencePolygon& polygon = reference[i];
-    if (map.panels.empty() || map.panels.back().label != polygon.surface) {
-      map.panels.push_back({polygon.surface, {}});
-      axes = page_axes(polygon.corners);
-    }
+    const std::size_t p = panel_of(map, polygon.surface);
+    if (p == axes.size()) axes.push_back(page_axes(polygon.corners));
     MapPolygon drawn;
     for (const Vec3& corner : polygon.corners) {
-      drawn.corners.emplace_back(kMetre * axes.right.dot(corner), kMetre * axes.up.dot(corner));
+      drawn.corners.emplace_back(kMetre * axes[p].right.dot(corner),
+                                 kMetre * axes[p].up.dot(corner));
     }
     const bool is_compared = polygon.surface != "light" &&
                              std::find(left_out.begin(), left_out.end(), i) == left_out.end();
     if (is_compared) {
       drawn.value = relative_difference(polygon, computed.row(static_cast<Eigen::Index>(i)));
     }
-    map.panels.back().polygons.push_back(std::move(drawn));
+    map.panels[p].polygons.push_back(std::move(drawn));
   }
   return map;
 }

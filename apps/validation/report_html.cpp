@@ -39,6 +39,7 @@ ul.note { padding-left: 2rem; font-size: .92rem; }
 figure { margin: 1.2rem 0; max-width: 38rem; break-inside: avoid; }
 figcaption { font-weight: 600; font-size: .92rem; margin-bottom: .3rem; }
 svg { width: 100%; height: auto; display: block; }
+@media (max-width: 36rem) { .summary .minor { display: none; } }
 @media print { body { font-size: 10pt; max-width: none; padding: 0; }
   h2 { break-after: avoid; } tr { break-inside: avoid; } a { color: inherit; } }
 )";
@@ -88,8 +89,8 @@ const Check* tightest(const std::vector<Check>& checks) {
 
 void add_summary(Page& page, const Report& report) {
   page.add(
-      "<div class=\"wide\"><table><thead><tr><th>Case</th><th>Verdict</th>"
-      "<th class=\"number\">Checks</th><th class=\"number\">Seconds</th>"
+      "<div class=\"wide\"><table class=\"summary\"><thead><tr><th>Case</th><th>Verdict</th>"
+      "<th class=\"number minor\">Checks</th><th class=\"number minor\">Seconds</th>"
       "<th>The figure nearest to its limit</th></tr></thead><tbody>\n");
   for (const CaseOutcome& outcome : report.outcomes) {
     const std::vector<Check>& checks = outcome.result.checks;
@@ -101,8 +102,8 @@ void add_summary(Page& page, const Report& report) {
                          asked(*check));
     }
     page.add(
-        "<tr><td><a href=\"#{0}\">{0}</a></td><td>{1}</td><td class=\"number\">{2} / {3}</td>"
-        "<td class=\"number\">{4:.1f}</td><td>{5}</td></tr>\n",
+        "<tr><td><a href=\"#{0}\">{0}</a></td><td>{1}</td><td class=\"number minor\">{2} / {3}</td>"
+        "<td class=\"number minor\">{4:.1f}</td><td>{5}</td></tr>\n",
         escaped(outcome.name), mark(outcome.status), n, checks.size(), outcome.seconds, last);
   }
   page.add("</tbody></table></div>\n");
@@ -112,12 +113,14 @@ void add_checks(Page& page, const std::vector<Check>& checks) {
   page.add(
       "<div class=\"wide\"><table><thead><tr><th>Figure</th><th class=\"number\">Measured</th>"
       "<th class=\"number\">Asked</th><th>Verdict</th></tr></thead><tbody>\n");
+  std::string last;  // a derivation is told once for a run of checks that share it
   for (const Check& check : checks) {
+    const std::string why = check.derivation == last ? "As above." : escaped(check.derivation);
+    last = check.derivation;
     page.add(
         "<tr><td>{}<div class=\"why\">{}</div></td><td class=\"number\">{}</td>"
         "<td class=\"number\">{}</td><td>{}</td></tr>\n",
-        escaped(check.what), escaped(check.derivation), with_unit(check.value, check.unit),
-        asked(check), mark(check));
+        escaped(check.what), why, with_unit(check.value, check.unit), asked(check), mark(check));
   }
   page.add("</tbody></table></div>\n");
 }
