@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "apps/number_list.h"
 #include "io/scene_file.h"
 #include "radiosity/error.h"
 
@@ -12,14 +13,6 @@ namespace {
 
 constexpr int kLargestPicture = 16384;  // pixels a side
 constexpr int kMostThreads = 4096;
-
-/// Accepts finite numbers above zero. (CLI::PositiveNumber lets NaN pass.)
-std::string check_positive(const std::string& text) {
-  double value = 0;
-  const bool is_number = CLI::detail::lexical_cast(text, value);
-  if (is_number && std::isfinite(value) && value > 0) return "";
-  return fmt::format("found '{}', expected a number above 0", text);
-}
 
 std::string check_seed(const std::string& text) {
   std::uint64_t seed = 0;
@@ -116,6 +109,9 @@ void add_seed_option(CLI::App& command, std::uint64_t& seed) {
 }
 
 void add_picture_options(CLI::App& command, PictureOptions& options) {
+  add_camera_options(command, options.camera);
+  auto* false_color = add_false_color_options(command, options.false_color);
+  add_photometry_options(command, options.photometry);
   const std::string picture = "Picture";
   command.add_option("--width", options.render.width, "Width of the picture, pixels")
       ->check(CLI::Range(1, kLargestPicture))
@@ -136,6 +132,7 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
       .add_option("--exposure", options.image.exposure,
                   "Factor from radiance to brightness in a .png; default: chosen to fit")
       ->check(check_positive)
+      ->excludes(false_color)
       ->type_name("X")
       ->group(picture);
 }

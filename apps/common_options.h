@@ -5,6 +5,9 @@
 #include <optional>
 #include <string>
 
+#include "apps/camera_options.h"
+#include "apps/false_color_options.h"
+#include "apps/quantity_options.h"
 #include "io/image_file.h"
 #include "radiosity/render.h"
 #include "radiosity/transport.h"
@@ -34,6 +37,9 @@ struct ComputeOptions {
 struct PictureOptions {
   radiosity::RenderOptions render;
   io::ImageOptions image;
+  CameraOptions camera;
+  FalseColorOptions false_color;
+  PhotometryOptions photometry;
 };
 
 /// Number of patches asked for if neither --max-edge, --patches nor --as-is is given.

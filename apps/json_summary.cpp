@@ -66,6 +66,33 @@ Json surfaces(const std::vector<SurfaceFlux>& fluxes) {
   return list;
 }
 
+/// A photometric quantity has one value, any other a list of one per band.
+Json values(const Eigen::VectorXd& values, const radiosity::QuantityInfo& info) {
+  return info.is_photometric ? Json(values[0]) : array(values);
+}
+
+Json share(const QuantityShare& share, const radiosity::QuantityInfo& info) {
+  Json json = {{"name", share.surface}, {"area", share.area}};
+  if (info.is_additive) {
+    json["sum"] = values(share.sum, info);
+  } else {
+    json["mean"] = values(share.mean, info);
+    json["min"] = values(share.least, info);
+    json["max"] = values(share.greatest, info);
+  }
+  return json;
+}
+
+Json by_surface(const QuantitySummary& quantity) {
+  Json list = Json::array();
+  for (const QuantityShare& surface : quantity.surfaces) {
+    list.push_back(share(surface, quantity.info));
+  }
+  Json total = share(quantity.total, quantity.info);
+  total.erase("name");
+  return {{"unit", quantity.unit}, {"surfaces", list}, {"total", total}};
+}
+
 Json surfaces(const radiosity::Scene& scene, const meshing::Inspection& inspection) {
   Json list = Json::array();
   for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
@@ -116,8 +143,8 @@ Json bounds(const radiosity::Box3& box) {
 
 }  // namespace
 
-std::string solve_json(const SolvedScene& solved, const std::vector<std::string>& outputs,
-                       const std::vector<std::string>& warnings) {
+std::string solve_json(const SolveSummary& summary, const std::vector<std::string>& warnings) {
+  const SolvedScene& solved = summary.solved;
   const radiosity::EnergyBalance& energy = solved.solution.energy;
   Json json = {
       {"patches", solved.mesh.size()},
@@ -128,10 +155,20 @@ std::string solve_json(const SolvedScene& solved, const std::vector<std::string>
        {{"emitted", array(energy.emitted)},
         {"absorbed", array(energy.absorbed)},
         {"escaped", array(energy.escaped)}}},
-      {"outputs", outputs},
+      {"outputs", summary.outputs},
       {"warnings", warnings}};
   if (is_thermal(solved.scene)) {
     json["surfaces"] = surfaces(surface_fluxes(solved.mesh, solved.solution));
+  }
+  for (const QuantitySummary& quantity : summary.quantities) {
+    json["quantities"][std::string(quantity.info.name)] = by_surface(quantity);
+  }
+  if (const auto& shown = summary.false_color) {
+    json["false_colour"] = {{"quantity", shown->quantity},
+                            {"unit", shown->unit},
+                            {"low", shown->scale.low},
+                            {"high", shown->scale.high},
+                            {"log", shown->scale.logarithmic}};
   }
   return text(json);
 }

@@ -5,7 +5,7 @@
 
 #include "apps/factor_summary.h"
 #include "apps/factors_from.h"
-#include "apps/solved_scene.h"
+#include "apps/solve_summary.h"
 #include "meshing/inspect.h"
 #include "radiosity/scene.h"
 
@@ -13,8 +13,7 @@ namespace apps {
 
 /// The JSON object that `solve` and `render` print (docs/command-line.md). What is not a finite
 /// number is null.
-std::string solve_json(const SolvedScene& solved, const std::vector<std::string>& outputs,
-                       const std::vector<std::string>& warnings);
+std::string solve_json(const SolveSummary& summary, const std::vector<std::string>& warnings);
 
 /// The JSON object that `form-factors` prints.
 std::string form_factors_json(const FactorSummary& summary,

@@ -4,33 +4,14 @@
 
 #include <CLI/App.hpp>
 #include <algorithm>
-#include <cmath>
-#include <optional>
 #include <vector>
 
+#include "apps/number_list.h"
 #include "io/json_item.h"
 #include "radiosity/error.h"
 
 namespace apps {
 namespace {
-
-std::vector<std::string> split_at_commas(const std::string& text) {
-  std::vector<std::string> fields(1);
-  for (const char c : text) {
-    if (c == ',') {
-      fields.emplace_back();
-    } else {
-      fields.back() += c;
-    }
-  }
-  return fields;
-}
-
-std::optional<double> as_number(const std::string& text) {
-  double value = 0;
-  const bool is_number = CLI::detail::lexical_cast(text, value) && std::isfinite(value);
-  return is_number ? std::optional(value) : std::nullopt;
-}
 
 [[noreturn]] void refuse(const std::string& reason) {
   throw CLI::ValidationError(

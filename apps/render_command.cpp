@@ -1,6 +1,7 @@
 #include "apps/render_command.h"
 
 #include "apps/output_files.h"
+#include "apps/picture_check.h"
 #include "apps/solved_scene.h"
 #include "apps/summary.h"
 #include "radiosity/parallel.h"
@@ -22,15 +23,23 @@ RenderCommand::RenderCommand(CLI::App& program, Interruption& interruption)
 }
 
 void RenderCommand::run() const {
-  check_outputs({output_}, common_.scene);
+  const std::vector<std::string> outputs = {output_};
+  check_outputs(outputs, common_.scene);
+  check_false_color(picture_.false_color);
   TerminalProgress terminal(terminal_style(common_));
   const radiosity::ThreadLimit threads(common_.n_threads);
   const radiosity::Progress progress = shown_progress(terminal, interruption_);
+  const PatchCheck check = [&](const PatchedScene& patched) {
+    check_picture(patched, picture_, terminal);
+    check_photometry(patched.scene, shown_quantities(picture_.false_color), picture_.photometry,
+                     terminal);
+  };
   const SolvedScene solved(common_, compute_, radiosity::Method::conjugate_gradients, progress,
-                           terminal);
-  write_picture(output_, solved, picture_, progress, terminal, interruption_);
+                           terminal, check);
+  SolveSummary summary = {.solved = solved, .outputs = outputs};
+  summary.false_color = write_picture(output_, solved, picture_, progress, interruption_);
   progress.check();
-  print_summary(solved, {output_}, common_, terminal);
+  print_summary(summary, common_, terminal);
 }
 
 }  // namespace apps

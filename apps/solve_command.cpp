@@ -4,6 +4,7 @@
 #include <array>
 
 #include "apps/output_files.h"
+#include "apps/picture_check.h"
 #include "apps/solved_scene.h"
 #include "apps/summary.h"
 #include "io/result_file.h"
@@ -13,6 +14,7 @@ namespace apps {
 namespace {
 
 using radiosity::Method;
+using radiosity::Quantity;
 
 constexpr std::array kMethods = {Method::conjugate_gradients, Method::jacobi, Method::gauss_seidel,
                                  Method::southwell, Method::chebyshev};
@@ -49,26 +51,52 @@ SolveCommand::SolveCommand(CLI::App& program, Interruption& interruption)
       ->capture_default_str()
       ->type_name("M");
   add_compute_options(*command, compute_);
+  add_quantity_options(*command, quantities_);
   add_picture_options(*command, picture_);
   command->callback([this] { run(); });
 }
 
 void SolveCommand::run() const {
   check_outputs(outputs_, common_.scene);
+  check_false_color(picture_.false_color);
   TerminalProgress terminal(terminal_style(common_));
   const radiosity::ThreadLimit threads(common_.n_threads);
   const radiosity::Progress progress = shown_progress(terminal, interruption_);
-  const SolvedScene solved(common_, compute_, method_named(method_), progress, terminal);
+  const std::vector<Quantity> quantities = chosen_quantities(quantities_);
+  const PatchCheck check = [&](const PatchedScene& patched) {
+    check_all(patched, quantities, terminal);
+  };
+  const SolvedScene solved(common_, compute_, method_named(method_), progress, terminal, check);
+  io::ResultOptions options = {.wavelengths = solved.scene.bands.wavelengths};
+  for (const Quantity quantity : quantities) {
+    options.quantities.push_back(radiosity::make_field(quantity, solved.mesh, solved.solution,
+                                                       solved.scene.bands,
+                                                       picture_.photometry.efficacy_or_default()));
+  }
+  SolveSummary summary = {.solved = solved, .outputs = outputs_};
+  for (const auto& field : options.quantities) {
+    summary.quantities.push_back(summarize(field, solved.mesh));
+  }
   for (const std::string& output : outputs_) {
     if (is_picture(output)) {
-      write_picture(output, solved, picture_, progress, terminal, interruption_);
+      summary.false_color = write_picture(output, solved, picture_, progress, interruption_);
     } else {
       const auto lock = interruption_.hold();
-      io::write(output, solved.mesh, solved.solution);
+      io::write(output, solved.mesh, solved.solution, options);
     }
     progress.check();
   }
-  print_summary(solved, outputs_, common_, terminal);
+  print_summary(summary, common_, terminal);
+}
+
+void SolveCommand::check_all(const PatchedScene& patched, std::vector<Quantity> quantities,
+                             TerminalProgress& terminal) const {
+  if (std::any_of(outputs_.begin(), outputs_.end(), is_picture)) {
+    check_picture(patched, picture_, terminal);
+    const auto shown = shown_quantities(picture_.false_color);
+    quantities.insert(quantities.end(), shown.begin(), shown.end());
+  }
+  check_photometry(patched.scene, quantities, picture_.photometry, terminal);
 }
 
 }  // namespace apps

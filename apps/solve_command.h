@@ -6,6 +6,7 @@
 
 #include "apps/common_options.h"
 #include "apps/interruption.h"
+#include "apps/solved_scene.h"
 
 namespace apps {
 
@@ -19,11 +20,15 @@ class SolveCommand {
 
  private:
   void run() const;
+  /// Finds out before the long work what would be in vain.
+  void check_all(const PatchedScene& patched, std::vector<radiosity::Quantity> quantities,
+                 TerminalProgress& terminal) const;
 
   Interruption& interruption_;
   CommonOptions common_;
   ComputeOptions compute_;
   PictureOptions picture_;
+  QuantityOptions quantities_;
   std::string method_;
   std::vector<std::string> outputs_;
 };

@@ -7,10 +7,12 @@
 #include <utility>
 
 #include "apps/available_memory.h"
+#include "io/false_color.h"
 #include "io/image_file.h"
 #include "io/scene_file.h"
 #include "meshing/inspect.h"
 #include "meshing/patches.h"
+#include "radiosity/quantity.h"
 #include "radiosity/radiometry.h"
 #include "radiosity/render.h"
 
@@ -109,6 +111,31 @@ SolveOptions solve_options(Method method, double tolerance, const Progress& prog
   return options;
 }
 
+void refuse_empty(const Image& image) {
+  if (std::all_of(image.alpha.begin(), image.alpha.end(), [](float a) { return a == 0; })) {
+    throw SceneError(
+        "the picture would be empty: what the camera sees is smaller than a pixel; come closer, or "
+        "use more pixels or --samples");
+  }
+}
+
+ShownScale write_false_color_picture(const std::string& path, const SolvedScene& solved,
+                                     const PictureOptions& options, const Camera& camera,
+                                     const RenderOptions& render_options,
+                                     Interruption& interruption) {
+  const QuantityField field =
+      make_field(*quantity_named(*options.false_color.quantity), solved.mesh, solved.solution,
+                 solved.scene.bands, options.photometry.efficacy_or_default());
+  const ShownQuantity shown = shown_quantity(field, solved.scene.bands, options.false_color);
+  const Image image =
+      render_values(solved.mesh, solved.visibility, shown.values, camera, render_options);
+  render_options.progress.check();
+  refuse_empty(image);
+  const auto lock = interruption.hold();
+  const io::ColorScale scale = io::write_false_color(path, image, shown.options);
+  return {std::string(field.info.name), field.unit, scale};
+}
+
 }  // namespace
 
 PatchedScene::PatchedScene(const CommonOptions& common, const ComputeOptions& compute,
@@ -125,17 +152,23 @@ PatchedScene::PatchedScene(Scene read_scene, const ComputeOptions& compute,
       visibility(mesh) {}
 
 AssembledScene::AssembledScene(const CommonOptions& common, const ComputeOptions& compute,
-                               const Progress& progress, TerminalProgress& terminal)
-    : AssembledScene(read_checked_scene(common, progress, terminal), compute, progress, terminal) {}
+                               const Progress& progress, TerminalProgress& terminal,
+                               const PatchCheck& check)
+    : AssembledScene(read_checked_scene(common, progress, terminal), compute, progress, terminal,
+                     check) {}
 
 AssembledScene::AssembledScene(Scene read_scene, const ComputeOptions& compute,
-                               const Progress& progress, TerminalProgress& terminal)
-    : PatchedScene(std::move(read_scene), compute, dense_checks(), progress, terminal),
-      transport(make_scene_transport(scene, mesh, visibility, compute, progress, terminal)) {}
+                               const Progress& progress, TerminalProgress& terminal,
+                               const PatchCheck& check)
+    : PatchedScene(std::move(read_scene), compute, dense_checks(), progress, terminal) {
+  if (check) check(*this);
+  transport = make_scene_transport(scene, mesh, visibility, compute, progress, terminal);
+}
 
 SolvedScene::SolvedScene(const CommonOptions& common, const ComputeOptions& compute, Method method,
-                         const Progress& progress, TerminalProgress& terminal)
-    : AssembledScene(common, compute, progress, terminal),
+                         const Progress& progress, TerminalProgress& terminal,
+                         const PatchCheck& check)
+    : AssembledScene(common, compute, progress, terminal, check),
       solution(solve_scene(scene, mesh, *transport,
                            solve_options(method, compute.tolerance, progress), terminal)) {}
 
@@ -181,24 +214,24 @@ Progress shown_progress(TerminalProgress& terminal, const Interruption& interrup
       .stop = interruption.token()};
 }
 
-void write_picture(const std::string& path, const SolvedScene& solved,
-                   const PictureOptions& options, const Progress& progress,
-                   TerminalProgress& terminal, Interruption& interruption) {
-  const Camera camera = solved.scene.camera.value_or(fit_camera(solved.mesh));
-  if (!solved.scene.camera) {
-    const Vec3& p = camera.position;
-    terminal.warn(
-        fmt::format("the scene has no camera: the picture is taken from ({:.3g}, {:.3g}, "
-                    "{:.3g}) m, where all of it is in view",
-                    p.x(), p.y(), p.z()));
-  }
+std::optional<ShownScale> write_picture(const std::string& path, const SolvedScene& solved,
+                                        const PictureOptions& options, const Progress& progress,
+                                        Interruption& interruption) {
+  const Camera camera = choose_camera(solved.scene, solved.mesh, options.camera).camera;
   RenderOptions render_options = options.render;
   render_options.progress = progress;
+  if (options.false_color.quantity) {
+    return write_false_color_picture(path, solved, options, camera, render_options, interruption);
+  }
   const Image image =
       render(solved.mesh, solved.visibility, solved.solution.radiosity, camera, render_options);
   progress.check();
+  refuse_empty(image);
+  io::ImageOptions image_options = options.image;
+  image_options.wavelengths = solved.scene.bands.wavelengths;
   const auto lock = interruption.hold();
-  io::write_image(path, image, options.image);
+  io::write_image(path, image, image_options);
+  return std::nullopt;
 }
 
 }  // namespace apps

@@ -2,6 +2,8 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
+#include <string>
 
 #include "apps/common_options.h"
 #include "apps/interruption.h"
@@ -39,14 +41,20 @@ struct PatchedScene {
   radiosity::Visibility visibility;
 };
 
+/// What a command wants to know of the patches before the long work; throws if that would be in
+/// vain.
+using PatchCheck = std::function<void(const PatchedScene&)>;
+
 /// The same with the form factors in memory. Throws SolveError before anything long if they do not
 /// fit.
 struct AssembledScene : PatchedScene {
   AssembledScene(const CommonOptions& common, const ComputeOptions& compute,
-                 const radiosity::Progress& progress, TerminalProgress& terminal);
+                 const radiosity::Progress& progress, TerminalProgress& terminal,
+                 const PatchCheck& check = {});
   /// The same from a scene that has been read.
   AssembledScene(radiosity::Scene read_scene, const ComputeOptions& compute,
-                 const radiosity::Progress& progress, TerminalProgress& terminal);
+                 const radiosity::Progress& progress, TerminalProgress& terminal,
+                 const PatchCheck& check = {});
 
   std::unique_ptr<radiosity::Transport> transport;
 };
@@ -54,7 +62,8 @@ struct AssembledScene : PatchedScene {
 /// The whole pipeline from a scene file to its radiosity.
 struct SolvedScene : AssembledScene {
   SolvedScene(const CommonOptions& common, const ComputeOptions& compute, radiosity::Method method,
-              const radiosity::Progress& progress, TerminalProgress& terminal);
+              const radiosity::Progress& progress, TerminalProgress& terminal,
+              const PatchCheck& check = {});
 
   radiosity::Solution solution;
 };
@@ -81,10 +90,19 @@ void warn_of_open_rows(const radiosity::AssemblyReport& report, TerminalProgress
 /// Progress that is shown by `terminal` and stopped by `interruption`.
 radiosity::Progress shown_progress(TerminalProgress& terminal, const Interruption& interruption);
 
-/// Renders the picture of a solved scene and writes it; warns if the scene has no camera. The file
-/// is written under `interruption.hold()`.
-void write_picture(const std::string& path, const SolvedScene& solved,
-                   const PictureOptions& options, const radiosity::Progress& progress,
-                   TerminalProgress& terminal, Interruption& interruption);
+/// What a picture in false colours shows.
+struct ShownScale {
+  std::string quantity;  ///< its name
+  std::string unit;
+  io::ColorScale scale;
+};
+
+/// Renders the picture of a solved scene and writes it; returns the scale if it is in false
+/// colours. The file is written under `interruption.hold()`. Throws SceneError if all of it is
+/// empty, which `check_picture` finds out beforehand unless it is for lack of pixels.
+std::optional<ShownScale> write_picture(const std::string& path, const SolvedScene& solved,
+                                        const PictureOptions& options,
+                                        const radiosity::Progress& progress,
+                                        Interruption& interruption);
 
 }  // namespace apps

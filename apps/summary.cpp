@@ -16,10 +16,9 @@ void print(const std::string& text) {
   }
 }
 
-void print_summary(const SolvedScene& solved, const std::vector<std::string>& outputs,
-                   const CommonOptions& common, const TerminalProgress& terminal) {
-  print(common.json ? solve_json(solved, outputs, terminal.warnings())
-                    : solve_text(solved, outputs));
+void print_summary(const SolveSummary& summary, const CommonOptions& common,
+                   const TerminalProgress& terminal) {
+  print(common.json ? solve_json(summary, terminal.warnings()) : solve_text(summary));
 }
 
 }  // namespace apps

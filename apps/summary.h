@@ -1,9 +1,8 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
-#include "apps/solved_scene.h"
+#include "apps/solve_summary.h"
 
 namespace apps {
 
@@ -11,7 +10,7 @@ namespace apps {
 void print(const std::string& text);
 
 /// Prints the summary of `solve` and `render`: a table, or with --json one JSON object.
-void print_summary(const SolvedScene& solved, const std::vector<std::string>& outputs,
-                   const CommonOptions& common, const TerminalProgress& terminal);
+void print_summary(const SolveSummary& summary, const CommonOptions& common,
+                   const TerminalProgress& terminal);
 
 }  // namespace apps

@@ -57,21 +57,6 @@ std::string bytes(std::size_t n) {
                            : fmt::format("{:.2f} GB", static_cast<double>(n) * 1e-9);
 }
 
-Row band_names(const radiosity::Bands& bands) {
-  switch (bands.kind) {
-    case radiosity::Bands::Kind::grey:
-      return {"grey"};
-    case radiosity::Bands::Kind::rgb:
-      return {"red", "green", "blue"};
-    case radiosity::Bands::Kind::wavelengths:
-      break;
-  }
-  Row names;
-  for (const double wavelength : bands.wavelengths)
-    names.push_back(fmt::format("{} nm", wavelength));
-  return names;
-}
-
 std::string scene_lines(const PatchedScene& patched) {
   return line("scene", one_line(patched.scene.source)) +
          line("patches", fmt::format("{} on {} surfaces", patched.mesh.size(),
@@ -136,7 +121,8 @@ std::string solve_lines(const radiosity::Solution& solution) {
 }
 
 std::string energy_table(const radiosity::Bands& bands, const radiosity::EnergyBalance& energy) {
-  std::vector<Row> rows = {{"energy", "emitted, W", "absorbed, W", "escaped, W"}};
+  const std::string unit = radiosity::band_unit("W", bands);
+  std::vector<Row> rows = {{"energy", "emitted, " + unit, "absorbed, " + unit, "escaped, " + unit}};
   const Row names = band_names(bands);
   for (std::size_t band = 0; band < names.size(); ++band) {
     const auto k = static_cast<Eigen::Index>(band);
@@ -156,14 +142,42 @@ std::string flux_table(const std::vector<SurfaceFlux>& fluxes) {
   return table(rows);
 }
 
-std::string emission_text(const radiosity::Emission& emission) {
+std::string quantity_table(const QuantitySummary& quantity) {
+  const bool adds = quantity.info.is_additive;
+  std::string head(quantity.info.name);
+  if (!quantity.unit.empty()) head += ", " + quantity.unit;
+  std::vector<Row> rows = {{head, "area, m²", "mean", "min", "max"}};
+  if (adds) rows.front() = {head, "area, m²", "sum"};
+  const auto add = [&](const QuantityShare& share) {
+    Row row = {one_line(share.surface), fmt::format("{:.4g}", share.area)};
+    if (adds) {
+      row.push_back(numbers(share.sum));
+    } else {
+      for (const auto* value : {&share.mean, &share.least, &share.greatest}) {
+        row.push_back(numbers(*value));
+      }
+    }
+    rows.push_back(row);
+  };
+  for (const QuantityShare& share : quantity.surfaces) add(share);
+  add(quantity.total);
+  return table(rows);
+}
+
+std::string scale_text(const ShownScale& shown) {
+  return fmt::format("{} from {:g} to {:g} {}{}", shown.quantity, shown.scale.low, shown.scale.high,
+                     shown.unit, shown.scale.logarithmic ? ", logarithmic" : "");
+}
+
+std::string emission_text(const radiosity::Emission& emission, const radiosity::Bands& bands) {
   using Kind = radiosity::Emission::Kind;
   if (emission.kind == Kind::none) return "-";
   std::string_view unit = "W/m²";
   if (emission.kind == Kind::radiance) unit = "W/(m² sr)";
   if (emission.kind == Kind::power) unit = "W";
   if (emission.kind == Kind::temperature) unit = "K";
-  return fmt::format("{} {} {}", emission_name(emission.kind), numbers(emission.value), unit);
+  return fmt::format("{} {} {}", emission_name(emission.kind), numbers(emission.value),
+                     radiosity::band_unit(unit, bands));
 }
 
 std::string surface_table(const radiosity::Scene& scene, const meshing::Inspection& inspection) {
@@ -175,7 +189,7 @@ std::string surface_table(const radiosity::Scene& scene, const meshing::Inspecti
     rows.push_back({one_line(surface.name) + (surface.two_sided ? " (two-sided)" : ""),
                     fmt::format("{}", inspection.surface_polygons[s]),
                     fmt::format("{:.4g}", inspection.surface_area[s]), one_line(material.name),
-                    numbers(material.reflectance), emission_text(material.emission)});
+                    numbers(material.reflectance), emission_text(material.emission, scene.bands)});
   }
   return table(rows);
 }
@@ -219,13 +233,16 @@ std::string form_factors_text(const FactorSummary& summary) {
   return text;
 }
 
-std::string solve_text(const SolvedScene& solved, const std::vector<std::string>& outputs) {
+std::string solve_text(const SolveSummary& summary) {
+  const SolvedScene& solved = summary.solved;
   std::string text = scene_lines(solved) +
                      form_factor_lines(solved.transport->report(), solved.transport->bytes());
   text += solve_lines(solved.solution);
   text += energy_table(solved.scene.bands, solved.solution.energy);
   if (is_thermal(solved.scene)) text += flux_table(surface_fluxes(solved.mesh, solved.solution));
-  for (const std::string& output : outputs) text += line("written", one_line(output));
+  for (const QuantitySummary& quantity : summary.quantities) text += quantity_table(quantity);
+  if (summary.false_color) text += line("false colours", scale_text(*summary.false_color));
+  for (const std::string& output : summary.outputs) text += line("written", one_line(output));
   return text;
 }
 

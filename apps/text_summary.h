@@ -5,14 +5,14 @@
 
 #include "apps/factor_summary.h"
 #include "apps/factors_from.h"
-#include "apps/solved_scene.h"
+#include "apps/solve_summary.h"
 #include "meshing/inspect.h"
 #include "radiosity/scene.h"
 
 namespace apps {
 
 /// What `solve` and `render` did, as an aligned table.
-std::string solve_text(const SolvedScene& solved, const std::vector<std::string>& outputs);
+std::string solve_text(const SolveSummary& summary);
 
 /// What `form-factors` did.
 std::string form_factors_text(const FactorSummary& summary);

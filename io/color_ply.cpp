@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "io/atomic_file.h"
+#include "io/color_map.h"
 #include "io/tone_mapping.h"
 #include "radiosity/corner_values.h"
 
@@ -33,28 +34,25 @@ struct ColoredMesh {
 };
 
 /// Exposure for the light that surfaces reflect; what emits by itself may become white.
-double reflected_light_exposure(const Solution& solution) {
+double reflected_light_exposure(const Solution& solution, const std::vector<double>& wavelengths) {
   std::vector<Index> reflecting;
   for (Index i = 0; i < solution.radiosity.rows(); ++i) {
     if ((solution.exitance.row(i).array() == 0).all()) reflecting.push_back(i);
   }
   if (reflecting.empty())
-    return automatic_exposure(display_colors(solution.radiosity.cast<float>()));
+    return automatic_exposure(display_colors(solution.radiosity.cast<float>(), wavelengths));
   const Eigen::MatrixXd values = solution.radiosity(reflecting, Eigen::all);
-  return automatic_exposure(display_colors(values.cast<float>()));
+  return automatic_exposure(display_colors(values.cast<float>(), wavelengths));
 }
 
-ColoredMesh color_corners(const PatchMesh& mesh, const Solution& solution) {
-  const double exposure = reflected_light_exposure(solution);
-  const Eigen::MatrixX3f colors =
-      display_colors(radiosity::corner_values(mesh, solution.radiosity).cast<float>());
+ColoredMesh color_corners(const PatchMesh& mesh, const CornerColors& colors) {
   ColoredMesh colored;
   std::unordered_map<std::uint64_t, std::int32_t> index_of;
   for (Index i = 0; i < mesh.size(); ++i) {
     std::array<std::int32_t, 4> corners = {-1, -1, -1, -1};
     for (int k = 0; k < mesh.n_corners(i); ++k) {
       const std::int32_t vertex = mesh.corners[i][k];
-      const auto rgb = srgb_bytes(colors.row(4 * i + k), exposure);
+      const auto& rgb = colors[4 * i + k];
       const std::uint64_t key = std::uint64_t(vertex) << 24 | std::uint64_t(rgb[0]) << 16 |
                                 std::uint64_t(rgb[1]) << 8 | rgb[2];
       const auto [entry, is_new] =
@@ -77,9 +75,33 @@ void put(std::ostream& stream, T value) {
 
 }  // namespace
 
+CornerColors radiosity_colors(const PatchMesh& mesh, const Solution& solution,
+                              const std::vector<double>& wavelengths) {
+  const double exposure = reflected_light_exposure(solution, wavelengths);
+  const Eigen::MatrixX3f linear =
+      display_colors(radiosity::corner_values(mesh, solution.radiosity).cast<float>(), wavelengths);
+  CornerColors colors;
+  for (Index k = 0; k < linear.rows(); ++k) colors.push_back(srgb_bytes(linear.row(k), exposure));
+  return colors;
+}
+
+CornerColors quantity_colors(const PatchMesh& mesh, const radiosity::QuantityField& quantity,
+                             const std::vector<double>& wavelengths) {
+  const Eigen::VectorXd values = quantity.info.is_photometric
+                                     ? Eigen::VectorXd(quantity.values.col(0))
+                                     : radiosity::mean_over_bands(quantity.values, wavelengths);
+  const ColorScale scale = fitting_scale(values, false);
+  CornerColors colors;
+  const Eigen::MatrixXd corners = radiosity::corner_values(mesh, values);
+  for (const double value : corners.col(0)) {
+    colors.push_back(map_color(position_on(scale, value)));
+  }
+  return colors;
+}
+
 void write_color_ply(const std::filesystem::path& path, const PatchMesh& mesh,
-                     const Solution& solution) {
-  const ColoredMesh colored = color_corners(mesh, solution);
+                     const CornerColors& colors) {
+  const ColoredMesh colored = color_corners(mesh, colors);
   write_stream_atomically(path, [&](std::ofstream& stream) {
     stream << fmt::format(
         "ply\nformat binary_little_endian 1.0\ncomment radiosity, sRGB vertex colours, metres\n"

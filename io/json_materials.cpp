@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
+#include <optional>
 
 #include "io/input_checks.h"
 #include "io/scene_keys.h"
@@ -15,14 +17,19 @@ using radiosity::Bands;
 using radiosity::Emission;
 using radiosity::Material;
 
+/// What is wrong with values, if anything.
+using ValueCheck = std::function<std::optional<std::string>(const Eigen::VectorXd&)>;
+
 Eigen::VectorXd read_csv(const JsonItem& item, const Bands& bands,
-                         const std::filesystem::path& folder) {
+                         const std::filesystem::path& folder, const ValueCheck& check) {
   item.check_keys(keys::kSpectrum);
   if (bands.kind != Bands::Kind::wavelengths) {
     item.fail("a spectrum needs \"bands\" given as wavelengths");
   }
   const std::string file = item.at("csv").text();
-  const Spectrum spectrum = read_spectrum(folder / file, item.at("column").text());
+  const Spectrum spectrum =
+      read_spectrum(folder / file, item.at("column").text(),
+                    [&](double value) { return check(Eigen::VectorXd::Constant(1, value)); });
   const auto& x = spectrum.wavelengths;
   if (bands.wavelengths.front() < x.front() || bands.wavelengths.back() > x.back()) {
     item.fail(fmt::format("{} covers {} to {} nm, expected to cover the bands, {} to {} nm", file,
@@ -32,10 +39,8 @@ Eigen::VectorXd read_csv(const JsonItem& item, const Bands& bands,
   return interpolate(spectrum, bands.wavelengths);
 }
 
-/// One value per band from a number, a list, or a reference to a CSV column.
-Eigen::VectorXd read_values(const JsonItem& item, const Bands& bands,
-                            const std::filesystem::path& folder) {
-  if (item.value().is_object()) return read_csv(item, bands, folder);
+/// One value per band from a number or a list.
+Eigen::VectorXd read_numbers(const JsonItem& item, const Bands& bands) {
   if (!item.value().is_array()) return Eigen::VectorXd::Constant(bands.count(), item.number());
   if (static_cast<Eigen::Index>(item.size()) != bands.count()) {
     item.fail(
@@ -48,15 +53,22 @@ Eigen::VectorXd read_values(const JsonItem& item, const Bands& bands,
   return values;
 }
 
+/// The same, or from a reference to a CSV column; checked.
+Eigen::VectorXd read_values(const JsonItem& item, const Bands& bands,
+                            const std::filesystem::path& folder, const ValueCheck& check) {
+  if (item.value().is_object()) return read_csv(item, bands, folder, check);
+  Eigen::VectorXd values = read_numbers(item, bands);
+  if (const auto problem = check(values)) item.fail(*problem);
+  return values;
+}
+
 Eigen::VectorXd read_reflectance(const JsonItem& material, const Bands& bands,
                                  const std::filesystem::path& folder) {
   if (material.has("reflectance") == material.has("emissivity")) {
     material.fail("expected either \"reflectance\" or \"emissivity\"");
   }
   if (const auto item = material.find("reflectance")) {
-    Eigen::VectorXd reflectance = read_values(*item, bands, folder);
-    if (const auto problem = reflectance_problem(reflectance)) item->fail(*problem);
-    return reflectance;
+    return read_values(*item, bands, folder, reflectance_problem);
   }
   const JsonItem item = material.at("emissivity");
   const double emissivity = item.number();
@@ -75,16 +87,19 @@ Emission::Kind emission_kind(std::string_view key) {
 
 Emission read_emission_value(const JsonItem& item, std::string_view key, const Bands& bands,
                              const std::filesystem::path& folder) {
+  const ValueCheck check = [&](const Eigen::VectorXd& value) {
+    return emission_problem(std::string(key), value);
+  };
   Emission emission{.kind = emission_kind(key), .value = {}};
   if (emission.kind == Emission::Kind::temperature) {
     if (bands.kind != Bands::Kind::grey) {
       item.fail("a temperature needs \"bands\": \"grey\", which then is all thermal radiation");
     }
     emission.value = Eigen::VectorXd::Constant(1, item.number());
+    if (const auto problem = check(emission.value)) item.fail(*problem);
   } else {
-    emission.value = read_values(item, bands, folder);
+    emission.value = read_values(item, bands, folder, check);
   }
-  if (const auto problem = emission_problem(std::string(key), emission.value)) item.fail(*problem);
   return emission;
 }
 

@@ -47,7 +47,8 @@ double number(const LineReader& lines, std::string_view cell) {
 
 }  // namespace
 
-Spectrum read_spectrum(const std::filesystem::path& path, const std::string& column) {
+Spectrum read_spectrum(const std::filesystem::path& path, const std::string& column,
+                       const std::function<std::optional<std::string>(double)>& check) {
   const radiosity::Progress progress;
   LineReader lines(path, progress);
   if (!lines.next_content()) fail(path, "has no column names");
@@ -65,6 +66,7 @@ Spectrum read_spectrum(const std::filesystem::path& path, const std::string& col
     }
     spectrum.wavelengths.push_back(wavelength);
     spectrum.values.push_back(number(lines, row[index]));
+    if (const auto problem = check(spectrum.values.back())) lines.fail(*problem);
   }
   if (spectrum.wavelengths.empty()) fail(path, "has no values");
   return spectrum;

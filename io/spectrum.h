@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,8 +16,10 @@ struct Spectrum {
 };
 
 /// Reads a column of a CSV file: comments (#), a line of column names of which the first is
-/// `wavelength_nm`, then numbers. Throws SceneError with file and line.
-Spectrum read_spectrum(const std::filesystem::path& path, const std::string& column);
+/// `wavelength_nm`, then numbers. `check` says what is wrong with a value, if anything. Throws
+/// SceneError with file and line.
+Spectrum read_spectrum(const std::filesystem::path& path, const std::string& column,
+                       const std::function<std::optional<std::string>(double)>& check);
 
 /// The spectrum's values, linear between its wavelengths, at other wavelengths (nm) that must lie
 /// within its range.

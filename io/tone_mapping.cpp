@@ -1,9 +1,12 @@
 #include "io/tone_mapping.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <iterator>
 #include <vector>
+
+#include "radiosity/color_matching.h"
 
 namespace io {
 namespace {
@@ -20,24 +23,23 @@ std::uint8_t srgb_byte(double linear) {
 
 }  // namespace
 
-Eigen::MatrixX3f display_colors(const Eigen::MatrixXf& values) {
-  const Index n_bands = values.cols();
-  if (n_bands == 3) return values;
-  if (n_bands < 3) return values.rowwise().mean().replicate(1, 3);
-  const Index third = n_bands / 3;
-  Eigen::MatrixX3f colors(values.rows(), 3);
-  colors.col(2) = values.leftCols(third).rowwise().mean();
-  colors.col(1) = values.middleCols(third, n_bands - 2 * third).rowwise().mean();
-  colors.col(0) = values.rightCols(third).rowwise().mean();
-  return colors;
+Eigen::MatrixX3f display_colors(const Eigen::MatrixXf& values,
+                                const std::vector<double>& wavelengths) {
+  if (wavelengths.empty() && values.cols() == 3) return values;
+  if (!wavelengths.empty()) {
+    assert(static_cast<Index>(wavelengths.size()) == values.cols());
+    const Eigen::MatrixX3d to_xyz = radiosity::tristimulus_weights(wavelengths);
+    const Eigen::MatrixX3f to_srgb = (to_xyz * radiosity::xyz_to_srgb().transpose()).cast<float>();
+    if (!to_xyz.isZero(0)) return values * to_srgb;
+  }
+  return values.rowwise().mean().replicate(1, 3);
 }
 
 double automatic_exposure(const Eigen::MatrixX3f& colors) {
   constexpr double kWhite = 0.85;  // linear display value of the bright end
   constexpr float kStandsOut = 4;  // brighter than the rest by this factor is a light
 
-  // Rec. 709 luminance
-  const Eigen::VectorXf luminance = colors * Eigen::Vector3f(0.2126F, 0.7152F, 0.0722F);
+  const Eigen::VectorXf luminance = colors * radiosity::kSrgbLuminance.cast<float>();
   std::vector<float> lit;
   std::copy_if(luminance.begin(), luminance.end(), std::back_inserter(lit),
                [](float value) { return value > 0 && std::isfinite(value); });
@@ -56,7 +58,7 @@ double automatic_exposure(const Eigen::MatrixX3f& colors) {
   return kWhite / white;
 }
 
-std::array<std::uint8_t, 3> srgb_bytes(const Eigen::RowVector3f& color, double exposure) {
+Rgb srgb_bytes(const Eigen::RowVector3f& color, double exposure) {
   return {srgb_byte(exposure * color[0]), srgb_byte(exposure * color[1]),
           srgb_byte(exposure * color[2])};
 }

@@ -3,13 +3,19 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <vector>
+
+#include "io/rgb_picture.h"
 
 namespace io {
 
-/// Linear RGB to show, n x 3, of n colours in any number of bands (n x n_bands). One or two bands
-/// show as grey (their mean); three are R, G, B; more are taken as ordered by wavelength, and blue,
-/// green and red are the means of their lowest, middle and highest third (a false colour).
-Eigen::MatrixX3f display_colors(const Eigen::MatrixXf& values);
+/// Linear sRGB to show, n x 3, of n colours in any number of bands (n x n_bands). With
+/// `wavelengths` (nm, increasing, one per band) the spectra are seen by the CIE 1931 observer, as
+/// `radiosity::tristimulus_weights` and `xyz_to_srgb` say: Y is ∫ S ȳ dλ, and what no screen can
+/// show has a negative component. Without, three bands are R, G, B. Else, and if nothing of the
+/// wavelengths' integral is visible (infrared, a single wavelength), they show as grey, their mean.
+Eigen::MatrixX3f display_colors(const Eigen::MatrixXf& values,
+                                const std::vector<double>& wavelengths = {});
 
 /// Factor from linear RGB to display value that exposes the colours well: the luminance that 98 %
 /// of the lit ones stay below becomes a light grey. Lights seen directly are left out as long as
@@ -17,7 +23,7 @@ Eigen::MatrixX3f display_colors(const Eigen::MatrixXf& values);
 double automatic_exposure(const Eigen::MatrixX3f& colors);
 
 /// 8-bit sRGB (IEC 61966-2-1) of a linear colour times `exposure`; what is brighter than white
-/// becomes white.
-std::array<std::uint8_t, 3> srgb_bytes(const Eigen::RowVector3f& color, double exposure);
+/// becomes white, and a negative component 0.
+Rgb srgb_bytes(const Eigen::RowVector3f& color, double exposure);
 
 }  // namespace io

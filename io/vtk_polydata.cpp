@@ -78,7 +78,9 @@ void add_surface_names(vtkPolyData& polydata, const std::vector<std::string>& na
 
 }  // namespace
 
-vtkSmartPointer<vtkPolyData> make_polydata(const PatchMesh& mesh, const Solution& solution) {
+vtkSmartPointer<vtkPolyData> make_polydata(
+    const PatchMesh& mesh, const Solution& solution,
+    const std::vector<radiosity::QuantityField>& quantities) {
   auto polydata = vtkSmartPointer<vtkPolyData>::New();
   polydata->SetPoints(make_points(mesh));
   polydata->SetPolys(make_polygons(mesh));
@@ -91,6 +93,9 @@ vtkSmartPointer<vtkPolyData> make_polydata(const PatchMesh& mesh, const Solution
   add_array(*polydata, "surface", mesh.surface);
   add_array(*polydata, "polygon", mesh.polygon);
   add_array(*polydata, "net_flux", solution.net_flux());
+  for (const radiosity::QuantityField& quantity : quantities) {
+    add_array(*polydata, std::string(quantity.info.column).c_str(), quantity.values);
+  }
   add_surface_names(*polydata, mesh.surface_names);
   polydata->GetCellData()->SetActiveScalars("radiosity");
   return polydata;

@@ -12,6 +12,7 @@ AssemblyReport make_report(const Census& census, const Eigen::VectorXd& row_sums
   report.undecided = census.undecided;
   report.partial = census.partial;
   report.rays = census.rays;
+  report.known = census.known;
   report.row_sums.resize(row_sums.size());
   for (Index row = 0; row < row_sums.size(); ++row) {
     report.row_sums[order[row]] = row_sums[row] / areas[order[row]];

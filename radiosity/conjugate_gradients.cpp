@@ -1,5 +1,6 @@
 #include "radiosity/conjugate_gradients.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace radiosity {
@@ -8,6 +9,21 @@ namespace {
 /// The recursive residual is asked for slightly more than the true one has to reach, so that
 /// rounding does not cost a restart.
 constexpr double kMargin = 0.99;
+
+/// How far off products may be, for each of the columns: a small share of the residual's norm at
+/// which its bound is `limit`, so that what adds up over the iterations stays below that.
+Eigen::VectorXd allowed_errors(const IrradianceSystem& system, const Eigen::MatrixXd& residual,
+                               const Eigen::VectorXd& bounds, const std::vector<Index>& columns,
+                               double limit) {
+  constexpr double kShare = 0.01;
+  Eigen::VectorXd errors(static_cast<Index>(columns.size()));
+  for (std::size_t a = 0; a < columns.size(); ++a) {
+    const Index c = columns[a];
+    const double norm = std::sqrt(system.inner(c, residual.col(c), residual.col(c)));
+    errors[static_cast<Index>(a)] = kShare * std::min(limit / bounds[c], 1.0) * norm;
+  }
+  return errors;
+}
 
 /// One run of conjugate gradients from the true residual of `start`, and a last product.
 Iterate descend(const IrradianceSystem& system, const Iterate& start, SolveMonitor& monitor) {
@@ -19,7 +35,8 @@ Iterate descend(const IrradianceSystem& system, const Iterate& start, SolveMonit
   std::vector<Index> columns = columns_above(bounds, limit);
 
   while (!columns.empty() && monitor.may_spend(2)) {
-    const Eigen::MatrixXd reflected = system.reflect(direction, columns);
+    const Eigen::MatrixXd reflected = system.reflect(
+        direction, columns, allowed_errors(system, residual, bounds, columns, limit));
     std::vector<Index> remaining;
     for (std::size_t a = 0; a < columns.size(); ++a) {
       const Index c = columns[a];

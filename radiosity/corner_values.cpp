@@ -3,6 +3,8 @@
 #include <Eigen/Eigenvalues>
 #include <cassert>
 #include <cmath>
+#include <span>
+#include <vector>
 
 #include "radiosity/corner_groups.h"
 #include "radiosity/parallel.h"
@@ -38,7 +40,8 @@ Eigen::Matrix2d pseudo_inverse(const Eigen::Matrix2d& matrix) {
 /// Gradient of the values at patch i, 1/m, 3 x n_bands, in the plane of the patch: the weighted
 /// least-squares fit to the differences from the patches that share a corner group with it.
 Eigen::MatrixXd gradient(const PatchMesh& mesh, const CornerGroups& groups,
-                         const Eigen::MatrixXd& patch_values, Index i) {
+                         const Eigen::MatrixXd& patch_values, const std::vector<bool>& is_dark,
+                         Index i) {
   const Eigen::Matrix<double, 3, 2> basis = tangents(mesh.normal[i]);
   Eigen::Matrix2d matrix = Eigen::Matrix2d::Zero();
   Eigen::MatrixXd right = Eigen::MatrixXd::Zero(2, patch_values.cols());
@@ -47,7 +50,7 @@ Eigen::MatrixXd gradient(const PatchMesh& mesh, const CornerGroups& groups,
     for (const std::int64_t slot : groups.group(groups.group_of[4 * i + k])) {
       const Index j = slot / 4;
       const Eigen::Vector2d step = basis.transpose() * (mesh.centroid[j] - mesh.centroid[i]);
-      if (j == i || step.isZero(0)) continue;
+      if (j == i || step.isZero(0) || is_dark[j] != is_dark[i]) continue;
       const Eigen::Vector2d weighted = step / step.squaredNorm();
       matrix += weighted * step.transpose();
       right += weighted * (patch_values.row(j) - patch_values.row(i));
@@ -65,11 +68,11 @@ double corner_angle(const PatchMesh& mesh, Index patch, int k) {
   return std::atan2(before.cross(after).norm(), before.dot(after));
 }
 
-/// The common value of a group's corners, from the extrapolations in its slots' rows.
+/// The common value of corners of one group, from the extrapolations in their slots' rows.
 Eigen::RowVectorXd joined_value(const PatchMesh& mesh, const CornerGroups& groups,
                                 const Eigen::MatrixXd& patch_values,
-                                const Eigen::MatrixXd& extrapolated, Index group) {
-  const auto slots = groups.group(group);
+                                const Eigen::MatrixXd& extrapolated, Index group,
+                                std::span<const std::int64_t> slots) {
   const Eigen::RowVectorXd first = extrapolated.row(slots[0]);
   Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(patch_values.cols());
   Eigen::RowVectorXd low = patch_values.row(slots[0] / 4);
@@ -92,7 +95,8 @@ Eigen::RowVectorXd joined_value(const PatchMesh& mesh, const CornerGroups& group
 
 /// Gives T-vertices the values of the edges that they lie on. The ends of these may be T-vertices
 /// themselves, in the worst case in a circle (pinwheel), hence the repetition.
-void resolve_t_vertices(const CornerGroups& groups, Eigen::MatrixXd& values) {
+void resolve_t_vertices(const CornerGroups& groups, const std::vector<bool>& is_dark,
+                        Eigen::MatrixXd& values) {
   constexpr int kMaxPasses = 50;
   bool has_changed = !groups.t_vertices.empty();
   for (int pass = 0; pass < kMaxPasses && has_changed; ++pass) {
@@ -101,6 +105,7 @@ void resolve_t_vertices(const CornerGroups& groups, Eigen::MatrixXd& values) {
       const Eigen::RowVectorXd value =
           values.row(vertex.from) + vertex.t * (values.row(vertex.to) - values.row(vertex.from));
       for (const std::int64_t slot : groups.group(vertex.group)) {
+        if (is_dark[slot / 4] != is_dark[vertex.from / 4]) continue;
         if (!value.isApprox(values.row(slot), 1e-14)) has_changed = true;
         values.row(slot) = value;
       }
@@ -115,11 +120,13 @@ Eigen::MatrixXd corner_values(const PatchMesh& mesh, const Eigen::MatrixXd& patc
   assert(patch_values.rows() == mesh.size());
   constexpr Index kGrain = 256;
   const CornerGroups groups = make_corner_groups(mesh, crease_angle);
+  std::vector<bool> is_dark(mesh.size());
+  for (Index i = 0; i < mesh.size(); ++i) is_dark[i] = patch_values.row(i).isZero(0);
   Eigen::MatrixXd values = Eigen::MatrixXd::Zero(4 * mesh.size(), patch_values.cols());
   parallel_for(
       mesh.size(),
       [&](Index i) {
-        const Eigen::MatrixXd slope = gradient(mesh, groups, patch_values, i);
+        const Eigen::MatrixXd slope = gradient(mesh, groups, patch_values, is_dark, i);
         for (int k = 0; k < mesh.n_corners(i); ++k) {
           const Vec3 offset = mesh.corner(i, k) - mesh.centroid[i];
           values.row(4 * i + k) = patch_values.row(i) + offset.transpose() * slope;
@@ -129,11 +136,16 @@ Eigen::MatrixXd corner_values(const PatchMesh& mesh, const Eigen::MatrixXd& patc
   parallel_for(
       groups.size(),
       [&](Index g) {
-        const Eigen::RowVectorXd value = joined_value(mesh, groups, patch_values, values, g);
-        for (const std::int64_t slot : groups.group(g)) values.row(slot) = value;
+        std::vector<std::int64_t> lit;
+        for (const std::int64_t slot : groups.group(g)) {
+          if (!is_dark[slot / 4]) lit.push_back(slot);
+        }
+        if (lit.empty()) return;
+        const Eigen::RowVectorXd value = joined_value(mesh, groups, patch_values, values, g, lit);
+        for (const std::int64_t slot : lit) values.row(slot) = value;
       },
       kGrain);
-  resolve_t_vertices(groups, values);
+  resolve_t_vertices(groups, is_dark, values);
   for (Index i = 0; i < mesh.size(); ++i) {
     if (mesh.n_corners(i) == 3) values.row(4 * i + 3) = values.row(4 * i + 2);
   }

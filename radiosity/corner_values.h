@@ -16,7 +16,8 @@ namespace radiosity {
 /// value is the mean of its patches' linear extrapolations to it, weighted by their angles there.
 /// It is kept between its patches' extremes, which at the border of a surface are first widened by
 /// a quarter: corners overshoot nowhere inside, and linear fields are exact if at the border they
-/// change by less than that in half a patch. Constant fields are exact to the last bit.
+/// change by less than that in half a patch. Constant fields are exact to the last bit. Patches of
+/// exactly 0, which lie in the dark under something, keep that and are joined to none.
 ///
 /// A corner that lies on the edge of another patch of its surface (T-vertex) takes that edge's
 /// value, so that no crack shows.

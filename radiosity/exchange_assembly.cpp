@@ -74,6 +74,7 @@ class Assembler {
     tree_ = make_cluster_tree(local, kLeafSize, table_.thickness());
     blockers_ = make_blockers(make_occluders(local, table_.thickness()), local, table_.thickness());
     find_strips();
+    find_known();
   }
 
   /// Makes the tiles that `sink` has not.
@@ -109,6 +110,18 @@ class Assembler {
     }
   }
 
+  /// Marks the clusters of which an earlier operator had all patches.
+  void find_known() {
+    is_known_.assign(tree_.clusters.size(), false);
+    if (options_.known.transport == nullptr) return;
+    for (std::size_t k = 0; k < tree_.clusters.size(); ++k) {
+      const Cluster& cluster = tree_.clusters[k];
+      is_known_[k] =
+          std::all_of(tree_.order.begin() + cluster.begin, tree_.order.begin() + cluster.end,
+                      [this](std::int32_t patch) { return options_.known.patch[patch] >= 0; });
+    }
+  }
+
   [[nodiscard]] bool is_strip(std::int32_t cluster) const {
     return strip_of_cluster_[cluster] >= 0;
   }
@@ -118,7 +131,7 @@ class Assembler {
   [[nodiscard]] Candidates filter(std::int32_t a, std::int32_t b, const Candidates& candidates,
                                   bool& is_hidden) const {
     Candidates kept;
-    if (is_hidden || candidates.empty()) return kept;
+    if (is_hidden || candidates.empty() || (is_known_[a] && is_known_[b])) return kept;
     const Cluster& ca = tree_.clusters[a];
     const Cluster& cb = tree_.clusters[b];
     const bool is_last = ca.is_leaf() && cb.is_leaf();
@@ -303,6 +316,11 @@ class Assembler {
     const Blocking front_j = table_.in_front(j, i);
     if (front_j == Blocking::none) return;
     ++work.census.facing;
+    if (const auto known = known_entry(i, j)) {
+      ++work.census.known;
+      store(row - work.first_row, column - work.first_column, *known, work);
+      return;
+    }
     if (is_hidden) {
       ++work.census.hidden;
       return;
@@ -319,6 +337,16 @@ class Assembler {
     double error;
     bool is_certain;
   };
+
+  /// The entry of two patches that an earlier operator had.
+  [[nodiscard]] std::optional<Entry> known_entry(std::int32_t i, std::int32_t j) const {
+    if (options_.known.transport == nullptr) return std::nullopt;
+    const std::int32_t earlier_i = options_.known.patch[i];
+    const std::int32_t earlier_j = options_.known.patch[j];
+    if (earlier_i < 0 || earlier_j < 0) return std::nullopt;
+    const PairFactor pair = options_.known.transport->pair(earlier_i, earlier_j);
+    return Entry{pair.exchange_area, pair.error, pair.is_certain};
+  }
 
   static void store(Index r, Index c, const Entry& entry, TileWork& work) {
     work.values(r, c) = entry.value;
@@ -368,6 +396,7 @@ class Assembler {
   std::vector<Blocker> blockers_;
   std::vector<std::int32_t> strips_;            // clusters
   std::vector<std::int32_t> strip_of_cluster_;  // per cluster, or -1
+  std::vector<bool> is_known_;                  // per cluster
   TileSink* sink_ = nullptr;
   std::mutex mutex_;  // guards the following
   double done_ = 0;   // pairs

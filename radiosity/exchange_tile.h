@@ -17,7 +17,7 @@ struct UncertainEntry {
 
 /// What became of pairs of patches (AssemblyReport says what each number counts).
 struct Census {
-  std::int64_t facing = 0, visible = 0, hidden = 0, undecided = 0, partial = 0, rays = 0;
+  std::int64_t facing = 0, visible = 0, hidden = 0, undecided = 0, partial = 0, rays = 0, known = 0;
 
   Census& operator+=(const Census& other) {
     facing += other.facing;
@@ -25,6 +25,7 @@ struct Census {
     hidden += other.hidden;
     undecided += other.undecided;
     partial += other.partial;
+    known += other.known;
     rays += other.rays;
     return *this;
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "radiosity/parallel.h"
+#include "radiosity/tile_product.h"
 #include "radiosity/tile_sum.h"
 
 namespace radiosity {
@@ -11,6 +12,10 @@ namespace {
 
 /// Up to this many rows entries are float64: 1 MB is no matter, and small cases come out exact.
 constexpr Index kDoubleRows = 512;
+
+bool is_before(const UncertainEntry& a, const UncertainEntry& b) {
+  return a.column < b.column || (a.column == b.column && a.row < b.row);
+}
 
 }  // namespace
 
@@ -24,6 +29,7 @@ void ExchangeTiles::set(ExchangeTile tile) {
   Tile& place = tiles_[Strips::tile(tile.row_strip, tile.column_strip)];
   place.uncertain = std::move(tile.uncertain);
   place.uncertain.shrink_to_fit();
+  std::sort(place.uncertain.begin(), place.uncertain.end(), is_before);
   if (!tile.values.isZero(0)) store(place, tile.values);
 }
 
@@ -36,14 +42,6 @@ void ExchangeTiles::store(Tile& tile, const Eigen::MatrixXd& values) const {
     std::transform(values.data(), values.data() + values.size(), tile.single.get(),
                    [](double value) { return static_cast<float>(value); });
   }
-}
-
-Eigen::MatrixXd ExchangeTiles::values(const Tile& tile, Index rows, Index columns) const {
-  if (tile.single) {
-    return Eigen::Map<const Eigen::MatrixXf>(tile.single.get(), rows, columns).cast<double>();
-  }
-  if (tile.twice) return Eigen::Map<const Eigen::MatrixXd>(tile.twice.get(), rows, columns);
-  return Eigen::MatrixXd::Zero(rows, columns);
 }
 
 template <typename Change>
@@ -96,23 +94,22 @@ void ExchangeTiles::set_row_sums(const Eigen::VectorXd& sums) {
 }
 
 Eigen::MatrixXd ExchangeTiles::product(const Eigen::MatrixXd& x) const {
-  Eigen::MatrixXd result =
-      sum_over_tiles(strips_, x,
-                     [this](Index row_strip, Index column_strip, const Eigen::MatrixXd& block,
-                            Eigen::MatrixXd& sum) {
-                       const Tile& tile = tiles_[Strips::tile(row_strip, column_strip)];
-                       if (!tile.single && !tile.twice) return;
-                       const Index rows = strips_.rows(row_strip);
-                       const Index columns = strips_.rows(column_strip);
-                       const Eigen::MatrixXd g = values(tile, rows, columns);
-                       for (Index c = 0; c < block.cols(); ++c) {
-                         sum.col(c).segment(strips_.begin(row_strip), rows).noalias() +=
-                             g * block.col(c).segment(strips_.begin(column_strip), columns);
-                         if (row_strip == column_strip) continue;
-                         sum.col(c).segment(strips_.begin(column_strip), columns).noalias() +=
-                             g.transpose() * block.col(c).segment(strips_.begin(row_strip), rows);
-                       }
-                     });
+  const auto add_tile = [this](Index row_strip, Index column_strip, const RowBlock& block,
+                               RowBlock& sum) {
+    const Tile& tile = tiles_[Strips::tile(row_strip, column_strip)];
+    const Index row = strips_.begin(row_strip);
+    const Index column = strips_.begin(column_strip);
+    RowBlock unused;
+    if (row_strip == column_strip) unused = RowBlock::Zero(strips_.rows(row_strip), block.cols());
+    double* below = row_strip == column_strip ? unused.data() : sum.row(column).data();
+    const TileShape shape{strips_.rows(row_strip), strips_.rows(column_strip)};
+    const double* x_rows = block.row(row).data();
+    const double* x_columns = block.row(column).data();
+    double* above = sum.row(row).data();
+    if (tile.single) multiply_tile(tile.single.get(), shape, x_rows, x_columns, above, below);
+    if (tile.twice) multiply_tile(tile.twice.get(), shape, x_rows, x_columns, above, below);
+  };
+  Eigen::MatrixXd result = sum_over_tiles<RowBlock>(strips_, x, add_tile);
   result.noalias() += diagonal_.asDiagonal() * x;
   return result;
 }
@@ -120,24 +117,18 @@ Eigen::MatrixXd ExchangeTiles::product(const Eigen::MatrixXd& x) const {
 /// Σ_j term(entry) x_j over the uncertain entries.
 template <typename Term>
 Eigen::MatrixXd ExchangeTiles::sum_entries(const Eigen::MatrixXd& x, const Term& term) const {
-  const auto add_tile = [&](Index row_strip, Index column_strip, const Eigen::MatrixXd& block,
-                            Eigen::MatrixXd& sum) {
+  const auto add_tile = [&](Index row_strip, Index column_strip, const RowBlock& block,
+                            RowBlock& sum) {
     const Tile& tile = tiles_[Strips::tile(row_strip, column_strip)];
-    const Index first_row = strips_.begin(row_strip);
-    const Index first_column = strips_.begin(column_strip);
-    for (Index c = 0; c < block.cols(); ++c) {
-      const double* in = block.col(c).data();
-      double* out = sum.col(c).data();
-      for (const UncertainEntry& entry : tile.uncertain) {
-        const double factor = term(static_cast<double>(entry.error));
-        const Index i = first_row + entry.row;
-        const Index j = first_column + entry.column;
-        out[i] += factor * in[j];
-        if (row_strip != column_strip) out[j] += factor * in[i];
-      }
+    for (const UncertainEntry& entry : tile.uncertain) {
+      const double factor = term(static_cast<double>(entry.error));
+      const Index i = strips_.begin(row_strip) + entry.row;
+      const Index j = strips_.begin(column_strip) + entry.column;
+      sum.row(i) += factor * block.row(j);
+      if (row_strip != column_strip) sum.row(j) += factor * block.row(i);
     }
   };
-  return sum_over_tiles(strips_, x, add_tile);
+  return sum_over_tiles<RowBlock>(strips_, x, add_tile);
 }
 
 Eigen::MatrixXd ExchangeTiles::error_product(const Eigen::MatrixXd& x) const {
@@ -174,6 +165,31 @@ Eigen::VectorXd ExchangeTiles::row(Index i) const {
                                          : tile.twice ? tile.twice[place]
                                                       : 0.0;
     }
+  }
+  return result;
+}
+
+PairFactor ExchangeTiles::entry(Index i, Index j) const {
+  Index row_strip = strips_.of_row(i);
+  Index column_strip = strips_.of_row(j);
+  if (row_strip > column_strip) {
+    std::swap(row_strip, column_strip);
+    std::swap(i, j);
+  }
+  const Tile& tile = tiles_[Strips::tile(row_strip, column_strip)];
+  const Index row = i - strips_.begin(row_strip);
+  const Index column = j - strips_.begin(column_strip);
+  const Index place = row + column * strips_.rows(row_strip);
+  PairFactor result;
+  if (tile.single) result.exchange_area = tile.single[place];
+  if (tile.twice) result.exchange_area = tile.twice[place];
+  const UncertainEntry wanted{static_cast<std::uint16_t>(row), static_cast<std::uint16_t>(column),
+                              0};
+  const auto found =
+      std::lower_bound(tile.uncertain.begin(), tile.uncertain.end(), wanted, is_before);
+  if (found != tile.uncertain.end() && !is_before(wanted, *found)) {
+    result.error = std::abs(found->error);
+    result.is_certain = false;
   }
   return result;
 }

@@ -7,6 +7,7 @@
 
 #include "radiosity/closure.h"
 #include "radiosity/exchange_tile.h"
+#include "radiosity/transport.h"
 
 namespace radiosity {
 
@@ -42,6 +43,8 @@ class ExchangeTiles final : public UncertainExchange {
   [[nodiscard]] Eigen::MatrixXd error_product(const Eigen::MatrixXd& x) const;
   /// Row i of G as stored, without what keeps the row sums exact, n.
   [[nodiscard]] Eigen::VectorXd row(Index i) const;
+  /// Entry (i, j) as stored.
+  [[nodiscard]] PairFactor entry(Index i, Index j) const;
   /// Row i of the standard errors, n.
   [[nodiscard]] Eigen::VectorXd row_error(Index i) const;
   [[nodiscard]] std::size_t bytes() const;
@@ -50,14 +53,13 @@ class ExchangeTiles final : public UncertainExchange {
   struct Tile {
     std::unique_ptr<float[]> single;  ///< column-major entries, one of the two or neither
     std::unique_ptr<double[]> twice;
-    std::vector<UncertainEntry> uncertain;  ///< error < 0 while frozen
+    std::vector<UncertainEntry> uncertain;  ///< by column and row; error < 0 while frozen
   };
 
   template <typename Change>
   void change_uncertain(const Change& change);
   template <typename Term>
   [[nodiscard]] Eigen::MatrixXd sum_entries(const Eigen::MatrixXd& x, const Term& term) const;
-  [[nodiscard]] Eigen::MatrixXd values(const Tile& tile, Index rows, Index columns) const;
   void store(Tile& tile, const Eigen::MatrixXd& values) const;
 
   Strips strips_;

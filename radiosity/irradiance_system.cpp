@@ -5,11 +5,15 @@
 #include <limits>
 #include <string>
 
+#include "radiosity/compressed_product.h"
+
 namespace radiosity {
 namespace {
 
 /// Row sums this close to 1 count as closed: what single-precision exchange areas can tell.
 constexpr double kClosedRowSum = 1 - 1e-6;
+/// Relative error of what a system is made of.
+constexpr double kRounding = 1e-14;
 /// Products spent at most on proving that light dies out among patches with ρ = 1.
 constexpr int kMaxProofProducts = 60;
 
@@ -79,12 +83,14 @@ Eigen::MatrixXd IrradianceSystem::radiosity(const Eigen::MatrixXd& irradiance) c
 }
 
 Eigen::MatrixXd IrradianceSystem::reflect(const Eigen::MatrixXd& u,
-                                          const std::vector<Index>& columns) const {
+                                          const std::vector<Index>& columns,
+                                          const Eigen::VectorXd& tolerance) const {
   Eigen::MatrixXd reflected(size(), static_cast<Index>(columns.size()));
   for (Index a = 0; a < reflected.cols(); ++a) {
     reflected.col(a) = rho(columns[a]).cwiseProduct(u.col(columns[a]));
   }
-  return transport->apply(reflected);
+  return tolerance.size() > 0 ? compressed_product(*transport, reflected, tolerance)
+                              : transport->apply(reflected);
 }
 
 double IrradianceSystem::inner(Index c, const Eigen::VectorXd& u, const Eigen::VectorXd& v) const {
@@ -125,7 +131,9 @@ IrradianceSystem make_irradiance_system(const Transport& transport, const Eigen:
   const Index n_bands = reflectance.cols();
   Eigen::MatrixXd fields(n, 1 + n_bands + exitance.cols());
   fields << Eigen::VectorXd::Ones(n), reflectance, exitance;
-  const Eigen::MatrixXd gathered = transport.apply(fields);
+  // Reflectances and sources of few materials, however many bands: known to rounding all the same.
+  const Eigen::MatrixXd gathered =
+      compressed_product(transport, fields, kRounding * energy_norms(transport, fields));
   monitor.spend(1);
   monitor.check();
 
@@ -150,10 +158,11 @@ IrradianceSystem make_irradiance_system(const Transport& transport, const Eigen:
 }
 
 IrradianceSystem with_exitance(const IrradianceSystem& system, const Eigen::MatrixXd& exitance,
-                               SolveMonitor& monitor) {
+                               double tolerance, SolveMonitor& monitor) {
   IrradianceSystem result = system;
   result.exitance = exitance;
-  result.direct = system.transport->apply(exitance);
+  result.direct = compressed_product(*system.transport, exitance,
+                                     tolerance * energy_norms(*system.transport, exitance));
   monitor.spend(1);
   return result;
 }

@@ -45,9 +45,10 @@ struct IrradianceSystem {
 
   /// B = M_e + ρ H.
   [[nodiscard]] Eigen::MatrixXd radiosity(const Eigen::MatrixXd& irradiance) const;
-  /// F (ρ u) for the given columns of u; n x columns.size().
-  [[nodiscard]] Eigen::MatrixXd reflect(const Eigen::MatrixXd& u,
-                                        const std::vector<Index>& columns) const;
+  /// F (ρ u) for the given columns of u; n x columns.size(). Each may be off by its `tolerance`
+  /// (energy norm), which saves work if there are many that are alike.
+  [[nodiscard]] Eigen::MatrixXd reflect(const Eigen::MatrixXd& u, const std::vector<Index>& columns,
+                                        const Eigen::VectorXd& tolerance = {}) const;
   /// <u, v> = Σ A ρ u v with the reflectance of column c.
   [[nodiscard]] double inner(Index c, const Eigen::VectorXd& u, const Eigen::VectorXd& v) const;
   /// Whether q < 1, so that residuals bound errors.
@@ -65,9 +66,10 @@ struct IrradianceSystem {
 IrradianceSystem make_irradiance_system(const Transport& transport, const Eigen::MatrixXd& exitance,
                                         const Eigen::MatrixXd& reflectance, SolveMonitor& monitor);
 
-/// The same system with other sources; one product.
+/// The same system with other sources, whose direct light may be off by a relative `tolerance`; one
+/// product.
 IrradianceSystem with_exitance(const IrradianceSystem& system, const Eigen::MatrixXd& exitance,
-                               SolveMonitor& monitor);
+                               double tolerance, SolveMonitor& monitor);
 
 /// Indices of the columns whose bound exceeds the limit.
 std::vector<Index> columns_above(const Eigen::VectorXd& bounds, double limit);

@@ -30,6 +30,7 @@ void PatchMesh::add_patch(const std::array<std::int32_t, 4>& patch_corners,
   surface.push_back(patch_surface);
   polygon.push_back(patch_polygon);
   twin.push_back(patch_twin);
+  family.push_back(-1);
   area.push_back(length / 2);
   normal.push_back(length > 0 ? Vec3(twice_area / length) : Vec3(Vec3::Zero()));
   centroid.push_back(center);

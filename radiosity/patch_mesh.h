@@ -18,6 +18,8 @@ struct PatchMesh {
   std::vector<std::int32_t> surface;                 ///< per patch: index into surface_names
   std::vector<std::int32_t> polygon;                 ///< per patch: input polygon, file order
   std::vector<std::int32_t> twin;                    ///< per patch: its back, or -1
+  std::vector<std::int32_t> family;                  ///< per patch: patches of one number are the
+                                                     ///< parts of a larger patch; -1 = of none
   std::vector<double> area;                          ///< per patch, m², > 0
   std::vector<Vec3> normal;                          ///< per patch, unit, emitting side
   std::vector<Vec3> centroid;                        ///< per patch, m

@@ -20,8 +20,17 @@
 ///  - B = M_e + ρ H with H = F B, per band: radiosity B, radiant exitance M_e (self-emitted),
 ///  irradiance
 ///    H, all W/m²; reflectance ρ in [0, 1]. B / π is radiance, W/(m² sr).
+///  - Bands: one grey band and the three of linear RGB (Rec. 709 primaries) hold all the power that
+///    they stand for, W/m². The bands of a wavelength list hold spectral densities at those
+///    wavelengths, W/(m² nm); integrals over wavelength are by the trapezoidal rule on the list.
+///  - Photometric quantities: of wavelengths X_v = 683 lm/W ∫ V(λ) X_λ dλ, V = ȳ of the CIE 1931 2°
+///    observer, 0 outside 360..830 nm; of RGB and grey, by convention, an efficacy (179 lm/W unless
+///    told otherwise) times 0.2126 R + 0.7152 G + 0.0722 B, or times the grey band.
 ///  - Arrays have one row per patch and one column per band.
 
+#include "radiosity/camera_view.h"
+#include "radiosity/color_matching.h"
+#include "radiosity/discretisation_error.h"
 #include "radiosity/error.h"
 #include "radiosity/exchange_area.h"
 #include "radiosity/geometry.h"
@@ -29,6 +38,7 @@
 #include "radiosity/patch_mesh.h"
 #include "radiosity/point_factors.h"
 #include "radiosity/progress.h"
+#include "radiosity/quantity.h"
 #include "radiosity/radiometry.h"
 #include "radiosity/render.h"
 #include "radiosity/sampled_destinations.h"

@@ -135,16 +135,16 @@ class RowCounter {
 /// What a camera sees. Holds all that the pixels share.
 class Renderer {
  public:
-  Renderer(const PatchMesh& mesh, const Visibility& visibility, const Eigen::MatrixXd& radiosity,
+  Renderer(const PatchMesh& mesh, const Visibility& visibility, const Eigen::MatrixXd& patch_values,
            const Camera& camera, const RenderOptions& options)
       : mesh_(mesh),
         visibility_(visibility),
-        corner_radiance_(corner_values(mesh, radiosity, options.crease_angle) / kPi),
+        corner_values_(corner_values(mesh, patch_values, options.crease_angle)),
         camera_(camera),
         pinhole_(camera, options.width, options.height),
         samples_per_side_(static_cast<int>(std::lround(std::sqrt(options.samples)))) {}
 
-  [[nodiscard]] Index n_bands() const { return corner_radiance_.cols(); }
+  [[nodiscard]] Index n_bands() const { return corner_values_.cols(); }
 
   /// Fills one pixel of the picture.
   void draw_pixel(int x, int y, Image& image) const {
@@ -158,7 +158,7 @@ class Renderer {
       if (!seen) continue;
       ++n_hits;
       // A running mean of equal values is exactly that value, unlike their sum divided.
-      mean += (interpolate(mesh_, corner_radiance_, seen->patch, seen->position) - mean) / n_hits;
+      mean += (interpolate(mesh_, corner_values_, seen->patch, seen->position) - mean) / n_hits;
     }
     const double coverage = static_cast<double>(n_hits) / n_samples;
     const Index pixel = static_cast<Index>(y) * image.width + x;
@@ -169,7 +169,7 @@ class Renderer {
  private:
   const PatchMesh& mesh_;
   const Visibility& visibility_;
-  Eigen::MatrixXd corner_radiance_;
+  Eigen::MatrixXd corner_values_;
   const Camera& camera_;
   Pinhole pinhole_;
   int samples_per_side_;
@@ -179,8 +179,14 @@ class Renderer {
 
 Image render(const PatchMesh& mesh, const Visibility& visibility, const Eigen::MatrixXd& radiosity,
              const Camera& camera, const RenderOptions& options) {
+  return render_values(mesh, visibility, radiosity / kPi, camera, options);
+}
+
+Image render_values(const PatchMesh& mesh, const Visibility& visibility,
+                    const Eigen::MatrixXd& patch_values, const Camera& camera,
+                    const RenderOptions& options) {
   assert(options.width > 0 && options.height > 0 && options.samples > 0);
-  const Renderer renderer(mesh, visibility, radiosity, camera, options);
+  const Renderer renderer(mesh, visibility, patch_values, camera, options);
   const Index n_pixels = Index{options.width} * options.height;
   Image image = {.width = options.width,
                  .height = options.height,
@@ -196,10 +202,14 @@ Image render(const PatchMesh& mesh, const Visibility& visibility, const Eigen::M
 }
 
 Camera fit_camera(const PatchMesh& mesh) {
-  assert(mesh.size() > 0);
-  constexpr double kMargin = 1.05;
   Camera camera;
   camera.direction = Vec3(-0.5, -0.45, -1).normalized();
+  return fit_camera(mesh, camera);
+}
+
+Camera fit_camera(const PatchMesh& mesh, const Camera& camera) {
+  assert(mesh.size() > 0);
+  constexpr double kMargin = 1.05;
   const Vec3 right = camera.direction.cross(camera.up).normalized();
   const Vec3 up = right.cross(camera.direction);
   const double slope = std::tan(camera.vertical_fov / 2) / kMargin;
@@ -220,8 +230,9 @@ Camera fit_camera(const PatchMesh& mesh) {
   }
   const Vec2 center = (highest + lowest) / 2;
   const double distance = (highest - lowest).maxCoeff() / (2 * slope);
-  camera.position = origin + center[0] * right + center[1] * up - distance * camera.direction;
-  return camera;
+  Camera fitted = camera;
+  fitted.position = origin + center[0] * right + center[1] * up - distance * camera.direction;
+  return fitted;
 }
 
 }  // namespace radiosity

@@ -35,8 +35,17 @@ struct RenderOptions {
 Image render(const PatchMesh& mesh, const Visibility& visibility, const Eigen::MatrixXd& radiosity,
              const Camera& camera, const RenderOptions& options = {});
 
+/// The same picture of any quantity: `patch_values` (n_patches x n) as they are, in their unit.
+Image render_values(const PatchMesh& mesh, const Visibility& visibility,
+                    const Eigen::MatrixXd& patch_values, const Camera& camera,
+                    const RenderOptions& options = {});
+
+/// The camera moved back or forth and aside until it sees the whole scene from outside in its
+/// direction: pictures at least as wide as high hold everything. Needs a patch.
+Camera fit_camera(const PatchMesh& mesh, const Camera& camera);
+
 /// A camera that sees the whole scene from outside, from the right and above, for scenes without
-/// one: y is up, and pictures at least as wide as high hold everything. Needs a patch.
+/// one; y is up. Needs a patch.
 Camera fit_camera(const PatchMesh& mesh);
 
 }  // namespace radiosity

@@ -156,6 +156,7 @@ ShadowedQuadrature::Sums ShadowedQuadrature::apply_rule(const ShadowedPair& pair
   Sums sums;
   for_each_point(piece, order, [&](const Vec3& point, double weight) {
     const double whole = facing_point_to_polygon(point, pair.source_normal, pair.target.points());
+    if (!(whole > 0)) return;  // in the target's plane but for rounding
     const double visible =
         cutter_.visible_part(point, pair.source_normal, pair.target, whole, pair.shadows);
     sums.whole += weight * whole;

@@ -31,7 +31,7 @@ Eigen::MatrixXd propagate(const IrradianceSystem& system, const Eigen::MatrixXd&
                           const Progress& progress) {
   const SolveOptions options = probe_options(progress);
   SolveMonitor monitor(options);
-  const IrradianceSystem probes = with_exitance(system, sources, monitor);
+  const IrradianceSystem probes = with_exitance(system, sources, kProbeTolerance, monitor);
   return probes.radiosity(conjugate_gradients(probes, monitor).irradiance) - sources;
 }
 

@@ -149,7 +149,9 @@ Solution solve(const Transport& transport, const Eigen::MatrixXd& exitance,
   solution.error_bound = proved_bound(system, iterate);
   solution.converged = solution.error_bound <= options.tolerance;
   solution.transport_error_bound = transport_error_bound(system);
-  solution.radiosity_error = radiosity_error(system, iterate, options.progress);
+  solution.radiosity_error = options.estimates_errors
+                                 ? radiosity_error(system, iterate, options.progress)
+                                 : Eigen::MatrixXd::Zero(exitance.rows(), exitance.cols()).eval();
   solution.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return solution;

@@ -19,7 +19,8 @@ std::string_view method_name(Method method);
 struct SolveOptions {
   Method method = Method::conjugate_gradients;
   double tolerance = 1e-8;  ///< guaranteed bound on ‖ΔB‖/‖B‖ (energy norm) of the iteration
-  int max_products = 100000;  ///< operator products (or the work of as many) before giving up
+  bool estimates_errors = true;  ///< fill in Solution::radiosity_error; costs some tens of products
+  int max_products = 100000;     ///< operator products (or the work of as many) before giving up
   /// Called after each product with the number of products and the bound reached, for plots; with
   /// the relative residual instead where no bound can be proved.
   std::function<void(int product, double error_bound)> observer = {};

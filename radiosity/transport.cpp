@@ -17,6 +17,10 @@ class DenseTransport final : public Transport {
         tiles_(std::move(assembly.tiles)),
         area_(std::move(area)),
         report_(std::move(assembly.report)) {
+    place_.resize(order_.size());
+    for (std::size_t row = 0; row < order_.size(); ++row) {
+      place_[order_[row]] = static_cast<std::int32_t>(row);
+    }
     const Eigen::MatrixXd inverse_area = to_tree(area_.cwiseInverse());
     // ‖ΔF̂‖_F² = Σ σ_ij² / (A_i A_j)
     error_ = std::sqrt(inverse_area.col(0).dot(tiles_.error_product(inverse_area).col(0)));
@@ -32,11 +36,15 @@ class DenseTransport final : public Transport {
   }
 
   [[nodiscard]] Eigen::VectorXd row(Index i) const override {
-    return from_tree(tiles_.row(place(i))) / area_[i];
+    return from_tree(tiles_.row(place_[i])) / area_[i];
   }
 
   [[nodiscard]] Eigen::VectorXd row_error(Index i) const override {
-    return from_tree(tiles_.row_error(place(i))) / area_[i];
+    return from_tree(tiles_.row_error(place_[i])) / area_[i];
+  }
+
+  [[nodiscard]] PairFactor pair(Index i, Index j) const override {
+    return tiles_.entry(place_[i], place_[j]);
   }
 
   [[nodiscard]] Eigen::MatrixXd apply_error(const Eigen::MatrixXd& radiosity) const override {
@@ -59,11 +67,9 @@ class DenseTransport final : public Transport {
     result(order_, Eigen::all) = x;
     return result;
   }
-  [[nodiscard]] Index place(Index patch) const {
-    return std::find(order_.begin(), order_.end(), patch) - order_.begin();
-  }
 
   std::vector<std::int32_t> order_;  // patch of each row of the tiles
+  std::vector<std::int32_t> place_;  // row of each patch
   ExchangeTiles tiles_;
   Eigen::VectorXd area_;
   AssemblyReport report_;

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <memory>
+#include <span>
 
 #include "radiosity/patch_mesh.h"
 #include "radiosity/progress.h"
@@ -18,12 +19,20 @@ struct AssemblyReport {
   std::int64_t hidden = 0;     ///< of these: proved not to see each other
   std::int64_t undecided = 0;  ///< of these: not proved either way
   std::int64_t partial = 0;    ///< of the undecided: found to be partly hidden
+  std::int64_t known = 0;      ///< of the facing: taken over from an earlier operator
   std::int64_t rays = 0;       ///< visibility rays cast
   bool closed = false;         ///< the scene was taken as closed
   Eigen::VectorXd row_sums;    ///< Σ_j F_ij before any correction, n_patches
   std::int64_t open_rows = 0;  ///< closed scenes: rows further from 1 than sampling explains; kept
   double closure_mean = 0;     ///< mean |1 - Σ_j F_ij|, before any correction
   double closure_max = 0;      ///< max |1 - Σ_j F_ij|, before any correction
+};
+
+/// What an operator knows about one pair of patches.
+struct PairFactor {
+  double exchange_area = 0;  ///< G_ij, m²
+  double error = 0;          ///< one standard error of G_ij, m²
+  bool is_certain = true;    ///< no error but rounding
 };
 
 /// The radiosity transport operator F of n patches, F_ij = G_ij / A_i with the exchange area
@@ -42,6 +51,11 @@ class Transport {
   [[nodiscard]] virtual Eigen::VectorXd row(Index i) const = 0;
   /// One standard error of each entry of row i, n; exactly 0 where the entry is certified.
   [[nodiscard]] virtual Eigen::VectorXd row_error(Index i) const = 0;
+  /// The exchange area of patches i and j, as `row` gives it.
+  [[nodiscard]] virtual PairFactor pair(Index i, Index j) const {
+    const double error = area()[i] * row_error(i)[j];
+    return {area()[i] * row(i)[j], error, error == 0};
+  }
   /// One standard error of each patch's irradiance F B caused by the entries' errors, for
   /// independent entries: sqrt(Σ_j (σ_ij B_j)²), n x k.
   [[nodiscard]] virtual Eigen::MatrixXd apply_error(const Eigen::MatrixXd& radiosity) const = 0;
@@ -61,11 +75,18 @@ enum class Closed {
   automatic  ///< found out from the form factors
 };
 
+/// Exchange areas that need not be computed again: those between patches of an earlier mesh.
+struct KnownPairs {
+  const Transport* transport = nullptr;      ///< of the earlier mesh; none = nothing is known
+  std::span<const std::int32_t> patch = {};  ///< per patch: the same one there, or -1
+};
+
 struct TransportOptions {
   double tolerance = 1e-2;            ///< relative error asked of the form factors, > 0
   Closed closed = Closed::automatic;  ///< whether all row sums must be 1
   std::uint64_t seed = 0;             ///< of the visibility samples
   std::size_t memory = 0;             ///< bytes the operator may take; 0 = what the machine has
+  KnownPairs known = {};              ///< from an operator that was not corrected to be closed
   Progress progress{};
 };
 

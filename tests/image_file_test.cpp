@@ -167,14 +167,32 @@ TEST(ToneMapping, ExposureIgnoresALightAndTheDark) {
   EXPECT_LE(exposure, io::automatic_exposure(colors.row(8999)));
 }
 
-TEST(ToneMapping, ManyBandsGiveBlueFromTheShortWaves) {
-  Eigen::MatrixXf values = Eigen::MatrixXf::Zero(3, 7);
-  values(0, 0) = values(1, 3) = values(2, 6) = 6;
-  Eigen::MatrixX3f expected(3, 3);
-  expected << 0, 0, 3,  //
-      0, 2, 0,          //
-      3, 0, 0;
-  EXPECT_EQ(io::display_colors(values), expected);
+TEST(ToneMapping, WavelengthsShowTheirColors) {
+  const std::vector<double> wavelengths = {440, 450, 460, 540, 550, 560, 610, 620, 630};
+  Eigen::MatrixXf values = Eigen::MatrixXf::Zero(3, 9);
+  values.row(0).head(3).setOnes();
+  values.row(1).segment(3, 3).setOnes();
+  values.row(2).tail(3).setOnes();
+  const Eigen::MatrixX3f colors = io::display_colors(values, wavelengths);
+  for (int row = 0; row < 3; ++row) {
+    Eigen::Index strongest = 0;
+    colors.row(row).maxCoeff(&strongest);
+    EXPECT_EQ(strongest, 2 - row) << colors;
+  }
+  // Spectral colours lie outside the triangle of the primaries: clipped only when encoded.
+  EXPECT_LT(colors.row(1).minCoeff(), 0);
+  EXPECT_EQ(io::srgb_bytes(Eigen::RowVector3f(-0.5F, 0, 1), 1),
+            (std::array<std::uint8_t, 3>{0, 0, 255}));
+}
+
+TEST(ToneMapping, WhatIsNotVisibleShowsAsGrey) {
+  Eigen::MatrixXf values(1, 3);
+  values << 1, 2, 6;
+  const Eigen::RowVector3f grey = Eigen::RowVector3f::Constant(3);
+  EXPECT_EQ(io::display_colors(values, {1000, 1100, 1300}), grey);
+  EXPECT_EQ(io::display_colors(values), Eigen::RowVector3f(1, 2, 6));
+  EXPECT_EQ(io::display_colors(Eigen::MatrixXf::Constant(1, 1, 3), {550}), grey);
+  EXPECT_EQ(io::display_colors(Eigen::MatrixXf::Constant(1, 5, 3)), grey);
 }
 
 }  // namespace

@@ -190,6 +190,8 @@ TEST_F(SceneJson, ExplainsBadStructure) {
 TEST_F(SceneJson, ExplainsBadMaterials) {
   (void)file("spectra.csv", kCsv);
   (void)file("jumbled.csv", "wavelength_nm,white\n500,1\n400,1\n");
+  (void)file("bright.csv", "wavelength_nm,white\n400,0.5\n500,1.25\n700,0.5\n");
+  (void)file("negative.csv", "wavelength_nm,white\n400,0.5\n500,-0.25\n700,0.5\n");
   const std::string wavelengths = R"("bands": [450, 650], )";
   const std::string csv = R"("reflectance": {"csv": "spectra.csv", "column": )";
   const std::vector<BadScene> bad = {
@@ -212,6 +214,14 @@ TEST_F(SceneJson, ExplainsBadMaterials) {
       {scene("", csv + R"("white"})"), "a spectrum needs \"bands\" given as wavelengths"},
       {scene(wavelengths, R"("reflectance": {"csv": "jumbled.csv", "column": "white"})"),
        "jumbled.csv:3: wavelengths do not increase"},
+      {scene(wavelengths, R"("reflectance": {"csv": "bright.csv", "column": "white"})"),
+       "bright.csv:3: reflectance 1.25 is outside [0, 1]"},
+      {scene(wavelengths, R"("reflectance": {"csv": "negative.csv", "column": "white"})"),
+       "negative.csv:3: reflectance -0.25 is outside [0, 1]"},
+      {scene(wavelengths,
+             R"("reflectance": 0, "radiance": {"csv": "negative.csv", "column": "white"})"),
+       "negative.csv:3: radiance is -0.25, expected a finite"},
+      {scene(R"("bands": [300, 350], )", csv + R"("white"})"), "spectra.csv covers 400 to 600 nm"},
       {scene(wavelengths, R"("reflectance": {"csv": "gone.csv", "column": "white"})"),
        "gone.csv: no such file"},
   };
@@ -297,7 +307,7 @@ TEST(Scenes, AllLoad) {
     }
     ++n_scenes;
   }
-  EXPECT_EQ(n_scenes, 7);
+  EXPECT_EQ(n_scenes, 8);
 }
 
 TEST(Scenes, CornellBoxFacesInwards) {
@@ -323,6 +333,33 @@ TEST(Scenes, CornellBoxFacesInwards) {
     EXPECT_LT((surface_area(scene, surface.name) - expected).norm(), 1e-9) << surface.name;
   }
   EXPECT_NEAR(scene.camera->vertical_fov * 180 / kPi, 39.3076, 5e-5);
+}
+
+TEST(Scenes, SpectralCornellBoxIsTheSameBoxInMeasuredBands) {
+  const std::filesystem::path folder(RADIOSITY_SCENES);
+  const Scene rgb = io::read_scene(folder / "cornell-box.json");
+  const Scene scene = io::read_scene(folder / "cornell-box-spectral.json");
+  EXPECT_EQ(scene.vertices, rgb.vertices);
+  EXPECT_EQ(scene.corners, rgb.corners);
+  EXPECT_EQ(scene.first_corner, rgb.first_corner);
+  EXPECT_EQ(scene.polygon_surface, rgb.polygon_surface);
+  EXPECT_EQ(scene.camera->position, rgb.camera->position);
+  ASSERT_EQ(scene.bands.count(), 76);
+  EXPECT_EQ(scene.bands.wavelengths.front(), 400);
+  EXPECT_EQ(scene.bands.wavelengths.back(), 700);
+  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
+    EXPECT_EQ(scene.surfaces[s].name, rgb.surfaces[s].name);
+    EXPECT_EQ(scene.materials[scene.surfaces[s].material].name,
+              rgb.materials[rgb.surfaces[s].material].name);
+  }
+  EXPECT_EQ(scene.materials[0].reflectance[0], 0.343);  // white at 400 nm
+  EXPECT_EQ(scene.materials[1].reflectance[5], 0.050);  // red at 420 nm
+  EXPECT_EQ(scene.materials[2].reflectance[1], 0.096);  // green at 404 nm
+  EXPECT_EQ(scene.materials[3].reflectance, Eigen::VectorXd::Constant(76, 0.78));
+  // Light: 0 at 400 nm, 8 at 500 nm, 18.4 at 700 nm.
+  EXPECT_EQ(scene.materials[3].emission.kind, Emission::Kind::radiance);
+  EXPECT_NEAR(scene.materials[3].emission.value[10], 3.2, 1e-12);
+  EXPECT_EQ(scene.materials[3].emission.value[75], 18.4);
 }
 
 }  // namespace

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <memory>
+
+#include "meshing/patches.h"
+#include "radiosity/solve.h"
+#include "radiosity/transport.h"
+#include "radiosity/visibility.h"
+
+namespace meshing {
+
+struct AdaptiveOptions {
+  double tolerance = 1e-2;   ///< relative error of the radiosity at which refinement ends, > 0
+  long max_patches = 20000;  ///< at which it ends too, about
+  radiosity::TransportOptions transport = {};  ///< of the form factors
+  radiosity::Progress progress = {};
+};
+
+/// Patches that fit the light, and their form factors.
+struct AdaptiveMesh {
+  radiosity::PatchMesh mesh;
+  radiosity::Visibility visibility;
+  std::unique_ptr<radiosity::Transport> transport;
+  int n_rounds = 0;          ///< of refinement
+  double error = 0;          ///< estimated, as asked by `tolerance`
+  bool is_accurate = false;  ///< whether that is met
+};
+
+/// Patches small where the light varies: starts from coarse ones, cut where other surfaces stand on
+/// them (`contact_lines`), then solves and divides those whose variation matters most
+/// (`refinement_indicator`), until the estimated error is met or the patches are spent. Form
+/// factors between patches that stay are kept. The error is `DiscretisationError::relative`. Throws
+/// what make_patches, make_transport and solve throw.
+AdaptiveMesh make_adaptive_patches(const radiosity::Scene& scene,
+                                   const AdaptiveOptions& options = {});
+
+}  // namespace meshing
