@@ -74,9 +74,8 @@ void add_camera_options(CLI::App& command, CameraOptions& options) {
   const std::string what = "; default: the scene's";
   add_vector(command, "--camera-position", options.position, "Where the camera stands, m" + what,
              check_point);
-  auto* look_at =
-      add_vector(command, "--look-at", options.look_at, "Point in the middle of the picture, m",
-                 check_point);
+  auto* look_at = add_vector(command, "--look-at", options.look_at,
+                             "Point in the middle of the picture, m", check_point);
   auto* direction = add_vector(command, "--camera-direction", options.direction,
                                "Viewing direction" + what, check_direction);
   look_at->excludes(direction);

@@ -108,6 +108,17 @@ void add_seed_option(CLI::App& command, std::uint64_t& seed) {
       ->type_name("S");
 }
 
+void add_adaptive_option(CLI::App& command, ComputeOptions& options) {
+  command
+      .add_flag("--adaptive", options.adaptive,
+                fmt::format("Make patches small where the light varies, until --tolerance is met "
+                            "or --patches (default {}) are spent",
+                            kMostAdaptivePatches))
+      ->group("Patches")
+      ->excludes(command.get_option("--max-edge"))
+      ->excludes(command.get_option("--as-is"));
+}
+
 void add_picture_options(CLI::App& command, PictureOptions& options) {
   add_camera_options(command, options.camera);
   auto* false_color = add_false_color_options(command, options.false_color);

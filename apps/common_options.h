@@ -28,6 +28,7 @@ struct ComputeOptions {
   std::optional<double> max_edge;  ///< m
   std::optional<long> n_patches;   ///< about so many
   bool as_is = false;              ///< each input polygon is one patch
+  bool adaptive = false;           ///< patches are refined where the light varies
   double tolerance = 1e-2;         ///< relative error asked of the result
   std::string closed = "auto";     ///< "yes", "no" or "auto"
   std::uint64_t seed = 0;          ///< of the visibility samples
@@ -44,6 +45,8 @@ struct PictureOptions {
 
 /// Number of patches asked for if neither --max-edge, --patches nor --as-is is given.
 inline constexpr long kDefaultPatches = 2000;
+/// Number of patches at which --adaptive ends if --patches is not given.
+inline constexpr long kMostAdaptivePatches = 20000;
 
 /// These bind the options to the command; `options` must outlive the parsing.
 void add_common_options(CLI::App& command, CommonOptions& options);
@@ -51,6 +54,8 @@ void add_common_options(CLI::App& command, CommonOptions& options);
 void add_run_options(CLI::App& command, CommonOptions& options);
 void add_seed_option(CLI::App& command, std::uint64_t& seed);
 void add_compute_options(CLI::App& command, ComputeOptions& options);
+/// --adaptive, after add_compute_options.
+void add_adaptive_option(CLI::App& command, ComputeOptions& options);
 void add_picture_options(CLI::App& command, PictureOptions& options);
 
 /// --closed as the library takes it; with "auto" the scene's own declaration counts.

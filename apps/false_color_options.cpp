@@ -27,7 +27,8 @@ std::string check_range(const std::string& text) {
 
 std::string check_band_number(const std::string& text) {
   const auto number = as_number(text);
-  if (number && *number >= 0 && *number == static_cast<double>(static_cast<long>(*number))) return "";
+  if (number && *number >= 0 && *number == static_cast<double>(static_cast<long>(*number)))
+    return "";
   return fmt::format("found '{}', expected a whole number from 0 on", text);
 }
 
@@ -89,9 +90,8 @@ void check_false_color(const FalseColorOptions& options) {
 
 void check_band(const FalseColorOptions& options, const Bands& bands) {
   if (options.band && *options.band >= bands.count()) {
-    throw CLI::ValidationError(
-        "--band",
-        fmt::format("found {}, but the scene's bands are 0 to {}", *options.band, bands.count() - 1));
+    throw CLI::ValidationError("--band", fmt::format("found {}, but the scene's bands are 0 to {}",
+                                                     *options.band, bands.count() - 1));
   }
 }
 

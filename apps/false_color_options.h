@@ -40,4 +40,11 @@ struct ShownQuantity {
 ShownQuantity shown_quantity(const radiosity::QuantityField& field, const radiosity::Bands& bands,
                              const FalseColorOptions& options);
 
+/// What a picture in false colours shows.
+struct ShownScale {
+  std::string quantity;  ///< its name
+  std::string unit;
+  io::ColorScale scale;
+};
+
 }  // namespace apps

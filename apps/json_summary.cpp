@@ -27,7 +27,8 @@ Json form_factors(const radiosity::AssemblyReport& report, std::size_t bytes) {
             {"visible", report.visible},
             {"hidden", report.hidden},
             {"undecided", report.undecided},
-            {"partial", report.partial}}},
+            {"partial", report.partial},
+            {"kept", report.known}}},
           {"rays", report.rays},
           {"closed", report.closed},
           {"open_rows", report.open_rows},
@@ -53,6 +54,17 @@ Json solve(const radiosity::Solution& solution) {
           {"transport_error_bound", solution.transport_error_bound},
           {"converged", solution.converged},
           {"seconds", solution.seconds}};
+}
+
+Json discretisation(const radiosity::DiscretisationError& error) {
+  return {{"error", error.relative}, {"order", error.order}, {"lone_patches", error.n_unknown}};
+}
+
+Json refinement(const meshing::Refinement& refinement) {
+  return {{"rounds", refinement.n_rounds},
+          {"error", refinement.error},
+          {"accurate", refinement.is_accurate},
+          {"seconds", refinement.seconds}};
 }
 
 Json surfaces(const std::vector<SurfaceFlux>& fluxes) {
@@ -151,12 +163,14 @@ std::string solve_json(const SolveSummary& summary, const std::vector<std::strin
       {"bands", solved.scene.bands.count()},
       {"form_factors", form_factors(solved.transport->report(), solved.transport->bytes())},
       {"solve", solve(solved.solution)},
+      {"discretisation", discretisation(solved.discretisation)},
       {"energy",
        {{"emitted", array(energy.emitted)},
         {"absorbed", array(energy.absorbed)},
         {"escaped", array(energy.escaped)}}},
       {"outputs", summary.outputs},
       {"warnings", warnings}};
+  if (solved.refinement) json["refinement"] = refinement(*solved.refinement);
   if (is_thermal(solved.scene)) {
     json["surfaces"] = surfaces(surface_fluxes(solved.mesh, solved.solution));
   }

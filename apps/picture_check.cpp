@@ -29,10 +29,10 @@ void refuse_too_large_picture(const PictureOptions& options, radiosity::Index n_
   const double bytes = pixels * (shown + kColors) * sizeof(float);
   const auto memory = static_cast<double>(usable_memory());
   if (memory == 0 || bytes <= memory) return;  // 0: unknown
-  throw radiosity::SolveError(
-      fmt::format("a picture of {} x {} pixels in {} bands needs {:.1f} GB of memory, but there are "
-                  "{:.1f} GB",
-                  options.render.width, options.render.height, shown, bytes * 1e-9, memory * 1e-9));
+  throw radiosity::SolveError(fmt::format(
+      "a picture of {} x {} pixels in {} bands needs {:.1f} GB of memory, but there are "
+      "{:.1f} GB",
+      options.render.width, options.render.height, shown, bytes * 1e-9, memory * 1e-9));
 }
 
 void refuse_empty_picture(const PatchedScene& patched, const Camera& camera, double aspect) {
@@ -76,10 +76,10 @@ void check_picture(const PatchedScene& patched, const PictureOptions& options,
   if (is_placed) {
     warn_inside_solid(patched, camera, terminal);
   } else {
-    terminal.warn(
-        fmt::format("the scene has no camera: the picture is taken from {} m, where all of it is in "
-                    "view",
-                    point_text(camera.position)));
+    terminal.warn(fmt::format(
+        "the scene has no camera: the picture is taken from {} m, where all of it is in "
+        "view",
+        point_text(camera.position)));
   }
 }
 

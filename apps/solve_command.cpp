@@ -51,6 +51,7 @@ SolveCommand::SolveCommand(CLI::App& program, Interruption& interruption)
       ->capture_default_str()
       ->type_name("M");
   add_compute_options(*command, compute_);
+  add_adaptive_option(*command, compute_);
   add_quantity_options(*command, quantities_);
   add_picture_options(*command, picture_);
   command->callback([this] { run(); });

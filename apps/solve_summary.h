@@ -13,7 +13,7 @@ namespace apps {
 struct SolveSummary {
   const SolvedScene& solved;
   const std::vector<std::string>& outputs;
-  std::vector<QuantitySummary> quantities = {};       ///< that were asked for
+  std::vector<QuantitySummary> quantities = {};          ///< that were asked for
   std::optional<ShownScale> false_color = std::nullopt;  ///< of pictures in false colours
 };
 

@@ -28,6 +28,9 @@ meshing::PatchOptions patch_options(const Scene& scene, const ComputeOptions& co
                                     const Progress& progress) {
   meshing::PatchOptions options{
       .max_edge = compute.max_edge, .n_patches = compute.n_patches, .progress = progress};
+  if (compute.adaptive) {  // to look at; refinement makes its own
+    options.n_patches = std::min(options.n_patches.value_or(kDefaultPatches), kDefaultPatches);
+  }
   const bool nothing_said = !compute.max_edge && !compute.n_patches && !compute.as_is;
   if (nothing_said && scene.n_polygons() < kDefaultPatches) options.n_patches = kDefaultPatches;
   return options;
@@ -87,19 +90,54 @@ Solution solve_scene(const Scene& scene, const PatchMesh& mesh, const Transport&
   return solution;
 }
 
+TransportOptions transport_options(const Scene& scene, const ComputeOptions& compute,
+                                   const Progress& progress) {
+  return {.tolerance = compute.tolerance,
+          .closed = closed_choice(compute.closed, scene.closed),
+          .seed = compute.seed,
+          .memory = usable_memory(),
+          .progress = progress};
+}
+
 std::unique_ptr<Transport> make_scene_transport(const Scene& scene, const PatchMesh& mesh,
                                                 const Visibility& visibility,
                                                 const ComputeOptions& compute,
                                                 const Progress& progress,
                                                 TerminalProgress& terminal) {
-  auto transport = make_transport(mesh, visibility,
-                                  {.tolerance = compute.tolerance,
-                                   .closed = closed_choice(compute.closed, scene.closed),
-                                   .seed = compute.seed,
-                                   .memory = usable_memory(),
-                                   .progress = progress});
+  auto transport = make_transport(mesh, visibility, transport_options(scene, compute, progress));
   warn_of_open_rows(transport->report(), terminal);
   return transport;
+}
+
+meshing::AdaptiveMesh refine_scene(const Scene& scene, const ComputeOptions& compute,
+                                   const Progress& progress, TerminalProgress& terminal) {
+  const Index affordable = largest_problem(usable_memory());
+  meshing::AdaptiveOptions options{.tolerance = compute.tolerance,
+                                   .max_patches = compute.n_patches.value_or(kMostAdaptivePatches),
+                                   .transport = transport_options(scene, compute, progress),
+                                   .progress = progress};
+  if (affordable > 0) options.max_patches = std::min<long>(options.max_patches, affordable);
+  meshing::AdaptiveMesh result = meshing::make_adaptive_patches(scene, options);
+  warn_of_open_rows(result.transport->report(), terminal);
+  if (!result.refinement.is_accurate) {
+    terminal.warn(
+        fmt::format("the patches ({}) are spent: the error of the radiosity is about "
+                    "{:.2g}, {:.2g} was asked for (--patches N allows more)",
+                    result.mesh.size(), result.refinement.error, options.tolerance));
+  }
+  return result;
+}
+
+DiscretisationError estimate_discretisation(const PatchMesh& mesh, const Transport& transport,
+                                            const Solution& solution, const Progress& progress,
+                                            TerminalProgress& terminal) {
+  DiscretisationError result = discretisation_error(mesh, transport, solution, progress);
+  if (result.n_unknown == mesh.size()) {
+    terminal.warn(
+        "each surface has one patch only, so how far their size makes the result wrong is not "
+        "known and not in the errors given; --patches N makes more");
+  }
+  return result;
 }
 
 SolveOptions solve_options(Method method, double tolerance, const Progress& progress) {
@@ -162,7 +200,15 @@ AssembledScene::AssembledScene(Scene read_scene, const ComputeOptions& compute,
                                const PatchCheck& check)
     : PatchedScene(std::move(read_scene), compute, dense_checks(), progress, terminal) {
   if (check) check(*this);
-  transport = make_scene_transport(scene, mesh, visibility, compute, progress, terminal);
+  if (!compute.adaptive) {
+    transport = make_scene_transport(scene, mesh, visibility, compute, progress, terminal);
+    return;
+  }
+  meshing::AdaptiveMesh adaptive = refine_scene(scene, compute, progress, terminal);
+  mesh = std::move(adaptive.mesh);
+  visibility = std::move(adaptive.visibility);
+  transport = std::move(adaptive.transport);
+  refinement = adaptive.refinement;
 }
 
 SolvedScene::SolvedScene(const CommonOptions& common, const ComputeOptions& compute, Method method,
@@ -170,7 +216,10 @@ SolvedScene::SolvedScene(const CommonOptions& common, const ComputeOptions& comp
                          const PatchCheck& check)
     : AssembledScene(common, compute, progress, terminal, check),
       solution(solve_scene(scene, mesh, *transport,
-                           solve_options(method, compute.tolerance, progress), terminal)) {}
+                           solve_options(method, compute.tolerance, progress), terminal)) {
+  discretisation = estimate_discretisation(mesh, *transport, solution, progress, terminal);
+  solution = with_discretisation_error(std::move(solution), discretisation);
+}
 
 TerminalProgress::Style terminal_style(const CommonOptions& common) {
   return common.quiet ? TerminalProgress::Style::none : TerminalProgress::fitting_style();

@@ -8,6 +8,8 @@
 #include "apps/common_options.h"
 #include "apps/interruption.h"
 #include "apps/terminal_progress.h"
+#include "meshing/adaptive.h"
+#include "radiosity/discretisation_error.h"
 #include "radiosity/patch_mesh.h"
 #include "radiosity/scene.h"
 #include "radiosity/solve.h"
@@ -57,6 +59,7 @@ struct AssembledScene : PatchedScene {
                  const PatchCheck& check = {});
 
   std::unique_ptr<radiosity::Transport> transport;
+  std::optional<meshing::Refinement> refinement;  ///< with --adaptive
 };
 
 /// The whole pipeline from a scene file to its radiosity.
@@ -65,7 +68,8 @@ struct SolvedScene : AssembledScene {
               const radiosity::Progress& progress, TerminalProgress& terminal,
               const PatchCheck& check = {});
 
-  radiosity::Solution solution;
+  radiosity::DiscretisationError discretisation;
+  radiosity::Solution solution;  ///< its errors include `discretisation`
 };
 
 /// How progress is shown: not at all with --quiet, else as stderr allows.
@@ -89,13 +93,6 @@ void warn_of_open_rows(const radiosity::AssemblyReport& report, TerminalProgress
 
 /// Progress that is shown by `terminal` and stopped by `interruption`.
 radiosity::Progress shown_progress(TerminalProgress& terminal, const Interruption& interruption);
-
-/// What a picture in false colours shows.
-struct ShownScale {
-  std::string quantity;  ///< its name
-  std::string unit;
-  io::ColorScale scale;
-};
 
 /// Renders the picture of a solved scene and writes it; returns the scale if it is in false
 /// colours. The file is written under `interruption.hold()`. Throws SceneError if all of it is

@@ -90,6 +90,7 @@ std::string form_factor_lines(const radiosity::AssemblyReport& report, std::size
   text += line("    hidden", fmt::format("{}", report.hidden));
   text += line("    undecided",
                fmt::format("{}, of these {} partly hidden", report.undecided, report.partial));
+  if (report.known > 0) text += line("    kept", fmt::format("{}", report.known));
   text += line("  rays", fmt::format("{}", report.rays));
   text += line("  closure",
                fmt::format("|1 - row sum| {:.2g} on average, at most {:.2g} ({})",
@@ -118,6 +119,16 @@ std::string solve_lines(const radiosity::Solution& solution) {
          line("  error bound",
               fmt::format("{:.2g} from the iteration, {:.2g} from the form factors",
                           solution.error_bound, solution.transport_error_bound));
+}
+
+std::string refinement_lines(const meshing::Refinement& refinement) {
+  return line("refinement", fmt::format("{:.3g} s, {} rounds, error {:.2g} (two sigma)",
+                                        refinement.seconds, refinement.n_rounds, refinement.error));
+}
+
+std::string discretisation_lines(const radiosity::DiscretisationError& discretisation) {
+  return line("  patch size", fmt::format("{:.2g} of the reflected light off (order {:.2g})",
+                                          discretisation.relative, discretisation.order));
 }
 
 std::string energy_table(const radiosity::Bands& bands, const radiosity::EnergyBalance& energy) {
@@ -237,7 +248,9 @@ std::string solve_text(const SolveSummary& summary) {
   const SolvedScene& solved = summary.solved;
   std::string text = scene_lines(solved) +
                      form_factor_lines(solved.transport->report(), solved.transport->bytes());
+  if (solved.refinement) text += refinement_lines(*solved.refinement);
   text += solve_lines(solved.solution);
+  text += discretisation_lines(solved.discretisation);
   text += energy_table(solved.scene.bands, solved.solution.energy);
   if (is_thermal(solved.scene)) text += flux_table(surface_fluxes(solved.mesh, solved.solution));
   for (const QuantitySummary& quantity : summary.quantities) text += quantity_table(quantity);

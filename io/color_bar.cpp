@@ -64,8 +64,7 @@ Layout make_layout(int height, std::size_t n_title_lines) {
   layout.arrow = layout.text_size * 2 / 3;
   layout.bar_top = layout.margin + static_cast<int>(n_title_lines) * layout.line_height +
                    layout.margin / 2 + layout.arrow;
-  layout.bar_bottom =
-      std::max(layout.bar_top + 8, height - 1 - layout.margin - layout.arrow);
+  layout.bar_bottom = std::max(layout.bar_top + 8, height - 1 - layout.margin - layout.arrow);
   return layout;
 }
 
@@ -73,8 +72,7 @@ std::vector<Label> make_labels(const ColorBar& bar, const Layout& layout) {
   const int room = (layout.bar_bottom - layout.bar_top) / (2 * layout.line_height) + 1;
   std::vector<Label> labels;
   for (const double tick : tick_values(bar.scale, std::clamp(room, 2, 11))) {
-    labels.push_back(
-        {position_on(bar.scale, tick), rasterize(tick_label(tick), layout.text_size)});
+    labels.push_back({position_on(bar.scale, tick), rasterize(tick_label(tick), layout.text_size)});
   }
   return labels;
 }
@@ -115,7 +113,8 @@ RgbPicture widened(const RgbPicture& picture, int extra) {
   sheet.bytes.reserve(3 * static_cast<std::size_t>(sheet.width) * sheet.height);
   for (int y = 0; y < picture.height; ++y) {
     const auto row = picture.bytes.begin() + 3 * static_cast<std::ptrdiff_t>(y) * picture.width;
-    sheet.bytes.insert(sheet.bytes.end(), row, row + 3 * static_cast<std::ptrdiff_t>(picture.width));
+    sheet.bytes.insert(sheet.bytes.end(), row,
+                       row + 3 * static_cast<std::ptrdiff_t>(picture.width));
     for (int x = 0; x < extra; ++x) {
       sheet.bytes.insert(sheet.bytes.end(), kPaper.begin(), kPaper.end());
     }

@@ -12,8 +12,8 @@ namespace io {
 struct ColorBar {
   ColorScale scale;
   std::vector<std::string> title;  ///< lines above it: name, unit...
-  bool has_below = false;          ///< whether values below the scale are shown, as its lowest colour
-  bool has_above = false;          ///< whether values above are; either is marked by an arrow
+  bool has_below = false;  ///< whether values below the scale are shown, as its lowest colour
+  bool has_above = false;  ///< whether values above are; either is marked by an arrow
 };
 
 /// The picture with the bar beside it, at the right: as high as the picture and as wide as its

@@ -29,7 +29,8 @@ RgbPicture colored(const Image& image, const ColorScale& scale) {
   picture.bytes.reserve(3 * image.alpha.size());
   for (Index i = 0; i < image.values.rows(); ++i) {
     const double alpha = image.alpha[i];
-    const Rgb color = alpha > 0 ? map_color(position_on(scale, image.values(i, 0) / alpha)) : kNothing;
+    const Rgb color =
+        alpha > 0 ? map_color(position_on(scale, image.values(i, 0) / alpha)) : kNothing;
     for (std::size_t c = 0; c < 3; ++c) {
       const double blended = alpha * color[c] + (1 - alpha) * kNothing[c];
       picture.bytes.push_back(static_cast<std::uint8_t>(std::lround(blended)));

@@ -11,10 +11,10 @@
 namespace io {
 
 struct FalseColorOptions {
-  std::vector<std::string> title = {};  ///< lines above the bar: name, unit...
-  std::string channel = "Y";        ///< name of an .exr's only channel
+  std::vector<std::string> title = {};   ///< lines above the bar: name, unit...
+  std::string channel = "Y";             ///< name of an .exr's only channel
   std::optional<ColorScale> scale = {};  ///< absent: the one that fits what is seen
-  bool logarithmic = false;         ///< of the scale that is found
+  bool logarithmic = false;              ///< of the scale that is found
 };
 
 /// Writes a picture of one band: a .png in false colours with a labelled bar added at its right

@@ -1,7 +1,7 @@
 #include "meshing/adaptive.h"
 
 #include <algorithm>
-#include <cmath>
+#include <chrono>
 
 #include "meshing/refinable_mesh.h"
 #include "radiosity/discretisation_error.h"
@@ -17,8 +17,8 @@ using namespace radiosity;
 constexpr long kFirstPatches = 400;
 /// At most this share of the patches is spent on the start.
 constexpr long kFirstShare = 4;
-/// What a round divides holds this share of the squared error.
-constexpr double kShareOfRound = 0.85;
+/// What a round divides holds this share of the squared error at most.
+constexpr double kLargestShare = 0.8;
 constexpr int kMaxRounds = 40;
 /// Of the solutions on the way.
 constexpr double kSolveTolerance = 1e-5;
@@ -39,16 +39,17 @@ class Refiner {
             make_patches(scene, {.n_patches = first_patches(), .progress = options.progress})) {}
 
   AdaptiveMesh run() {
+    const auto start = std::chrono::steady_clock::now();
     Stage stage = make_stage({});
     AdaptiveMesh result{.mesh = {}, .visibility = Visibility(PatchMesh{}), .transport = nullptr};
-    for (;; ++result.n_rounds) {
-      result.error = estimated_error(stage);
-      result.is_accurate = result.error <= options_.tolerance;
-      if (result.is_accurate || result.n_rounds == kMaxRounds) break;
+    for (;; ++result.refinement.n_rounds) {
+      result.refinement.error = estimated_error(stage);
+      result.refinement.is_accurate = result.refinement.error <= options_.tolerance;
+      if (result.refinement.is_accurate || result.refinement.n_rounds == kMaxRounds) break;
       const std::vector<Index> marked =
           patches_to_refine(refinement_indicator(patches_.mesh(), *stage.transport, stage.solution,
                                                  options_.progress),
-                            kShareOfRound, affordable());
+                            share_to_refine(result.refinement.error), affordable());
       if (marked.empty()) break;
       const std::vector<std::int32_t> earlier = patches_.refine(marked);
       stage = make_stage({stage.transport.get(), earlier});
@@ -61,6 +62,8 @@ class Refiner {
     result.transport = make_transport(patches_.mesh(), stage.visibility, last);
     result.mesh = patches_.mesh();
     result.visibility = std::move(stage.visibility);
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    result.refinement.seconds = elapsed.count();
     return result;
   }
 
@@ -86,9 +89,15 @@ class Refiner {
   }
 
   [[nodiscard]] double estimated_error(const Stage& stage) const {
-    return discretisation_error(patches_.mesh(), *stage.transport, stage.solution,
-                                options_.progress)
-        .relative;
+    return 2 * discretisation_error(patches_.mesh(), *stage.transport, stage.solution,
+                                    options_.progress)
+                   .relative;
+  }
+
+  /// Share of the squared error to be got rid of, a little more than is asked.
+  [[nodiscard]] double share_to_refine(double error) const {
+    const double left = options_.tolerance / error;
+    return std::min(kLargestShare, 1.1 * (1 - left * left));
   }
 
   /// How many patches may be divided.

@@ -52,7 +52,8 @@ Surroundings surroundings(const Visibility& visibility, const Vec3& point) {
   for (int k = 0; k < kDirections; ++k) {  // Fibonacci's spiral
     const double z = 1 - (2 * k + 1.0) / kDirections;
     const double radius = std::sqrt(1 - z * z);
-    const Vec3 direction(radius * std::cos(k * golden_angle), radius * std::sin(k * golden_angle), z);
+    const Vec3 direction(radius * std::cos(k * golden_angle), radius * std::sin(k * golden_angle),
+                         z);
     const auto hit = visibility.first_hit(point, direction);
     if (!hit || hit->front) continue;
     ++n_backs;

@@ -10,8 +10,6 @@ namespace {
 
 /// Tolerance of the coarser solutions; changes are seldom below 1e-3.
 constexpr double kTolerance = 1e-4;
-/// One standard error as a share of the extrapolated error: twice it covers 95 % of the patches.
-constexpr double kErrorShare = 0.75;
 /// Range of the ratio 2^p of changes that is believed: from order 1 (light that stops at a line) to
 /// 1.6, though smooth light has order 2, as patches of different sizes make the measured one
 /// uneven.
@@ -114,7 +112,7 @@ DiscretisationError discretisation_error(const PatchMesh& mesh, const Transport&
 
   const Eigen::MatrixXd around =
       coarsest.spread(coarsest.means(result.change.cwiseAbs2())).cwiseSqrt();
-  result.error = kErrorShare / (ratio - 1) * result.change.cwiseAbs().cwiseMax(around);
+  result.error = result.change.cwiseAbs().cwiseMax(around) / (ratio - 1);
   result.n_unknown = fill_in_lone_patches(groups, reflected, area, result.error);
   // Where no light arrives at all there is none to be wrong about.
   result.error = (solution.irradiance.array() == 0).select(0, result.error);

@@ -28,8 +28,8 @@ struct DiscretisationError {
 /// areas are sums of the ones at hand (AggregatedTransport), so that no form factor is computed.
 /// With the change δ from the coarser to the given patches and the order p that the two changes
 /// show, the error that is left is κ δ, κ = 1 / (2^p - 1) (Richardson 1911). One standard error of
-/// a patch is 0.75 κ times the greater of its |δ| and the mean |δ| around it (root mean square),
-/// so that 95 % of patches lie within two. Costs two solves to 1e-4.
+/// a patch is κ times the greater of its |δ| and the mean |δ| around it (root mean square); more
+/// than 95 % of patches lie within two. Costs two solves to 1e-4.
 DiscretisationError discretisation_error(const PatchMesh& mesh, const Transport& transport,
                                          const Solution& solution, const Progress& progress = {});
 

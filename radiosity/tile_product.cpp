@@ -28,7 +28,8 @@ void multiply_portably(const TileProduct<Entry>& p) {
   const Eigen::Map<const RowBlock> x_rows(p.x_rows, p.shape.n_rows, kProductColumns);
   const Eigen::Map<const RowBlock> x_columns(p.x_columns, p.shape.n_columns, kProductColumns);
   Eigen::Map<RowBlock>(p.above, p.shape.n_rows, kProductColumns).noalias() += g * x_columns;
-  Eigen::Map<RowBlock>(p.below, p.shape.n_columns, kProductColumns).noalias() += g.transpose() * x_rows;
+  Eigen::Map<RowBlock>(p.below, p.shape.n_columns, kProductColumns).noalias() +=
+      g.transpose() * x_rows;
 }
 
 #if defined(__x86_64__)
@@ -85,8 +86,11 @@ template <typename Entry>
     store(add(load(out + kProductColumns), one, next_sum), out + kProductColumns);
   }
   if (j == p.shape.n_columns) return;
-  multiply_portably(TileProduct<Entry>{p.tile + j * p.shape.n_rows, {p.shape.n_rows, 1}, p.x_rows,
-                                       p.x_columns + kProductColumns * j, p.above,
+  multiply_portably(TileProduct<Entry>{p.tile + j * p.shape.n_rows,
+                                       {p.shape.n_rows, 1},
+                                       p.x_rows,
+                                       p.x_columns + kProductColumns * j,
+                                       p.above,
                                        p.below + kProductColumns * j});
 }
 

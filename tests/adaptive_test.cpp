@@ -202,11 +202,11 @@ TEST(AdaptivePatches, StopAtTheTolerance) {
   const Scene scene = io::read_scene(RADIOSITY_SCENES "/cornell-box.json");
   const meshing::AdaptiveMesh coarse =
       meshing::make_adaptive_patches(scene, {.tolerance = 0.05, .max_patches = 3000});
-  EXPECT_TRUE(coarse.is_accurate);
-  EXPECT_LE(coarse.error, 0.05);
+  EXPECT_TRUE(coarse.refinement.is_accurate);
+  EXPECT_LE(coarse.refinement.error, 0.05);
   const meshing::AdaptiveMesh spent =
       meshing::make_adaptive_patches(scene, {.tolerance = 1e-6, .max_patches = 800});
-  EXPECT_FALSE(spent.is_accurate);
+  EXPECT_FALSE(spent.refinement.is_accurate);
   EXPECT_LE(spent.mesh.size(), 900);
 }
 

@@ -54,7 +54,8 @@ TEST(ViewContent, EndsAtTheBordersOfThePicture) {
 }
 
 /// Whether any ray of a picture of that size meets an emitting side.
-bool is_shown(const PatchMesh& mesh, const Visibility& visibility, const Camera& camera, int height) {
+bool is_shown(const PatchMesh& mesh, const Visibility& visibility, const Camera& camera,
+              int height) {
   const Image image = render(mesh, visibility, Eigen::MatrixXd::Ones(mesh.size(), 1), camera,
                              {.width = height * 3 / 2, .height = height, .samples = 1});
   return std::any_of(image.alpha.begin(), image.alpha.end(), [](float alpha) { return alpha > 0; });

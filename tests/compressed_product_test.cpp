@@ -73,8 +73,7 @@ TEST(Solve, ManyBandsAtOnceAreTheBandsOneByOne) {
   EXPECT_LT(columns, 0.9 * static_cast<double>(n_bands) * all.products);
   for (const Index b : {0, 1, 17, 40, 69}) {
     const Solution one = solve(transport, exitance.col(b), reflectance.col(b), options);
-    EXPECT_LE((all.radiosity.col(b) - one.radiosity.col(0)).norm(),
-              1e-10 * one.radiosity.norm());
+    EXPECT_LE((all.radiosity.col(b) - one.radiosity.col(0)).norm(), 1e-10 * one.radiosity.norm());
   }
 }
 

@@ -112,7 +112,8 @@ TEST(ColorBar, FitsBesideAnyPicture) {
       const int labels = 130 + text_size / 2 + 2 + 2 * text_size + text_size / 3;
       const std::vector<int> blocks = ink_blocks(sheet, labels);
       EXPECT_GE(blocks.size(), 4U);  // two lines of title reach so far, and two labels or more
-      for (const int block : blocks) EXPECT_LE(block, 1.1 * text_size) << testing::PrintToString(blocks);
+      for (const int block : blocks)
+        EXPECT_LE(block, 1.1 * text_size) << testing::PrintToString(blocks);
       EXPECT_LT(sheet.width - 130, 12 * text_size);
     }
   }

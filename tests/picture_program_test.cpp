@@ -21,7 +21,8 @@ class Pictures : public Program {
  protected:
   /// A lit room of 2 x 2 x 2 m with a solid block of 0.5 m on the floor; `members`: more of it.
   std::string write_room(const std::string& members = "", const std::string& name = "room") const {
-    const auto box = [](const std::string& surface, double low, double high, double top, bool solid) {
+    const auto box = [](const std::string& surface, double low, double high, double top,
+                        bool solid) {
       std::ostringstream text;
       const std::vector<std::vector<int>> faces = {{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1},
                                                    {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}};
@@ -48,8 +49,8 @@ class Pictures : public Program {
                           "]}");
   }
   Outcome render(const std::string& scene, Arguments arguments, const char* name = "a.png") const {
-    const Arguments start = {"render",  scene, "--patches", "100",      "-o",   result(name),
-                             "--width", "48",  "--height",  "32", "--quiet"};
+    const Arguments start = {"render",  scene, "--patches", "100", "-o",     result(name),
+                             "--width", "48",  "--height",  "32",  "--quiet"};
     arguments.insert(arguments.begin(), start.begin(), start.end());
     return run(arguments);
   }
@@ -176,8 +177,8 @@ TEST_F(Pictures, InFalseColorsTellTheirScale) {
   EXPECT_EQ(height, 32U);
   EXPECT_GT(width, 48U + 40U);  // the bar is added
 
-  const Outcome text = render(scene, {"--camera-position", "0.2,1.5,0.2", "--false-color", "radiance",
-                                      "--band", "1", "--range", "0.5,4", "--log"});
+  const Outcome text = render(scene, {"--camera-position", "0.2,1.5,0.2", "--false-color",
+                                      "radiance", "--band", "1", "--range", "0.5,4", "--log"});
   EXPECT_NE(text.out.find("radiance from 0.5 to 4 W/(m² sr), logarithmic"), std::string::npos)
       << text.out;
   EXPECT_EQ(render(scene, {"--false-colour", "error"}, "a.exr").exit_code, 0);

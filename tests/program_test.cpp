@@ -442,6 +442,35 @@ TEST_F(Program, RenderWritesAPicture) {
   EXPECT_EQ(png.substr(16, 8), std::string("\0\0\0\x28\0\0\0\x1e", 8));  // IHDR: width, height
 }
 
+TEST_F(Program, RefinesUntilTheToleranceIsMetOrThePatchesAreSpent) {
+  const std::string scene = RADIOSITY_SCENES "/cornell-box.json";
+  const Outcome met =
+      run({"solve", scene, "--adaptive", "--tolerance", "0.1", "--json", "--quiet"});
+  ASSERT_EQ(met.exit_code, 0) << met.err;
+  const Json accurate = Json::parse(met.out);
+  EXPECT_TRUE(accurate["refinement"]["accurate"]);
+  EXPECT_LE(accurate["refinement"]["error"], 0.1);
+  EXPECT_GT(accurate["discretisation"]["error"], 0);
+  EXPECT_TRUE(accurate["warnings"].empty());
+
+  const Outcome spent = run({"solve", scene, "--adaptive", "--tolerance", "1e-4", "--patches",
+                             "500", "--json", "--quiet"});
+  ASSERT_EQ(spent.exit_code, 0) << spent.err;
+  const Json coarse = Json::parse(spent.out);
+  EXPECT_FALSE(coarse["refinement"]["accurate"]);
+  EXPECT_LE(coarse["patches"], 600);
+  EXPECT_NE(spent.err.find("are spent"), std::string::npos) << spent.err;
+
+  EXPECT_EQ(run({"solve", scene, "--adaptive", "--as-is"}).exit_code, 2);
+  EXPECT_EQ(run({"solve", scene, "--adaptive", "--max-edge", "0.1"}).exit_code, 2);
+}
+
+TEST_F(Program, SaysWhatAPatchAloneOnItsSurfaceCannotTell) {
+  const Outcome outcome = run({"solve", write_cube(0.5, 1), "--as-is", "--quiet"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("one patch only"), std::string::npos) << outcome.err;
+}
+
 TEST_F(Program, TellsWhenStandardOutputIsFull) {
   if (!fs::exists("/dev/full")) GTEST_SKIP();
   fs::create_symlink("/dev/full", folder() / "printed" / "stdout");
