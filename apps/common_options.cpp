@@ -52,6 +52,10 @@ void add_common_options(CLI::App& command, CommonOptions& options) {
                   "scene says, else m")
       ->check(check_unit)
       ->type_name("U");
+  add_run_options(command, options);
+}
+
+void add_run_options(CLI::App& command, CommonOptions& options) {
   command.add_option("--threads", options.n_threads, "Threads to use; 0 = all cores")
       ->check(CLI::Range(0, kMostThreads))
       ->capture_default_str()
@@ -94,7 +98,11 @@ void add_compute_options(CLI::App& command, ComputeOptions& options) {
       ->check(CLI::IsMember({"yes", "no", "auto"}))
       ->capture_default_str()
       ->type_name("C");
-  command.add_option("--seed", options.seed, "Seed of the visibility samples")
+  add_seed_option(command, options.seed);
+}
+
+void add_seed_option(CLI::App& command, std::uint64_t& seed) {
+  command.add_option("--seed", seed, "Seed of the visibility samples")
       ->check(check_seed)
       ->capture_default_str()
       ->type_name("S");

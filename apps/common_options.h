@@ -51,6 +51,9 @@ inline constexpr long kMostAdaptivePatches = 20000;
 
 /// These bind the options to the command; `options` must outlive the parsing.
 void add_common_options(CLI::App& command, CommonOptions& options);
+/// Those of the common options that have to do with running, not with a scene.
+void add_run_options(CLI::App& command, CommonOptions& options);
+void add_seed_option(CLI::App& command, std::uint64_t& seed);
 void add_compute_options(CLI::App& command, ComputeOptions& options);
 /// --adaptive, after add_compute_options.
 void add_adaptive_option(CLI::App& command, ComputeOptions& options);

@@ -14,6 +14,7 @@
 #include "apps/solve_command.h"
 #include "apps/terminal_progress.h"
 #include "apps/usage_error.h"
+#include "apps/validate_command.h"
 #include "radiosity/error.h"
 
 namespace {
@@ -56,5 +57,6 @@ int main(int argc, char** argv) {
   const apps::FormFactorsCommand form_factors(program, interruption);
   const apps::InspectCommand inspect(program, interruption);
   const apps::RenderCommand render(program, interruption);
+  const apps::ValidateCommand validate(program, interruption);
   return run(program, interruption, argc, argv);
 }

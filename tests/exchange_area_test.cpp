@@ -3,12 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <random>
-#include <string>
 #include <vector>
 
+#include "apps/validation/built_scenes.h"
+#include "apps/validation/known_factors.h"
 #include "radiosity/contour_integral.h"
 #include "radiosity/polygon_quadrature.h"
 
@@ -17,30 +16,14 @@ namespace {
 
 using Polygon = std::vector<Vec3>;
 
-nlohmann::json closed_forms() {
-  std::ifstream file(RADIOSITY_TEST_DATA "/form-factors.json");
-  return nlohmann::json::parse(file).at("cases");
-}
-
-Polygon read_polygon(const nlohmann::json& points) {
-  Polygon polygon;
-  for (const auto& point : points) {
-    polygon.emplace_back(std::stod(point[0].get<std::string>()),
-                         std::stod(point[1].get<std::string>()),
-                         std::stod(point[2].get<std::string>()));
-  }
-  return polygon;
-}
-
 TEST(ExchangeArea, EqualsClosedFormsOfUnoccludedPolygons) {
   int n_cases = 0;
-  for (const auto& entry : closed_forms()) {
-    if (entry.at("kind") != "polygon-polygon unoccluded" || !entry.contains("polygon1")) continue;
-    const Polygon a = read_polygon(entry.at("polygon1"));
-    const Polygon b = read_polygon(entry.at("polygon2"));
-    const double expected = std::stod(entry.at("A1F12").get<std::string>());
-    EXPECT_NEAR(exchange_area(a, b) / expected, 1, 1e-10) << entry.at("name");
-    EXPECT_NEAR(exchange_area(b, a) / expected, 1, 1e-10) << entry.at("name");
+  for (const auto& known : apps::validation::read_known_factors(RADIOSITY_TEST_DATA)) {
+    if (known.polygon1.empty()) continue;
+    const Polygon& a = known.polygon1;
+    const Polygon& b = known.polygon2;
+    EXPECT_NEAR(exchange_area(a, b) / known.exchange_area, 1, 1e-10) << known.name;
+    EXPECT_NEAR(exchange_area(b, a) / known.exchange_area, 1, 1e-10) << known.name;
     ++n_cases;
   }
   EXPECT_GE(n_cases, 16);
@@ -53,35 +36,11 @@ TEST(ExchangeArea, PentagonAndSquare) {
   EXPECT_NEAR(exchange_area(pentagon, square) / (1.5 * 0.15412431824856255839), 1, 1e-10);
 }
 
-Polygon regular_polygon(int n, double radius, double z, bool is_up) {
-  Polygon polygon;
-  for (int k = 0; k < n; ++k) {
-    const double angle = 2 * kPi * (is_up ? k : -k) / n;
-    polygon.emplace_back(radius * std::cos(angle), radius * std::sin(angle), z);
-  }
-  return polygon;
-}
-
-/// The faces of a right prism over the polygon, seen from inside.
-std::vector<Polygon> prism_inside(const Polygon& base, double height) {
-  const Vec3 up(0, 0, height);
-  std::vector<Polygon> faces;
-  faces.push_back(base);
-  Polygon top;
-  for (auto it = base.rbegin(); it != base.rend(); ++it) top.push_back(*it + up);
-  faces.push_back(top);
-  for (std::size_t k = 0; k < base.size(); ++k) {
-    const Vec3& a = base[k];
-    const Vec3& b = base[(k + 1) % base.size()];
-    faces.push_back({b, a, a + up, b + up});
-  }
-  return faces;
-}
-
 TEST(ExchangeArea, RowsOfClosedPrismsSumToOne) {
   for (const int n : {3, 4, 5, 8, 12}) {
     for (const double height : {0.01, 0.3, 1.0, 20.0}) {
-      const auto faces = prism_inside(regular_polygon(n, 1, 0, true), height);
+      const auto faces =
+          apps::validation::prism_inside(apps::validation::regular_polygon(n, 1, 0, true), height);
       for (std::size_t i = 0; i < faces.size(); ++i) {
         double sum = 0;
         for (std::size_t j = 0; j < faces.size(); ++j) {
@@ -94,31 +53,25 @@ TEST(ExchangeArea, RowsOfClosedPrismsSumToOne) {
 }
 
 TEST(ExchangeArea, OctahedronAndPrismClosedForms) {
-  for (const auto& entry : closed_forms()) {
-    if (entry.at("name") == "regular octahedron interior") {
-      const std::array<Vec3, 6> v{Vec3(1, 0, 0),  Vec3(-1, 0, 0), Vec3(0, 1, 0),
-                                  Vec3(0, -1, 0), Vec3(0, 0, 1),  Vec3(0, 0, -1)};
-      const Polygon face{v[0], v[4], v[2]};  // inward: seen from the centre counter-clockwise
-      const Polygon edge{v[2], v[4], v[1]};
-      const Polygon vertex{v[1], v[4], v[3]};
-      const Polygon opposite{v[1], v[5], v[3]};
-      const auto& values = entry.at("values");
-      const double area = vector_area(face).norm();
-      const auto inward = [](Polygon p) {
-        if (vector_area(p).dot(p[0]) > 0) std::swap(p[1], p[2]);
-        return p;
-      };
-      const auto factor = [&](const Polygon& to) {
-        return exchange_area(inward(face), inward(to)) / area;
-      };
-      const auto value = [&](const char* key) {
-        return std::stod(values.at(key).get<std::string>());
-      };
-      EXPECT_NEAR(factor(edge) / value("F_adjacent_edge"), 1, 1e-10);
-      EXPECT_NEAR(factor(vertex) / value("F_sharing_vertex"), 1, 1e-10);
-      EXPECT_NEAR(factor(opposite) / value("F_opposite"), 1, 1e-10);
-    }
-  }
+  const auto known = apps::validation::read_known_factors(RADIOSITY_TEST_DATA);
+  const auto& octahedron = apps::validation::known_factor(known, "regular octahedron interior");
+  const std::array<Vec3, 6> v{Vec3(1, 0, 0),  Vec3(-1, 0, 0), Vec3(0, 1, 0),
+                              Vec3(0, -1, 0), Vec3(0, 0, 1),  Vec3(0, 0, -1)};
+  const Polygon face{v[0], v[4], v[2]};  // inward: seen from the centre counter-clockwise
+  const Polygon edge{v[2], v[4], v[1]};
+  const Polygon vertex{v[1], v[4], v[3]};
+  const Polygon opposite{v[1], v[5], v[3]};
+  const double area = vector_area(face).norm();
+  const auto inward = [](Polygon p) {
+    if (vector_area(p).dot(p[0]) > 0) std::swap(p[1], p[2]);
+    return p;
+  };
+  const auto factor = [&](const Polygon& to) {
+    return exchange_area(inward(face), inward(to)) / area;
+  };
+  EXPECT_NEAR(factor(edge) / octahedron.value("F_adjacent_edge"), 1, 1e-10);
+  EXPECT_NEAR(factor(vertex) / octahedron.value("F_sharing_vertex"), 1, 1e-10);
+  EXPECT_NEAR(factor(opposite) / octahedron.value("F_opposite"), 1, 1e-10);
 }
 
 Polygon random_polygon(std::mt19937_64& random, const Vec3& center, double size) {

@@ -3,8 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 
+#include "apps/validation/assembly.h"
+#include "apps/validation/hemisphere.h"
 #include "io/scene_file.h"
 #include "meshing/patches.h"
 #include "radiosity/radiosity.h"
@@ -12,24 +13,19 @@
 namespace {
 
 using namespace radiosity;
+using apps::validation::assemble;
+using apps::validation::Assembly;
 
-struct SolvedScene {
-  Scene scene;
-  PatchMesh mesh;
-  std::unique_ptr<Visibility> visibility;
-  std::unique_ptr<Transport> transport;
+struct SolvedScene : Assembly {
   Solution solution;
 };
 
 SolvedScene solve_scene(const std::string& name, const meshing::PatchOptions& patch_options,
                         double tolerance) {
-  SolvedScene result;
-  result.scene = io::read_scene(std::string(RADIOSITY_SCENES "/") + name);
-  result.mesh = meshing::make_patches(result.scene, patch_options);
-  result.visibility = std::make_unique<Visibility>(result.mesh);
-  result.transport = make_transport(result.mesh, *result.visibility, {.tolerance = tolerance});
-  result.solution = solve(*result.transport, exitance(result.scene, result.mesh),
-                          reflectance(result.scene, result.mesh));
+  SolvedScene result{assemble(io::read_scene(std::string(RADIOSITY_SCENES "/") + name),
+                              patch_options, {.tolerance = tolerance}),
+                     {}};
+  result.solution = apps::validation::solve_own_light(result);
   return result;
 }
 
@@ -77,65 +73,18 @@ TEST(FurnishedRoom, EnergyIsBalanced) {
   }
 }
 
-/// A unit vector about `normal` with density cosθ / π.
-Vec3 cosine_direction(const Vec3& normal, std::mt19937_64& random) {
-  std::uniform_real_distribution<double> uniform(0, 1);
-  const double azimuth = 2 * kPi * uniform(random);
-  const double square = uniform(random);
-  const Vec3 u = normal.unitOrthogonal();
-  const Vec3 v = normal.cross(u);
-  return std::sqrt(square) * (std::cos(azimuth) * u + std::sin(azimuth) * v) +
-         std::sqrt(1 - square) * normal;
-}
-
 TEST(FurnishedRoom, HemisphereFormAgreesWithAreaForm) {
   // The same irradiance by the rendering equation's other form: H = ∫ B(x') cosθ / π dω, with B
   // taken from the patch that a cosine-distributed ray meets.
-  constexpr int kRays = 2000;
   const SolvedScene room = solve_scene("furnished-room.json", {}, 1e-2);
-  const PatchMesh& mesh = room.mesh;
-  const Eigen::MatrixXd& radiosity = room.solution.radiosity;
-  const Eigen::MatrixXd area_error = room.transport->apply_error(radiosity);
-  const Eigen::MatrixXd mean_square = room.transport->apply(radiosity.cwiseAbs2());
-  std::mt19937_64 random(2024);
-  std::uniform_real_distribution<double> uniform(0, 1);
-  int n_checked = 0;
   int n_within_two = 0;
-  for (Index i = 0; i < mesh.size(); i += 3) {
-    double sum = 0;
-    double squares = 0;
-    for (int k = 0; k < kRays; ++k) {
-      // Uniform on the patch: one of the quad's two triangles by area, then barycentric.
-      const int n = mesh.n_corners(i);
-      const Vec3& a = mesh.corner(i, 0);
-      const auto half = [&](int c) {
-        return (mesh.corner(i, c) - a).cross(mesh.corner(i, c + 1) - a).norm();
-      };
-      const bool is_second = n == 4 && uniform(random) * (half(1) + half(2)) > half(1);
-      const int c = is_second ? 2 : 1;
-      const double root = std::sqrt(uniform(random));
-      const double v = uniform(random);
-      const Vec3 origin =
-          a + root * (1 - v) * (mesh.corner(i, c) - a) + root * v * (mesh.corner(i, c + 1) - a);
-      const auto hit = room.visibility->first_hit(origin, cosine_direction(mesh.normal[i], random),
-                                                  static_cast<std::int32_t>(i));
-      const double value = hit && hit->front ? radiosity(hit->patch, 0) : 0;
-      sum += value;
-      squares += value * value;
-    }
-    const double mean = sum / kRays;
-    // Rays seldom meet a small lamp, and a sample without it knows nothing of its variance: take
-    // the area form's where that is larger.
-    const double variance =
-        std::max(squares / kRays - mean * mean,
-                 mean_square(i, 0) - std::pow(room.solution.irradiance(i, 0), 2));
-    const double error = std::hypot(std::sqrt(std::max(variance, 0.0) / kRays), area_error(i, 0));
-    const double difference = std::abs(mean - room.solution.irradiance(i, 0));
-    EXPECT_LE(difference, 5 * error + 1e-6 * mean) << "patch " << i;
-    ++n_checked;
+  const auto all = apps::validation::compare_irradiance(room, room.solution, {.seed = 2024});
+  for (const auto& [by_rays, by_area, error] : all) {
+    const double difference = std::abs(by_rays - by_area);
+    EXPECT_LE(difference, 5 * error + 1e-6 * by_rays);
     n_within_two += difference <= 2 * error ? 1 : 0;
   }
-  EXPECT_GE(n_within_two, 0.9 * n_checked);
+  EXPECT_GE(n_within_two, 0.9 * static_cast<double>(all.size()));
 }
 
 TEST(Window, FactorThroughTheWindow) {

@@ -1,0 +1,44 @@
+#include "apps/validation/assembly.h"
+
+#include <utility>
+
+#include "radiosity/radiometry.h"
+
+namespace apps::validation {
+
+using namespace radiosity;
+
+Assembly assemble(Scene scene, const meshing::PatchOptions& patches,
+                  const TransportOptions& options) {
+  TransportOptions with_scene = options;
+  if (options.closed == Closed::automatic && scene.closed) {
+    with_scene.closed = *scene.closed ? Closed::yes : Closed::no;
+  }
+  Assembly assembly{.scene = std::move(scene)};
+  assembly.mesh = meshing::make_patches(assembly.scene, patches);
+  assembly.visibility = std::make_unique<Visibility>(assembly.mesh);
+  assembly.transport = make_transport(assembly.mesh, *assembly.visibility, with_scene);
+  return assembly;
+}
+
+Solution solve_own_light(const Assembly& assembly, const SolveOptions& options) {
+  return solve(*assembly.transport, exitance(assembly.scene, assembly.mesh),
+               reflectance(assembly.scene, assembly.mesh), options);
+}
+
+Eigen::Map<const Eigen::VectorXd> areas(const PatchMesh& mesh) {
+  return {mesh.area.data(), mesh.size()};
+}
+
+Eigen::MatrixXd polygon_means(const PatchMesh& mesh, const Eigen::MatrixXd& values,
+                              Index n_polygons) {
+  Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(n_polygons, values.cols());
+  Eigen::VectorXd total = Eigen::VectorXd::Zero(n_polygons);
+  for (Index i = 0; i < mesh.size(); ++i) {
+    sums.row(mesh.polygon[i]) += mesh.area[i] * values.row(i);
+    total[mesh.polygon[i]] += mesh.area[i];
+  }
+  return sums.array().colwise() / total.array();
+}
+
+}  // namespace apps::validation

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <memory>
+
+#include "meshing/patches.h"
+#include "radiosity/patch_mesh.h"
+#include "radiosity/scene.h"
+#include "radiosity/solve.h"
+#include "radiosity/transport.h"
+#include "radiosity/visibility.h"
+
+namespace apps::validation {
+
+/// A scene with its patches and form factors.
+struct Assembly {
+  radiosity::Scene scene;
+  radiosity::PatchMesh mesh{};
+  std::unique_ptr<radiosity::Visibility> visibility{};
+  std::unique_ptr<radiosity::Transport> transport{};
+};
+
+/// Makes the patches and their form factors. The scene's own word on whether it is closed counts
+/// if the options leave it open. Throws what the stages throw.
+Assembly assemble(radiosity::Scene scene, const meshing::PatchOptions& patches = {},
+                  const radiosity::TransportOptions& options = {});
+
+/// The scene's radiosity by its own materials.
+radiosity::Solution solve_own_light(const Assembly& assembly,
+                                    const radiosity::SolveOptions& options = {});
+
+/// Patch areas, m².
+Eigen::Map<const Eigen::VectorXd> areas(const radiosity::PatchMesh& mesh);
+
+/// Area-weighted means over the scene's polygons of values per patch, n_polygons x n_columns.
+Eigen::MatrixXd polygon_means(const radiosity::PatchMesh& mesh, const Eigen::MatrixXd& values,
+                              radiosity::Index n_polygons);
+
+}  // namespace apps::validation
