@@ -122,8 +122,8 @@ std::string solve_lines(const radiosity::Solution& solution) {
 }
 
 std::string refinement_lines(const meshing::Refinement& refinement) {
-  return line("refinement", fmt::format("{:.3g} s, {} rounds, error {:.2g} (two sigma)",
-                                        refinement.seconds, refinement.n_rounds, refinement.error));
+  return line("refinement", fmt::format("{:.3g} s, {} rounds, error {:.2g}", refinement.seconds,
+                                        refinement.n_rounds, refinement.error));
 }
 
 std::string discretisation_lines(const radiosity::DiscretisationError& discretisation) {

@@ -19,7 +19,7 @@ struct AdaptiveOptions {
 /// What refinement did.
 struct Refinement {
   int n_rounds = 0;
-  double error = 0;          ///< estimated, two sigma, as asked by `tolerance`
+  double error = 0;          ///< estimated, with a margin, as asked by `tolerance`
   bool is_accurate = false;  ///< whether that is met
   double seconds = 0;        ///< wall time, form factors included
 };
@@ -35,8 +35,9 @@ struct AdaptiveMesh {
 /// Patches small where the light varies: starts from coarse ones, cut where other surfaces stand on
 /// them (`contact_lines`), then solves and divides those whose variation matters most
 /// (`refinement_indicator`), until the estimated error is met or the patches are spent. Form
-/// factors between patches that stay are kept. The error is twice `DiscretisationError::relative`.
-/// Throws what make_patches, make_transport and solve throw.
+/// factors between patches that stay are kept. The error is 1.5 times
+/// `DiscretisationError::relative`, which is an estimate. Throws what make_patches, make_transport
+/// and solve throw.
 AdaptiveMesh make_adaptive_patches(const radiosity::Scene& scene,
                                    const AdaptiveOptions& options = {});
 

@@ -184,4 +184,17 @@ TEST_F(Pictures, InFalseColorsTellTheirScale) {
   EXPECT_EQ(render(scene, {"--false-colour", "error"}, "a.exr").exit_code, 0);
 }
 
+TEST_F(Pictures, CanBeGathered) {
+  const std::string scene = write_room();
+  const Arguments camera = {"--camera-position", "0.2,1.5,0.2", "--look-at", "1,0,1"};
+  Arguments gathered = camera;
+  gathered.emplace_back("--gather");
+  const std::string interpolated = picture(scene, camera);
+  const std::string exact = picture(scene, gathered);
+  EXPECT_EQ(png_size(exact), png_size(interpolated));
+  EXPECT_NE(exact, interpolated);
+  gathered.insert(gathered.end(), {"--false-colour", "illuminance"});
+  EXPECT_EQ(render(scene, gathered).exit_code, 2);
+}
+
 }  // namespace

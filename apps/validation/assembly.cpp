@@ -8,16 +8,35 @@ namespace apps::validation {
 
 using namespace radiosity;
 
+namespace {
+
+TransportOptions with_word_of(const Scene& scene, TransportOptions options) {
+  if (options.closed == Closed::automatic && scene.closed) {
+    options.closed = *scene.closed ? Closed::yes : Closed::no;
+  }
+  return options;
+}
+
+}  // namespace
+
 Assembly assemble(Scene scene, const meshing::PatchOptions& patches,
                   const TransportOptions& options) {
-  TransportOptions with_scene = options;
-  if (options.closed == Closed::automatic && scene.closed) {
-    with_scene.closed = *scene.closed ? Closed::yes : Closed::no;
-  }
   Assembly assembly{.scene = std::move(scene)};
   assembly.mesh = meshing::make_patches(assembly.scene, patches);
   assembly.visibility = std::make_unique<Visibility>(assembly.mesh);
-  assembly.transport = make_transport(assembly.mesh, *assembly.visibility, with_scene);
+  assembly.transport =
+      make_transport(assembly.mesh, *assembly.visibility, with_word_of(assembly.scene, options));
+  return assembly;
+}
+
+Assembly assemble_adaptively(Scene scene, const meshing::AdaptiveOptions& options) {
+  Assembly assembly{.scene = std::move(scene)};
+  meshing::AdaptiveOptions with_scene = options;
+  with_scene.transport = with_word_of(assembly.scene, options.transport);
+  meshing::AdaptiveMesh adaptive = meshing::make_adaptive_patches(assembly.scene, with_scene);
+  assembly.mesh = std::move(adaptive.mesh);
+  assembly.visibility = std::make_unique<Visibility>(std::move(adaptive.visibility));
+  assembly.transport = std::move(adaptive.transport);
   return assembly;
 }
 

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "meshing/adaptive.h"
 #include "meshing/patches.h"
 #include "radiosity/patch_mesh.h"
 #include "radiosity/scene.h"
@@ -23,6 +24,9 @@ struct Assembly {
 /// if the options leave it open. Throws what the stages throw.
 Assembly assemble(radiosity::Scene scene, const meshing::PatchOptions& patches = {},
                   const radiosity::TransportOptions& options = {});
+
+/// The same with patches that fit the light.
+Assembly assemble_adaptively(radiosity::Scene scene, const meshing::AdaptiveOptions& options);
 
 /// The scene's radiosity by its own materials.
 radiosity::Solution solve_own_light(const Assembly& assembly,

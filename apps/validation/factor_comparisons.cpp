@@ -191,7 +191,7 @@ constexpr Comparer kComparers[] = {
 std::string reason_to_leave_out(const std::string& kind) {
   if (kind == "crossed strings") return "two-dimensional: its surfaces are infinitely long";
   if (kind.starts_with("radiosity solution")) {
-    return "a radiosity, no form factor: the cases furnace, cube and sphere compare it";
+    return "a radiosity, no form factor: see furnace, cube and sphere";
   }
   return "";
 }
