@@ -33,6 +33,9 @@ Iterate descend(const IrradianceSystem& system, const Iterate& start, SolveMonit
   Eigen::VectorXd bounds = system.error_bounds(start);
   const double limit = kMargin * monitor.tolerance();
   std::vector<Index> columns = columns_above(bounds, limit);
+  const StepFields fields{
+      .radiosity = [&system, &irradiance] { return system.radiosity(irradiance); },
+      .unshot = [&system, &residual] { return system.passed_on(residual); }};
 
   while (!columns.empty() && monitor.may_spend(2)) {
     const Eigen::MatrixXd reflected = system.reflect(
@@ -53,7 +56,7 @@ Iterate descend(const IrradianceSystem& system, const Iterate& start, SolveMonit
       if (!(bounds[c] <= limit) && next_squared > 0) remaining.push_back(c);
     }
     columns = remaining;
-    monitor.step(1, 1, bounds.maxCoeff());
+    monitor.step(1, 1, bounds.maxCoeff(), fields);
   }
   Iterate result{irradiance, system.transport->apply(system.radiosity(irradiance))};
   monitor.spend(1);
@@ -63,9 +66,9 @@ Iterate descend(const IrradianceSystem& system, const Iterate& start, SolveMonit
 }  // namespace
 
 Iterate conjugate_gradients(const IrradianceSystem& system, SolveMonitor& monitor) {
-  // From darkness, B = M_e: patches that no light can reach then stay exactly 0.
-  Iterate iterate{Eigen::MatrixXd::Zero(system.size(), system.n_columns()), system.direct};
+  Iterate iterate = first_iterate(system, monitor);
   double bound = system.error_bounds(iterate).maxCoeff();
+  monitor.show(0, 0, bound, step_fields(system, iterate));
   while (bound > monitor.tolerance() && monitor.may_spend(2)) {
     const Iterate next = descend(system, iterate, monitor);
     const double next_bound = system.error_bounds(next).maxCoeff();

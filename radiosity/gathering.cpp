@@ -9,11 +9,13 @@ namespace {
 /// H_{k+1} = H_{k-1} + ω_{k+1} (F (M_e + ρ H_k) - H_{k-1}), ω_1 = 1, ω_{k+1} = 1/(1 - q² ω_k/4).
 Iterate gather(const IrradianceSystem& system, const Eigen::VectorXd& half_width,
                SolveMonitor& monitor) {
-  Iterate iterate{Eigen::MatrixXd::Zero(system.size(), system.n_columns()), system.direct};
+  Iterate iterate = first_iterate(system, monitor);
   Eigen::MatrixXd previous = iterate.irradiance;
   Eigen::VectorXd omega = Eigen::VectorXd::Ones(half_width.size());
   Eigen::VectorXd bounds = system.error_bounds(iterate);
   std::vector<Index> columns = columns_above(bounds, monitor.tolerance());
+  const StepFields fields = step_fields(system, iterate);
+  monitor.show(0, 0, bounds.maxCoeff(), fields);
 
   for (int k = 1; !columns.empty() && monitor.may_spend(1); ++k) {
     for (const Index c : columns) {
@@ -30,7 +32,7 @@ Iterate gather(const IrradianceSystem& system, const Eigen::VectorXd& half_width
     const double omega_factor = k == 1 ? 2 : 1;  // ω_1 = 1 stands for 2 in the recurrence
     omega = 1 / (1 - half_width.array().square() * omega.array() * omega_factor / 4);
     bounds = system.error_bounds(iterate);
-    monitor.step(1, 1, bounds.maxCoeff());
+    monitor.step(1, 1, bounds.maxCoeff(), fields);
     columns = columns_above(bounds, monitor.tolerance());
   }
   return iterate;

@@ -82,6 +82,12 @@ Eigen::MatrixXd IrradianceSystem::radiosity(const Eigen::MatrixXd& irradiance) c
   return result;
 }
 
+Eigen::MatrixXd IrradianceSystem::passed_on(const Eigen::MatrixXd& u) const {
+  Eigen::MatrixXd result(u.rows(), u.cols());
+  for (Index c = 0; c < u.cols(); ++c) result.col(c) = rho(c).cwiseProduct(u.col(c));
+  return result;
+}
+
 Eigen::MatrixXd IrradianceSystem::reflect(const Eigen::MatrixXd& u,
                                           const std::vector<Index>& columns,
                                           const Eigen::VectorXd& tolerance) const {
@@ -165,6 +171,32 @@ IrradianceSystem with_exitance(const IrradianceSystem& system, const Eigen::Matr
                                      tolerance * energy_norms(*system.transport, exitance));
   monitor.spend(1);
   return result;
+}
+
+Iterate first_iterate(const IrradianceSystem& system, SolveMonitor& monitor) {
+  const Eigen::MatrixXd& start = monitor.start();
+  Iterate iterate{Eigen::MatrixXd::Zero(system.size(), system.n_columns()), system.direct};
+  if (start.size() == 0 || !monitor.may_spend(1)) return iterate;
+  // Without light the solution is darkness, which no relative error allows to approach.
+  std::vector<Index> lit;
+  for (Index c = 0; c < system.n_columns(); ++c) {
+    if (!system.exitance.col(c).isZero(0)) lit.push_back(c);
+  }
+  if (lit.empty()) return iterate;
+  const Eigen::MatrixXd reflected = system.reflect(start, lit);
+  monitor.spend(1);
+  monitor.check();
+  for (std::size_t a = 0; a < lit.size(); ++a) {
+    iterate.irradiance.col(lit[a]) = start.col(lit[a]);
+    iterate.gathered.col(lit[a]) += reflected.col(static_cast<Index>(a));
+  }
+  return iterate;
+}
+
+StepFields step_fields(const IrradianceSystem& system, const Iterate& iterate) {
+  return {.radiosity = [&system, &iterate] { return system.radiosity(iterate.irradiance); },
+          .unshot = [&system,
+                     &iterate] { return system.passed_on(iterate.gathered - iterate.irradiance); }};
 }
 
 std::vector<Index> columns_above(const Eigen::VectorXd& bounds, double limit) {

@@ -45,6 +45,8 @@ struct IrradianceSystem {
 
   /// B = M_e + ρ H.
   [[nodiscard]] Eigen::MatrixXd radiosity(const Eigen::MatrixXd& irradiance) const;
+  /// ρ u, n x k.
+  [[nodiscard]] Eigen::MatrixXd passed_on(const Eigen::MatrixXd& u) const;
   /// F (ρ u) for the given columns of u; n x columns.size(). Each may be off by its `tolerance`
   /// (energy norm), which saves work if there are many that are alike.
   [[nodiscard]] Eigen::MatrixXd reflect(const Eigen::MatrixXd& u, const std::vector<Index>& columns,
@@ -70,6 +72,13 @@ IrradianceSystem make_irradiance_system(const Transport& transport, const Eigen:
 /// product.
 IrradianceSystem with_exitance(const IrradianceSystem& system, const Eigen::MatrixXd& exitance,
                                double tolerance, SolveMonitor& monitor);
+
+/// Where an iteration starts: at SolveOptions::start, for one product, or at darkness if there is
+/// none, the column is unlit or no product is left.
+Iterate first_iterate(const IrradianceSystem& system, SolveMonitor& monitor);
+
+/// What a watcher sees of an iterate. Refers to both.
+StepFields step_fields(const IrradianceSystem& system, const Iterate& iterate);
 
 /// Indices of the columns whose bound exceeds the limit.
 std::vector<Index> columns_above(const Eigen::VectorXd& bounds, double limit);

@@ -16,6 +16,12 @@ Iterate with_last_product(const IrradianceSystem& system, const Eigen::MatrixXd&
   return {irradiance, system.transport->apply(system.radiosity(irradiance))};
 }
 
+/// ρ (F B - H), W/m²; a product.
+Eigen::MatrixXd residual(const IrradianceSystem& system, const Eigen::MatrixXd& irradiance) {
+  const Eigen::MatrixXd gathered = system.transport->apply(system.radiosity(irradiance));
+  return system.passed_on(gathered - irradiance);
+}
+
 struct Sweep {
   Eigen::MatrixXd irradiance;
   Eigen::VectorXd change;  ///< ‖H_new - H_old‖_w of each column
@@ -41,7 +47,8 @@ Sweep sweep(const IrradianceSystem& system, Eigen::MatrixXd irradiance,
   return {std::move(irradiance), squared.cwiseSqrt()};
 }
 
-/// Light on its way: what has arrived, and what has not been sent yet.
+/// Light on its way: what has arrived, H = F (B - U), and the part U of B = M_e + ρ H that has not
+/// been sent yet.
 struct Shooting {
   Eigen::MatrixXd irradiance;
   Eigen::MatrixXd unshot;
@@ -63,13 +70,40 @@ struct Shooting {
   }
 };
 
+/// The light before the first shot. In darkness nothing is sent; a warm start has sent its B, and
+/// what that changes waits to be sent.
+Shooting before_shooting(const IrradianceSystem& system, const Iterate& start) {
+  if (start.irradiance.isZero(0)) return {start.irradiance, system.exitance};
+  return {start.gathered, system.passed_on(start.gathered - start.irradiance)};
+}
+
+/// B counts the unshot radiosity U too, so the residual is F U:
+/// ‖F U‖_w <= ρ_max^½ ‖F̂‖₂ ‖U‖, and ‖F̂‖₂ is at most the largest row sum of F.
+double error_bound(const IrradianceSystem& system, const Shooting& light) {
+  const double largest_row_sum = system.row_sums.maxCoeff();
+  double largest = 0;
+  for (Index c = 0; c < system.n_columns(); ++c) {
+    const double norm =
+        std::sqrt(system.transport->area().dot(light.unshot.col(c).cwiseAbs2().matrix()));
+    const double residual_norm =
+        std::sqrt(system.largest_reflectance[system.band(c)]) * largest_row_sum * norm;
+    largest = std::max(largest, system.error_bound(c, residual_norm, light.irradiance.col(c)));
+  }
+  return largest;
+}
+
 }  // namespace
 
 Iterate gauss_seidel(const IrradianceSystem& system, SolveMonitor& monitor) {
-  Eigen::MatrixXd irradiance = Eigen::MatrixXd::Zero(system.size(), system.n_columns());
-  double bound = system.error_bounds({irradiance, system.direct}).maxCoeff();
-  if (!(bound > monitor.tolerance()) || !monitor.may_spend(2)) return {irradiance, system.direct};
+  const Iterate start = first_iterate(system, monitor);
+  double bound = system.error_bounds(start).maxCoeff();
+  monitor.show(0, 0, bound, step_fields(system, start));
+  if (!(bound > monitor.tolerance()) || !monitor.may_spend(2)) return start;
 
+  Eigen::MatrixXd irradiance = start.irradiance;
+  const StepFields fields{
+      .radiosity = [&system, &irradiance] { return system.radiosity(irradiance); },
+      .unshot = [&system, &irradiance] { return residual(system, irradiance); }};
   while (bound > monitor.tolerance() && monitor.may_spend(2)) {
     Sweep next = sweep(system, std::move(irradiance), monitor);
     irradiance = std::move(next.irradiance);
@@ -82,7 +116,7 @@ Iterate gauss_seidel(const IrradianceSystem& system, SolveMonitor& monitor) {
       bounds[c] = system.error_bound(c, residual_norm, irradiance.col(c));
     }
     bound = bounds.maxCoeff();
-    monitor.step(1, 1, bound);
+    monitor.step(1, 1, bound, fields);
   }
   return with_last_product(system, irradiance, monitor);
 }
@@ -90,30 +124,28 @@ Iterate gauss_seidel(const IrradianceSystem& system, SolveMonitor& monitor) {
 Iterate southwell(const IrradianceSystem& system, SolveMonitor& monitor) {
   const Index n = system.size();
   const Index n_shots = std::max<Index>(1, n / kChecksPerProduct);
-  const double work = static_cast<double>(n_shots) / static_cast<double>(n);
-  Shooting light{Eigen::MatrixXd::Zero(n, system.n_columns()), system.exitance};
-  double bound = system.error_bounds({light.irradiance, system.direct}).maxCoeff();
-  if (!(bound > monitor.tolerance()) || !monitor.may_spend(2)) {
-    return {light.irradiance, system.direct};
-  }
+  const auto work = [n](Index shots) {
+    return static_cast<double>(shots) / static_cast<double>(n);
+  };
+  const Iterate start = first_iterate(system, monitor);
+  double bound = system.error_bounds(start).maxCoeff();
+  const bool is_solved = !(bound > monitor.tolerance()) || !monitor.may_spend(2);
+  Shooting light = before_shooting(system, start);
+  const StepFields fields{
+      .radiosity = [&system, &light] { return system.radiosity(light.irradiance); },
+      .unshot = [&light] { return light.unshot; }};
+  monitor.show(0, 0, bound, is_solved ? step_fields(system, start) : fields);
+  if (is_solved) return start;
 
-  while (bound > monitor.tolerance() && monitor.may_spend(1 + work)) {
-    for (Index shot = 0; shot < n_shots; ++shot) {
+  while (bound > monitor.tolerance() && monitor.may_spend(1 + work(n_shots))) {
+    for (Index shot = 1; shot <= n_shots; ++shot) {
       monitor.check();
       light.shoot(system);
+      if (shot == n_shots || !monitor.is_watched()) continue;
+      monitor.show(static_cast<int>(shot), work(shot), error_bound(system, light), fields);
     }
-    // B counts the unshot radiosity U too, so the residual is F U:
-    // ‖F U‖_w <= ρ_max^½ ‖F̂‖₂ ‖U‖, and ‖F̂‖₂ is at most the largest row sum of F.
-    Eigen::VectorXd bounds(system.n_columns());
-    for (Index c = 0; c < system.n_columns(); ++c) {
-      const double norm =
-          std::sqrt(system.transport->area().dot(light.unshot.col(c).cwiseAbs2().matrix()));
-      const double residual_norm =
-          std::sqrt(system.largest_reflectance[system.band(c)]) * system.row_sums.maxCoeff() * norm;
-      bounds[c] = system.error_bound(c, residual_norm, light.irradiance.col(c));
-    }
-    bound = bounds.maxCoeff();
-    monitor.step(static_cast<int>(n_shots), work, bound);
+    bound = error_bound(system, light);
+    monitor.step(static_cast<int>(n_shots), work(n_shots), bound, fields);
   }
   return with_last_product(system, light.irradiance, monitor);
 }

@@ -31,6 +31,17 @@ void require_range(const Eigen::MatrixXd& values, const std::string& name, doubl
   }
 }
 
+void require_valid_start(const Eigen::MatrixXd& start, const Eigen::MatrixXd& exitance) {
+  if (start.size() == 0) return;
+  if (start.rows() != exitance.rows() || start.cols() != exitance.cols()) {
+    throw SolveError("start is " + shape(start) + " and exitance " + shape(exitance) +
+                     "; expected the same shape, or no start");
+  }
+  if (!start.allFinite()) {
+    throw SolveError("start has a value that is not finite; expected irradiance, W/m²");
+  }
+}
+
 void require_valid(const Transport& transport, const Eigen::MatrixXd& exitance,
                    const Eigen::MatrixXd& reflectance) {
   const std::string n = std::to_string(transport.size());
@@ -132,6 +143,7 @@ Solution solve(const Transport& transport, const Eigen::MatrixXd& exitance,
                const Eigen::MatrixXd& reflectance, const SolveOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   require_valid(transport, exitance, reflectance);
+  require_valid_start(options.start, exitance);
   SolveMonitor monitor(options);
   const IrradianceSystem system = make_irradiance_system(transport, exitance, reflectance, monitor);
   const Iterate iterate = iterate_with(options.method, system, monitor);

@@ -16,14 +16,32 @@ enum class Method { conjugate_gradients, jacobi, gauss_seidel, southwell, chebys
 /// "cg", "jacobi", "gauss-seidel", "southwell", "chebyshev".
 std::string_view method_name(Method method);
 
+/// Where an iteration stands. The fields are worked out when asked for, during the call only.
+struct SolveStep {
+  int iteration = 0;    ///< steps of the method so far; of Southwell: shots
+  double products = 0;  ///< operator products that these cost
+  double error_bound = 0;  ///< guaranteed bound on ‖ΔB‖/‖B‖ (energy norm) of `radiosity`; with 1
+                           ///< for 1/(1 - q), which is no bound, where none can be proved
+  /// B = M_e + ρ H, W/m², n x k. Of Southwell: shot and unshot light together.
+  std::function<Eigen::MatrixXd()> radiosity;
+  /// Light that has arrived and is not passed on yet, W/m², n x k: the residual M_e + ρ F B - B,
+  /// which may be negative. Gauss-Seidel has it for the price of a product. Of Southwell: the part
+  /// U of B that no patch has shot, so that B = M_e + ρ F (B - U); negative only after a warm
+  /// start.
+  std::function<Eigen::MatrixXd()> unshot;
+};
+
 struct SolveOptions {
   Method method = Method::conjugate_gradients;
   double tolerance = 1e-8;  ///< guaranteed bound on ‖ΔB‖/‖B‖ (energy norm) of the iteration
   bool estimates_errors = true;  ///< fill in Solution::radiosity_error; costs some tens of products
   int max_products = 100000;     ///< operator products (or the work of as many) before giving up
-  /// Called after each product with the number of products and the bound reached, for plots; with
-  /// the relative residual instead where no bound can be proved.
-  std::function<void(int product, double error_bound)> observer = {};
+  /// Irradiance to start from, W/m², n x k; empty: darkness. Costs one product. Of a problem that
+  /// is much the same, its solution's. Unlit columns start from darkness all the same.
+  Eigen::MatrixXd start = {};
+  /// Called at the beginning and after each step, of Southwell after each shot. A column that has
+  /// converged waits for the others.
+  std::function<void(const SolveStep&)> on_step = {};
   Progress progress = {};
 };
 
@@ -63,9 +81,11 @@ struct Solution {
 /// one, then of the next) share a solve. The bound is ‖ΔB‖ <= ρ_max^½ ‖ρ^-½ r‖ / (1 - q) with a
 /// proved bound q < 1 on the spectral radius of ρ F, usually ρ_max or less; where white patches (ρ
 /// = 1) prevent a proof, the iteration ends at the residual that is asked for and `converged` is
-/// false. Throws SolveError if the sizes do not fit, a value is not finite, negative or a
-/// reflectance above 1, or if no solution exists (ρ = 1 on all patches of a closed room that is
-/// lit); Interrupted.
+/// false. From darkness, patches that no light can reach stay exactly 0; another start may leave
+/// its rounding errors there, and its light in closed white rooms that are not lit, for which no
+/// bound is proved. Throws SolveError if the sizes do not fit, a value is not finite, negative (but
+/// for the start) or a reflectance above 1, or if no solution exists (ρ = 1 on all patches of a
+/// closed room that is lit); Interrupted.
 Solution solve(const Transport& transport, const Eigen::MatrixXd& exitance,
                const Eigen::MatrixXd& reflectance, const SolveOptions& options = {});
 

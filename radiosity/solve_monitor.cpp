@@ -5,17 +5,24 @@
 
 namespace radiosity {
 
-void SolveMonitor::step(int steps, double products, double error_bound) {
-  const double whole_before = std::floor(products_);
+void SolveMonitor::show(int steps, double products, double error_bound,
+                        const StepFields& fields) const {
+  if (!is_watched()) return;
+  options_.on_step({.iteration = iterations_ + steps,
+                    .products = products_ + products,
+                    .error_bound = error_bound,
+                    .radiosity = fields.radiosity,
+                    .unshot = fields.unshot});
+}
+
+void SolveMonitor::step(int steps, double products, double error_bound, const StepFields& fields) {
   products_ += products;
   iterations_ += steps;
   if (error_bound < 0.99 * best_bound_) {
     best_bound_ = error_bound;
     best_products_ = products_;
   }
-  if (options_.observer && std::floor(products_) > whole_before) {
-    options_.observer(static_cast<int>(products_), error_bound);
-  }
+  show(0, 0, error_bound, fields);
   if (options_.progress.report && std::isfinite(error_bound) && error_bound > 0) {
     if (first_bound_ == 0) {
       first_bound_ = error_bound;

@@ -1,12 +1,20 @@
 #pragma once
 
+#include <Eigen/Core>
+#include <functional>
 #include <limits>
 
 #include "radiosity/solve.h"
 
 namespace radiosity {
 
-/// Counts products, tells observer and progress bar, and learns when to stop. Of one solve.
+/// What SolveStep offers to work out.
+struct StepFields {
+  std::function<Eigen::MatrixXd()> radiosity;
+  std::function<Eigen::MatrixXd()> unshot;
+};
+
+/// Counts products, tells watcher and progress bar, and learns when to stop. Of one solve.
 class SolveMonitor {
  public:
   explicit SolveMonitor(const SolveOptions& options) : options_(options) {}
@@ -14,8 +22,11 @@ class SolveMonitor {
   /// Counts work outside the iteration proper (products).
   void spend(double products) { products_ += products; }
   /// Counts one or more steps of the method that cost `products` and left the relative bound
-  /// `error_bound`, and reports them. Throws Interrupted if asked to stop.
-  void step(int steps, double products, double error_bound);
+  /// `error_bound`, reports and shows them. Throws Interrupted if asked to stop.
+  void step(int steps, double products, double error_bound, const StepFields& fields);
+  /// Shows the watcher where the iteration stands `steps` and `products` after what is counted.
+  void show(int steps, double products, double error_bound, const StepFields& fields) const;
+  [[nodiscard]] bool is_watched() const { return static_cast<bool>(options_.on_step); }
   /// Throws Interrupted if asked to stop.
   void check() const { options_.progress.check(); }
 
@@ -25,6 +36,7 @@ class SolveMonitor {
     const bool is_stuck = products_ > 2 * best_products_ + kPatience;
     return products_ + products <= options_.max_products && !is_stuck;
   }
+  [[nodiscard]] const Eigen::MatrixXd& start() const { return options_.start; }
   [[nodiscard]] double tolerance() const { return options_.tolerance; }
   [[nodiscard]] double products() const { return products_; }
   [[nodiscard]] int iterations() const { return iterations_; }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "support/direct_solve.h"
+#include "support/every_method.h"
 #include "support/matrix_transport.h"
 
 namespace radiosity {
@@ -25,9 +26,6 @@ using testing::with_method;
 
 constexpr std::uint64_t kSeed = 20240607;
 
-constexpr Method kMethods[] = {Method::conjugate_gradients, Method::jacobi, Method::gauss_seidel,
-                               Method::southwell, Method::chebyshev};
-
 nlohmann::json known_case(const std::string& name_part) {
   std::ifstream file(RADIOSITY_TEST_DATA "/form-factors.json");
   const nlohmann::json known = nlohmann::json::parse(file);
@@ -41,13 +39,8 @@ double number(const nlohmann::json& text) { return std::stod(text.get<std::strin
 
 class EveryMethod : public ::testing::TestWithParam<Method> {};
 
-std::string test_name(const ::testing::TestParamInfo<Method>& info) {
-  std::string name(method_name(info.param));
-  std::erase(name, '-');
-  return name;
-}
-
-INSTANTIATE_TEST_SUITE_P(Solve, EveryMethod, ::testing::ValuesIn(kMethods), test_name);
+INSTANTIATE_TEST_SUITE_P(Solve, EveryMethod, ::testing::ValuesIn(testing::kMethods),
+                         testing::method_test_name);
 
 TEST(Solve, MethodsHaveTheirNames) {
   EXPECT_EQ(method_name(Method::conjugate_gradients), "cg");
@@ -225,29 +218,29 @@ TEST_P(EveryMethod, ReportsAndStops) {
   const DenseTestTransport transport = testing::random_closed(20, random);
   const Eigen::MatrixXd exitance = random_matrix(20, 1, 0, 1, random);
   const Eigen::MatrixXd reflectance = random_matrix(20, 1, 0.5, 0.9, random);
-  std::vector<int> products;
-  std::vector<double> bounds;
+  std::vector<SolveStep> steps;
   std::string stage;
   SolveOptions options = with_method(GetParam());
-  options.observer = [&](int product, double bound) {
-    products.push_back(product);
-    bounds.push_back(bound);
-  };
+  options.on_step = [&](const SolveStep& step) { steps.push_back(step); };
   options.progress.report = [&](std::string_view name, double done, double total,
                                 std::string_view unit) {
     stage = std::string(name) + "/" + std::string(unit);
     EXPECT_LE(done, total * (1 + 1e-12));
   };
   solve(transport, exitance, reflectance, options);
-  ASSERT_GE(products.size(), 3u);
-  for (std::size_t k = 1; k < products.size(); ++k) EXPECT_EQ(products[k], products[k - 1] + 1);
-  EXPECT_LT(bounds.back(), 1e-6);
+  ASSERT_GE(steps.size(), 3u);
+  const double work = GetParam() == Method::southwell ? 1. / 20 : 1;  // of a step, products
+  for (std::size_t k = 0; k < steps.size(); ++k) {
+    EXPECT_EQ(steps[k].iteration, static_cast<int>(k));
+    EXPECT_NEAR(steps[k].products, 1 + work * static_cast<double>(k), 1e-9);
+  }
+  EXPECT_LT(steps.back().error_bound, 1e-6);
   EXPECT_EQ(stage, "solve/products");
 
   std::stop_source source;
-  options.observer = [&](int product, double) {
-    if (product == products[1]) source.request_stop();
-    EXPECT_LE(product, products[1]);
+  options.on_step = [&](const SolveStep& step) {
+    if (step.iteration == 1) source.request_stop();
+    EXPECT_LE(step.iteration, 1);
   };
   options.progress.stop = source.get_token();
   EXPECT_THROW(solve(transport, exitance, reflectance, options), Interrupted);
@@ -386,7 +379,7 @@ TEST(Solve, TrappedLightHasNoSolution) {
   std::mt19937_64 random(kSeed);
   const DenseTestTransport room = testing::random_closed(12, random);
   const Eigen::MatrixXd ones = Eigen::MatrixXd::Ones(12, 1);
-  for (const Method method : kMethods) {
+  for (const Method method : testing::kMethods) {
     EXPECT_THROW(solve(room, ones, ones, with_method(method)), SolveError);
   }
   try {

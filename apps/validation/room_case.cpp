@@ -57,7 +57,7 @@ void check_room(CaseResult& result, Plot& plot, const std::string& name,
   for (Index c = 0; c < n_columns; ++c) reflectance.col(c).setConstant(kReflectances[c]);
   const Solution solution =
       solve(*room.transport, exitance.replicate(1, n_columns), reflectance,
-            {.tolerance = kAskedOfSolver, .observer = {}, .progress = progress});
+            {.tolerance = kAskedOfSolver, .on_step = {}, .progress = progress});
   const Eigen::VectorXd direct = room.transport->apply(exitance);
   Series mean{name + ": mean", Series::Style::markers};
   Series law{"Φρ/(S(1-ρ))", Series::Style::line};

@@ -29,7 +29,7 @@ void check_single(CaseResult& result, const Assembly& box, const Solution& all, 
   }
   const Index c = found - wavelengths.begin();
   const Solution alone = solve(*box.transport, all.exitance.col(c), all.reflectance.col(c),
-                               {.tolerance = kAskedOfSolver, .observer = {}, .progress = progress});
+                               {.tolerance = kAskedOfSolver, .on_step = {}, .progress = progress});
   const Eigen::VectorXd root = areas(box.mesh).cwiseSqrt();
   const double difference =
       (all.radiosity.col(c) - alone.radiosity.col(0)).cwiseProduct(root).norm() /
@@ -91,7 +91,7 @@ CaseResult run_spectral(const Context& context) {
     throw SceneError(fmt::format("{}: expected bands by wavelength", path.string()));
   }
   const Solution all =
-      solve_own_light(box, {.tolerance = kAskedOfSolver, .observer = {}, .progress = quiet});
+      solve_own_light(box, {.tolerance = kAskedOfSolver, .on_step = {}, .progress = quiet});
   CaseResult result{.compared = fmt::format(
                         "The Cornell box with its measured spectra, {} bands solved together, "
                         "{} patches.",

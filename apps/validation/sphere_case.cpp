@@ -67,7 +67,7 @@ Facetted measure(int level, const Context& context) {
   const Eigen::VectorXd exitance = smooth_exitance(room.mesh);
   const Solution solution =
       solve(*room.transport, exitance, Eigen::MatrixXd::Constant(area.size(), 1, kRho),
-            {.observer = {}, .progress = quiet});
+            {.on_step = {}, .progress = quiet});
   const double mean = area.dot(exitance) / area.sum();
   const Eigen::VectorXd expected = exitance.array() + kRho / (1 - kRho) * mean;
   const Eigen::VectorXd error = (solution.radiosity.col(0) - expected) * (1 - kRho) / mean;
@@ -98,7 +98,7 @@ void check_open_sphere(CaseResult& result, const KnownFactor& known, const Conte
   const Progress quiet{.report = {}, .stop = context.progress.stop};
   const Assembly bowl =
       assemble(std::move(scene), {}, {.tolerance = 1e-4, .seed = context.seed, .progress = quiet});
-  const Solution solution = solve_own_light(bowl, {.observer = {}, .progress = quiet});
+  const Solution solution = solve_own_light(bowl, {.on_step = {}, .progress = quiet});
   // The opening is as large as the facets that are gone, not quite the share in the file.
   const double expected = 1 / (1 - rho * left / all);
   const Facets facets = measure_facets(bowl.mesh);
