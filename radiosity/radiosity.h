@@ -36,6 +36,7 @@
 #include "radiosity/final_gather.h"
 #include "radiosity/gathered_picture.h"
 #include "radiosity/geometry.h"
+#include "radiosity/importance.h"
 #include "radiosity/parallel.h"
 #include "radiosity/patch_mesh.h"
 #include "radiosity/point_factors.h"
