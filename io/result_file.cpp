@@ -19,7 +19,7 @@ void write(const std::filesystem::path& path, const radiosity::PatchMesh& mesh,
   assert(solution.radiosity.rows() == mesh.size());
   const std::string extension = lower_case_extension(path);
   if (extension == ".vtp") {
-    write_polydata(path, *make_polydata(mesh, solution, options.quantities));
+    write_polydata(path, *make_polydata(mesh, solution, options.quantities, options.wavelengths));
   } else if (extension == ".csv") {
     write_patch_csv(path, mesh, solution, options.quantities);
   } else if (extension == ".ply") {

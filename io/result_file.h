@@ -12,8 +12,8 @@ namespace io {
 
 /// What a result file needs to know beyond the solution.
 struct ResultOptions {
-  /// Wavelengths of the bands, nm, increasing, for the colours of a .ply; empty: three bands are
-  /// linear RGB, any other number shows as grey.
+  /// Wavelengths of the bands, nm, increasing, for the colours of a .ply and for who reads a .vtp;
+  /// empty: three bands are linear RGB, any other number shows as grey.
   std::vector<double> wavelengths = {};
   /// Added to every file: after the columns of a .csv (`name`, per band `name_0`..), as arrays of a
   /// .vtp. The first one, its mean over the bands, colours a .ply through `fitting_scale` and
@@ -22,7 +22,8 @@ struct ResultOptions {
 };
 
 /// Writes a solution by extension: .vtp (ParaView: cell arrays radiosity, irradiance, exitance,
-/// reflectance, surface, polygon, area, radiosity_error, net_flux), .csv (one row per patch, header
+/// reflectance, surface, polygon, area, radiosity_error, net_flux, twin, family, and what else
+/// `read_result` needs), .csv (one row per patch, header
 /// patch,surface,polygon,x,y,z,area,B_0..,H_0..,error_0..,net_0..) or .ply (smooth vertex colours,
 /// sRGB). The file is written beside and renamed into place, so there is never half a file. Throws
 /// OutputError naming the file if it cannot be written or the extension is none of these.

@@ -16,6 +16,7 @@
 #include <array>
 #include <cassert>
 #include <fstream>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -69,18 +70,62 @@ void add_array(vtkPolyData& polydata, const char* name, const std::vector<std::i
   polydata.GetCellData()->AddArray(array);
 }
 
-void add_surface_names(vtkPolyData& polydata, const std::vector<std::string>& names) {
+void add_field(vtkPolyData& polydata, const char* name, const std::vector<std::string>& texts) {
   vtkNew<vtkStringArray> array;
-  array->SetName("surface_names");
-  for (const std::string& name : names) array->InsertNextValue(name);
+  array->SetName(name);
+  for (const std::string& text : texts) array->InsertNextValue(text);
   polydata.GetFieldData()->AddArray(array);
+}
+
+void add_field(vtkPolyData& polydata, const char* name, const std::vector<int>& values) {
+  vtkNew<vtkIntArray> array;
+  array->SetName(name);
+  for (const int value : values) array->InsertNextValue(value);
+  polydata.GetFieldData()->AddArray(array);
+}
+
+void add_field(vtkPolyData& polydata, const char* name, std::span<const double> values) {
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  for (const double value : values) array->InsertNextValue(value);
+  polydata.GetFieldData()->AddArray(array);
+}
+
+void add_bands(vtkPolyData& polydata, Index n_bands, const std::vector<double>& wavelengths) {
+  if (!wavelengths.empty()) {
+    assert(static_cast<Index>(wavelengths.size()) == n_bands);
+    add_field(polydata, "bands", {"wavelengths"});
+    add_field(polydata, "wavelengths", std::span(wavelengths));
+  } else if (n_bands == 1 || n_bands == 3) {
+    add_field(polydata, "bands", {n_bands == 1 ? "grey" : "rgb"});
+  }
+}
+
+/// What the solver says of the whole. Not its time, so that equal solutions give equal files.
+void add_solve_report(vtkPolyData& polydata, const Solution& solution) {
+  const auto add_number = [&](const char* name, double value) {
+    add_field(polydata, name, std::span(&value, 1));
+  };
+  const auto add_energy = [&](const char* name, const Eigen::VectorXd& watts) {
+    if (watts.size() > 0) add_field(polydata, name, std::span(watts.data(), watts.size()));
+  };
+  add_energy("energy_emitted", solution.energy.emitted);
+  add_energy("energy_absorbed", solution.energy.absorbed);
+  add_energy("energy_escaped", solution.energy.escaped);
+  add_field(polydata, "solve_method", {std::string(method_name(solution.method))});
+  add_field(polydata, "solve_iterations", std::vector{solution.iterations});
+  add_field(polydata, "solve_converged", std::vector{static_cast<int>(solution.converged)});
+  add_number("solve_products", solution.products);
+  add_number("solve_residual", solution.residual);
+  add_number("solve_error_bound", solution.error_bound);
+  add_number("transport_error_bound", solution.transport_error_bound);
 }
 
 }  // namespace
 
-vtkSmartPointer<vtkPolyData> make_polydata(
-    const PatchMesh& mesh, const Solution& solution,
-    const std::vector<radiosity::QuantityField>& quantities) {
+vtkSmartPointer<vtkPolyData> make_polydata(const PatchMesh& mesh, const Solution& solution,
+                                           const std::vector<radiosity::QuantityField>& quantities,
+                                           const std::vector<double>& wavelengths) {
   auto polydata = vtkSmartPointer<vtkPolyData>::New();
   polydata->SetPoints(make_points(mesh));
   polydata->SetPolys(make_polygons(mesh));
@@ -93,10 +138,17 @@ vtkSmartPointer<vtkPolyData> make_polydata(
   add_array(*polydata, "surface", mesh.surface);
   add_array(*polydata, "polygon", mesh.polygon);
   add_array(*polydata, "net_flux", solution.net_flux());
+  add_array(*polydata, "twin", mesh.twin);
+  add_array(*polydata, "family", mesh.family);
   for (const radiosity::QuantityField& quantity : quantities) {
     add_array(*polydata, std::string(quantity.info.column).c_str(), quantity.values);
   }
-  add_surface_names(*polydata, mesh.surface_names);
+  add_field(*polydata, "surface_names", mesh.surface_names);
+  add_field(*polydata, "surface_two_sided",
+            std::vector<int>(mesh.surface_two_sided.begin(), mesh.surface_two_sided.end()));
+  add_field(*polydata, "radiosity_version", std::vector{kResultVersion});
+  add_bands(*polydata, solution.radiosity.cols(), wavelengths);
+  add_solve_report(*polydata, solution);
   polydata->GetCellData()->SetActiveScalars("radiosity");
   return polydata;
 }

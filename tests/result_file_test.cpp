@@ -184,14 +184,16 @@ TEST_F(ResultFileTest, VtpHoldsTheArraysOfTheSolution) {
       }
     }
   }
-  for (const auto& [name, values] :
-       {std::pair("surface", mesh.surface), std::pair("polygon", mesh.polygon)}) {
+  for (const auto& [name, values] : {std::pair("surface", mesh.surface),
+                                     {"polygon", mesh.polygon},
+                                     {"twin", mesh.twin},
+                                     {"family", mesh.family}}) {
     vtkDataArray* array = cells.GetArray(name);
     ASSERT_NE(array, nullptr) << name;
     EXPECT_EQ(array->GetDataType(), VTK_INT) << name;
     for (Index i = 0; i < mesh.size(); ++i) EXPECT_EQ(array->GetComponent(i, 0), values[i]);
   }
-  EXPECT_EQ(cells.GetNumberOfArrays(), 9);
+  EXPECT_EQ(cells.GetNumberOfArrays(), 11);
   const auto* names =
       vtkStringArray::SafeDownCast(polydata->GetFieldData()->GetAbstractArray("surface_names"));
   ASSERT_NE(names, nullptr);
