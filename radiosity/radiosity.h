@@ -46,6 +46,7 @@
 #include "radiosity/render.h"
 #include "radiosity/sampled_destinations.h"
 #include "radiosity/scene.h"
+#include "radiosity/shooting_preview.h"
 #include "radiosity/solve.h"
 #include "radiosity/streamed_factors.h"
 #include "radiosity/surface_factors.h"
