@@ -9,7 +9,6 @@
 #include <vtkXMLPolyDataReader.h>
 
 #include <algorithm>
-#include <fstream>
 #include <mutex>
 #include <new>
 #include <stdexcept>
@@ -17,6 +16,7 @@
 #include <string_view>
 
 #include "io/line_reader.h"
+#include "io/vtp_check.h"
 
 namespace io {
 namespace {
@@ -71,38 +71,10 @@ struct FirstError {
   }
 };
 
-/// VTK takes a file whose end is missing for one without those data.
-void check_end(const std::filesystem::path& path) {
-  const std::uint64_t size = input_size(path);
-  std::ifstream stream(path, std::ios::binary);
-  constexpr std::uint64_t kTail = 256;
-  std::string tail(std::min(size, kTail), '\0');
-  stream.seekg(static_cast<std::streamoff>(size - tail.size()));
-  stream.read(tail.data(), static_cast<std::streamsize>(tail.size()));
-  if (!stream) fail(path, "cannot be read");
-  if (tail.find("</VTKFile>") == std::string::npos) {
-    fail(path, "ends before its </VTKFile>: it was cut off, or is no .vtp file");
-  }
-}
-
-void check_start(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  std::string head(1024, '\0');
-  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(stream.gcount()));
-  const auto tag = head.find("<VTKFile");
-  if (tag == std::string::npos) fail(path, "is not a .vtp file (VTK XML)");
-  if (head.find("\"PolyData\"", tag) == std::string::npos) {
-    fail(path, "is a VTK file of another kind, expected PolyData (.vtp)");
-  }
-}
-
 }  // namespace
 
 vtkSmartPointer<vtkPolyData> read_polydata(const std::filesystem::path& path) {
-  (void)input_size(path);
-  check_start(path);
-  check_end(path);
+  check_vtp(path);
   const Silence silence;
   FirstError error;
   vtkNew<vtkCallbackCommand> observer;

@@ -316,4 +316,26 @@ TEST_F(ResultReader, RefusesFilesThatWereCutOff) {
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
+/// With a byte changed anywhere, a file opens or is refused in one line.
+TEST_F(ResultReader, SurvivesChangedBytes) {
+  const PatchMesh mesh = make_mesh();
+  io::write(folder() / "out.vtp", mesh, make_solution(mesh, 3));
+  const std::string whole = file_bytes(folder() / "out.vtp");
+  std::mt19937_64 random(1);
+  testing::internal::CaptureStderr();
+  int n_refused = 0;
+  for (int i = 0; i < 1000; ++i) {
+    write_bytes(folder() / "flip.vtp", test::with_flip(whole, 0, whole.size(), random));
+    n_refused += test::outcome<SceneError>(
+                     folder() / "flip.vtp",
+                     [](const auto& file) {
+                       (void)io::read_result(file);
+                     }).empty()
+                     ? 0
+                     : 1;
+  }
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  EXPECT_GT(n_refused, 500);
+}
+
 }  // namespace
