@@ -4,74 +4,29 @@
 #include <hdf5.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "io/atomic_file.h"
+#include "io/hdf5_file.h"
 #include "radiosity/error.h"
 
 namespace io {
 namespace {
 
+using hdf5::Handle;
+using hdf5::HdfError;
+using hdf5::type_of;
 using radiosity::Index;
 
-/// Version of the layout, to be raised when it changes.
-constexpr std::int64_t kVersion = 1;
 constexpr const char* kFingerprint = "fingerprint";
 /// Entries that are collected before they are written.
 constexpr hsize_t kChunk = 1 << 16;
 
-/// What HDF5 could not do, before the file's name is put to it.
-struct HdfError : radiosity::OutputError {
-  using radiosity::OutputError::OutputError;
-};
-
-/// Closes an HDF5 handle.
-class Handle {
- public:
-  using Close = herr_t (*)(hid_t);
-  Handle(hid_t id, Close close) : id_(id), close_(close) {
-    if (id_ < 0) throw HdfError("HDF5 cannot make an object");
-  }
-  ~Handle() {
-    if (id_ >= 0) close_(id_);
-  }
-  Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
-  Handle(const Handle&) = delete;
-  Handle& operator=(const Handle&) = delete;
-  operator hid_t() const { return id_; }  // NOLINT(google-explicit-constructor): for the C calls
-
- private:
-  hid_t id_;
-  Close close_;
-};
-
-void prepare_library() {
-  // What a full disk leaves open cannot be flushed at the end of the program either: HDF5 1.10 then
-  // crashes in the attempt.
-  H5dont_atexit();
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors are ours to tell
-}
-
 void require(herr_t status) {
   if (status < 0) throw HdfError("HDF5 cannot write (is the disk full?)");
-}
-
-template <typename T>
-hid_t type_of();
-template <>
-hid_t type_of<double>() {
-  return H5T_NATIVE_DOUBLE;
-}
-template <>
-hid_t type_of<std::int32_t>() {
-  return H5T_NATIVE_INT32;
-}
-template <>
-hid_t type_of<std::int64_t>() {
-  return H5T_NATIVE_INT64;
 }
 
 /// How datasets are made: without the time, so that equal content makes equal files.
@@ -167,21 +122,31 @@ class GrowingDataset {
   hsize_t size_ = 0;
 };
 
+std::vector<double> flat(const std::vector<radiosity::Vec3>& points) {
+  std::vector<double> values;
+  for (const radiosity::Vec3& point : points) {
+    values.insert(values.end(), point.data(), point.data() + 3);
+  }
+  return values;
+}
+
+std::vector<std::int32_t> flat(const std::vector<std::array<std::int32_t, 4>>& corners) {
+  std::vector<std::int32_t> values;
+  for (const auto& patch : corners) values.insert(values.end(), patch.begin(), patch.end());
+  return values;
+}
+
 void write_patches(hid_t file, const radiosity::PatchMesh& mesh) {
   const Handle group(H5Gcreate2(file, "patches", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
   const auto n = static_cast<hsize_t>(mesh.size());
-  const auto flat = [](const std::vector<radiosity::Vec3>& points) {
-    std::vector<double> values;
-    for (const radiosity::Vec3& point : points) {
-      values.insert(values.end(), point.data(), point.data() + 3);
-    }
-    return values;
-  };
   write_dataset(group, "area", mesh.area, {n});
   write_dataset(group, "centroid", flat(mesh.centroid), {n, 3});
   write_dataset(group, "normal", flat(mesh.normal), {n, 3});
   write_dataset(group, "surface", mesh.surface, {n});
   write_dataset(group, "polygon", mesh.polygon, {n});
+  write_dataset(group, "corners", flat(mesh.corners), {n, 4});
+  write_dataset(group, "twin", mesh.twin, {n});
+  write_dataset(file, "vertices", flat(mesh.vertices), {mesh.vertices.size(), 3});
 }
 
 void write_rows(hid_t file, const FormFactorRows& rows) {
@@ -211,7 +176,7 @@ void write_rows(hid_t file, const FormFactorRows& rows) {
 void write_file(const std::filesystem::path& path, const radiosity::PatchMesh& mesh,
                 const FormFactorRows& rows, const FormFactorFileOptions& options) {
   const Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
-  write_attribute(file, "version", kVersion);
+  write_attribute(file, "version", kFormFactorVersion);
   write_attribute(file, "tolerance", options.tolerance);
   write_attribute(file, "min_factor", options.min_factor);
   write_attribute(file, "closed", static_cast<std::int32_t>(rows.report.closed));
@@ -219,6 +184,10 @@ void write_file(const std::filesystem::path& path, const radiosity::PatchMesh& m
   write_patches(file, mesh);
   const Handle group(H5Gcreate2(file, "surfaces", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
   write_names(group, "name", mesh.surface_names);
+  write_dataset(
+      group, "two_sided",
+      std::vector<std::int32_t>(mesh.surface_two_sided.begin(), mesh.surface_two_sided.end()),
+      {mesh.surface_two_sided.size()});
   const Eigen::VectorXd& sums = rows.report.row_sums;
   write_dataset(file, "closure", std::vector<double>(sums.data(), sums.data() + sums.size()),
                 {static_cast<hsize_t>(sums.size())});
@@ -230,7 +199,7 @@ void write_file(const std::filesystem::path& path, const radiosity::PatchMesh& m
 
 void write_form_factors(const std::filesystem::path& path, const radiosity::PatchMesh& mesh,
                         const FormFactorRows& rows, const FormFactorFileOptions& options) {
-  prepare_library();
+  hdf5::prepare_library();
   write_atomically(path, [&](const std::filesystem::path& temporary) {
     try {
       write_file(temporary, mesh, rows, options);
@@ -252,13 +221,18 @@ void write_form_factors(const std::filesystem::path& path, const radiosity::Patc
 }
 
 std::optional<std::string> read_fingerprint(const std::filesystem::path& path) {
-  prepare_library();
+  hdf5::prepare_library();
   const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   if (id < 0) return std::nullopt;
   const Handle file(id, H5Fclose);
   if (H5Aexists(file, kFingerprint) <= 0) return std::nullopt;
   const Handle attribute(H5Aopen(file, kFingerprint, H5P_DEFAULT), H5Aclose);
   const Handle type(H5Aget_type(attribute), H5Tclose);
+  constexpr std::size_t kLongest = 1 << 12;  // one that we wrote is 16 bytes long
+  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0 ||
+      H5Tget_size(type) > kLongest) {
+    return std::nullopt;
+  }
   std::string text(H5Tget_size(type), '\0');
   if (H5Aread(attribute, type, text.data()) < 0) return std::nullopt;
   return text;

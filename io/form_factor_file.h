@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -10,6 +11,9 @@
 #include "radiosity/transport.h"
 
 namespace io {
+
+/// Version of the layout, to be raised when an older reader would misread it.
+inline constexpr std::int64_t kFormFactorVersion = 1;
 
 /// Form factors as a file takes them: row by row.
 struct FormFactorRows {
@@ -26,10 +30,12 @@ struct FormFactorFileOptions {
 
 /// Writes form factors to an HDF5 file: /form_factors/{data,indices,indptr}, the CSR form of F
 /// (float64, int64), so that scipy.sparse.csr_matrix((data, indices, indptr)) works as it is;
-/// /form_factors/error, one sigma of each entry; /patches/{area,centroid,normal,surface,polygon};
-/// /surfaces/name; /closure, the raw row sums before any correction; attributes tolerance,
-/// min_factor, closed, fingerprint, version. Written beside and renamed into place. The same input
-/// gives the same bytes. Throws OutputError (a full disk, say), Interrupted.
+/// /form_factors/error, one sigma of each entry; /patches/{area,centroid,normal,surface,polygon,
+/// corners,twin} (corners: n x 4 indices into /vertices, the last one -1 for a triangle; twin: -1
+/// or the patch that is the back); /vertices, m x 3, m; /surfaces/{name,two_sided}; /closure, the
+/// raw row sums before any correction; attributes tolerance, min_factor, closed, fingerprint,
+/// version. Written beside and renamed into place. The same input gives the same bytes. Throws
+/// OutputError (a full disk, say), Interrupted.
 void write_form_factors(const std::filesystem::path& path, const radiosity::PatchMesh& mesh,
                         const FormFactorRows& rows, const FormFactorFileOptions& options = {});
 

@@ -81,7 +81,10 @@ class VtpCheck {
     const std::size_t appended = head_.find(kAppended);
     if (appended == std::string::npos) return;
     const std::string_view tag = find_tag(kAppended, appended);
-    if (attribute(tag, "encoding") != "raw") return;
+    const auto encoding = attribute(tag, "encoding");
+    if (encoding != "raw" && encoding != "base64") damaged("unknown encoding");
+    has_data_ = true;
+    if (encoding != "raw") return;
     const std::size_t start = head_.find('_', appended + tag.size());
     if (tag.empty() || start == std::string::npos) damaged("its data have no beginning");
     data_ = start + 1;
@@ -97,7 +100,9 @@ class VtpCheck {
       if (std::find(kTypes.begin(), kTypes.end(), type) == kTypes.end()) {
         damaged(fmt::format("array \"{}\" has the type \"{}\"", label, type));
       }
-      if (attribute(tag, "format") != "appended" || data_ == 0) continue;
+      if (attribute(tag, "format") != "appended") continue;
+      if (!has_data_) damaged(fmt::format("the data of array \"{}\" are missing", label));
+      if (data_ == 0) continue;
       const auto offset = parse_number<std::uint64_t>(attribute(tag, "offset").value_or(""));
       if (!offset || *offset >= size_ || !is_block(data_ + *offset)) {
         damaged(fmt::format("the data of array \"{}\" are not where they should be", label));
@@ -174,6 +179,7 @@ class VtpCheck {
   std::string compressor_;
   std::endian order_ = std::endian::little;
   std::size_t word_ = 4;    // bytes of a length
+  bool has_data_ = false;   // appended, raw or not
   std::uint64_t data_ = 0;  // where raw appended data start; 0 = there are none
 };
 
