@@ -93,23 +93,34 @@ void ExchangeTiles::set_row_sums(const Eigen::VectorXd& sums) {
   diagonal_ = sums - row_sums();
 }
 
-Eigen::MatrixXd ExchangeTiles::product(const Eigen::MatrixXd& x) const {
-  const auto add_tile = [this](Index row_strip, Index column_strip, const RowBlock& block,
-                               RowBlock& sum) {
+template <typename Block>
+Eigen::MatrixXd ExchangeTiles::product_by(const Eigen::MatrixXd& x) const {
+  constexpr Index kColumns = Block::ColsAtCompileTime;
+  const auto add_tile = [this](Index row_strip, Index column_strip, const Block& block,
+                               Block& sum) {
     const Tile& tile = tiles_[Strips::tile(row_strip, column_strip)];
     const Index row = strips_.begin(row_strip);
     const Index column = strips_.begin(column_strip);
-    RowBlock unused;
-    if (row_strip == column_strip) unused = RowBlock::Zero(strips_.rows(row_strip), block.cols());
+    Block unused;
+    if (row_strip == column_strip) unused = Block::Zero(strips_.rows(row_strip), kColumns);
     double* below = row_strip == column_strip ? unused.data() : sum.row(column).data();
     const TileShape shape{strips_.rows(row_strip), strips_.rows(column_strip)};
     const double* x_rows = block.row(row).data();
     const double* x_columns = block.row(column).data();
     double* above = sum.row(row).data();
-    if (tile.single) multiply_tile(tile.single.get(), shape, x_rows, x_columns, above, below);
-    if (tile.twice) multiply_tile(tile.twice.get(), shape, x_rows, x_columns, above, below);
+    const auto multiply = [&](const auto* entries) {
+      multiply_tile<kColumns>(entries, shape, x_rows, x_columns, above, below);
+    };
+    if (tile.single) multiply(tile.single.get());
+    if (tile.twice) multiply(tile.twice.get());
   };
-  Eigen::MatrixXd result = sum_over_tiles<RowBlock>(strips_, x, add_tile);
+  return sum_over_tiles<Block>(strips_, x, add_tile);
+}
+
+Eigen::MatrixXd ExchangeTiles::product(const Eigen::MatrixXd& x) const {
+  Eigen::MatrixXd result = x.cols() <= kFewProductColumns
+                               ? product_by<RowsOf<kFewProductColumns>>(x)
+                               : product_by<RowBlock>(x);
   result.noalias() += diagonal_.asDiagonal() * x;
   return result;
 }

@@ -58,6 +58,9 @@ class ExchangeTiles final : public UncertainExchange {
 
   template <typename Change>
   void change_uncertain(const Change& change);
+  /// `product` without the diagonal, so many columns at once as a Block has.
+  template <typename Block>
+  [[nodiscard]] Eigen::MatrixXd product_by(const Eigen::MatrixXd& x) const;
   template <typename Term>
   [[nodiscard]] Eigen::MatrixXd sum_entries(const Eigen::MatrixXd& x, const Term& term) const;
   void store(Tile& tile, const Eigen::MatrixXd& values) const;

@@ -135,21 +135,24 @@ IrradianceSystem make_irradiance_system(const Transport& transport, const Eigen:
                                         const Eigen::MatrixXd& reflectance, SolveMonitor& monitor) {
   const Index n = exitance.rows();
   const Index n_bands = reflectance.cols();
-  Eigen::MatrixXd fields(n, 1 + n_bands + exitance.cols());
-  fields << Eigen::VectorXd::Ones(n), reflectance, exitance;
+  IrradianceSystem system;
+  system.transport = &transport;
+  system.exitance = exitance;
+  system.reflectance = reflectance;
+  const Index n_start = monitor.start().size() > 0 ? monitor.start().cols() : 0;
+  Eigen::MatrixXd fields(n, 1 + n_bands + exitance.cols() + n_start);
+  fields.leftCols(1 + n_bands + exitance.cols()) << Eigen::VectorXd::Ones(n), reflectance, exitance;
+  if (n_start > 0) fields.rightCols(n_start) = system.passed_on(monitor.start());
   // Reflectances and sources of few materials, however many bands: known to rounding all the same.
   const Eigen::MatrixXd gathered =
       compressed_product(transport, fields, kRounding * energy_norms(transport, fields));
   monitor.spend(1);
   monitor.check();
 
-  IrradianceSystem system;
-  system.transport = &transport;
-  system.exitance = exitance;
-  system.reflectance = reflectance;
   system.row_sums = gathered.col(0);
   system.seen_reflectance = gathered.middleCols(1, n_bands);
-  system.direct = gathered.rightCols(exitance.cols());
+  system.direct = gathered.middleCols(1 + n_bands, exitance.cols());
+  system.reflected_start = gathered.rightCols(n_start);
   system.largest_reflectance = reflectance.colwise().maxCoeff().transpose();
   system.contraction.resize(n_bands);
   for (Index band = 0; band < n_bands; ++band) {
@@ -173,22 +176,14 @@ IrradianceSystem with_exitance(const IrradianceSystem& system, const Eigen::Matr
   return result;
 }
 
-Iterate first_iterate(const IrradianceSystem& system, SolveMonitor& monitor) {
-  const Eigen::MatrixXd& start = monitor.start();
+Iterate first_iterate(const IrradianceSystem& system, const SolveMonitor& monitor) {
   Iterate iterate{Eigen::MatrixXd::Zero(system.size(), system.n_columns()), system.direct};
-  if (start.size() == 0 || !monitor.may_spend(1)) return iterate;
-  // Without light the solution is darkness, which no relative error allows to approach.
-  std::vector<Index> lit;
+  if (monitor.start().size() == 0) return iterate;
   for (Index c = 0; c < system.n_columns(); ++c) {
-    if (!system.exitance.col(c).isZero(0)) lit.push_back(c);
-  }
-  if (lit.empty()) return iterate;
-  const Eigen::MatrixXd reflected = system.reflect(start, lit);
-  monitor.spend(1);
-  monitor.check();
-  for (std::size_t a = 0; a < lit.size(); ++a) {
-    iterate.irradiance.col(lit[a]) = start.col(lit[a]);
-    iterate.gathered.col(lit[a]) += reflected.col(static_cast<Index>(a));
+    // Without light the solution is darkness, which no relative error allows to approach.
+    if (system.exitance.col(c).isZero(0)) continue;
+    iterate.irradiance.col(c) = monitor.start().col(c);
+    iterate.gathered.col(c) += system.reflected_start.col(c);
   }
   return iterate;
 }

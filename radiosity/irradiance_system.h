@@ -32,6 +32,7 @@ struct IrradianceSystem {
   Eigen::MatrixXd exitance;             ///< M_e, n x k
   Eigen::MatrixXd reflectance;          ///< ρ, n x b
   Eigen::MatrixXd direct;               ///< F M_e, n x k
+  Eigen::MatrixXd reflected_start;      ///< F ρ H of SolveOptions::start, n x k; empty if none
   Eigen::VectorXd row_sums;             ///< F 1, n
   Eigen::MatrixXd seen_reflectance;     ///< F ρ, n x b
   Eigen::VectorXd largest_reflectance;  ///< ρ_max, b
@@ -63,8 +64,8 @@ struct IrradianceSystem {
   [[nodiscard]] Eigen::VectorXd error_bounds(const Iterate& iterate) const;
 };
 
-/// Prepares the system; one product with 1, ρ and M_e together, more only if some ρ = 1. Throws
-/// SolveError if light is emitted among patches with ρ = 1 that let none escape.
+/// Prepares the system; one product with 1, ρ, M_e and the start together, more only if some ρ = 1.
+/// Throws SolveError if light is emitted among patches with ρ = 1 that let none escape.
 IrradianceSystem make_irradiance_system(const Transport& transport, const Eigen::MatrixXd& exitance,
                                         const Eigen::MatrixXd& reflectance, SolveMonitor& monitor);
 
@@ -73,9 +74,9 @@ IrradianceSystem make_irradiance_system(const Transport& transport, const Eigen:
 IrradianceSystem with_exitance(const IrradianceSystem& system, const Eigen::MatrixXd& exitance,
                                double tolerance, SolveMonitor& monitor);
 
-/// Where an iteration starts: at SolveOptions::start, for one product, or at darkness if there is
-/// none, the column is unlit or no product is left.
-Iterate first_iterate(const IrradianceSystem& system, SolveMonitor& monitor);
+/// Where an iteration starts: at SolveOptions::start, or at darkness if there is none or the column
+/// is unlit.
+Iterate first_iterate(const IrradianceSystem& system, const SolveMonitor& monitor);
 
 /// What a watcher sees of an iterate. Refers to both.
 StepFields step_fields(const IrradianceSystem& system, const Iterate& iterate);

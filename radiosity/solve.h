@@ -36,8 +36,9 @@ struct SolveOptions {
   double tolerance = 1e-8;  ///< guaranteed bound on ‖ΔB‖/‖B‖ (energy norm) of the iteration
   bool estimates_errors = true;  ///< fill in Solution::radiosity_error; costs some tens of products
   int max_products = 100000;     ///< operator products (or the work of as many) before giving up
-  /// Irradiance to start from, W/m², n x k; empty: darkness. Costs one product. Of a problem that
-  /// is much the same, its solution's. Unlit columns start from darkness all the same.
+  /// Irradiance to start from, W/m², n x k; empty: darkness. Of a problem that is much the same,
+  /// its solution's. Takes part in the first product. Unlit columns start from darkness all the
+  /// same.
   Eigen::MatrixXd start = {};
   /// Called at the beginning and after each step, of Southwell after each shot. A column that has
   /// converged waits for the others.

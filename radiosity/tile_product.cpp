@@ -20,16 +20,16 @@ struct TileProduct {
   double* below;
 };
 
-template <typename Entry>
+template <Index kColumns, typename Entry>
 void multiply_portably(const TileProduct<Entry>& p) {
   using Tile = Eigen::Matrix<Entry, Eigen::Dynamic, Eigen::Dynamic>;
+  using Rows = RowsOf<kColumns>;
   const Eigen::MatrixXd g =
       Eigen::Map<const Tile>(p.tile, p.shape.n_rows, p.shape.n_columns).template cast<double>();
-  const Eigen::Map<const RowBlock> x_rows(p.x_rows, p.shape.n_rows, kProductColumns);
-  const Eigen::Map<const RowBlock> x_columns(p.x_columns, p.shape.n_columns, kProductColumns);
-  Eigen::Map<RowBlock>(p.above, p.shape.n_rows, kProductColumns).noalias() += g * x_columns;
-  Eigen::Map<RowBlock>(p.below, p.shape.n_columns, kProductColumns).noalias() +=
-      g.transpose() * x_rows;
+  const Eigen::Map<const Rows> x_rows(p.x_rows, p.shape.n_rows, kColumns);
+  const Eigen::Map<const Rows> x_columns(p.x_columns, p.shape.n_columns, kColumns);
+  Eigen::Map<Rows>(p.above, p.shape.n_rows, kColumns).noalias() += g * x_columns;
+  Eigen::Map<Rows>(p.below, p.shape.n_columns, kColumns).noalias() += g.transpose() * x_rows;
 }
 
 #if defined(__x86_64__)
@@ -39,84 +39,117 @@ bool has_wide_instructions() {
   return has;
 }
 
-/// The eight columns of one row in two registers.
-struct Row {
+/// The columns of one row in one or two registers.
+template <Index kColumns>
+struct Row;
+
+template <>
+struct Row<4> {
+  __m256d low;
+};
+
+template <>
+struct Row<8> {
   __m256d low;
   __m256d high;
 };
 
-[[gnu::target("avx2,fma"), gnu::always_inline]] inline Row load(const double* row) {
-  return {_mm256_loadu_pd(row), _mm256_loadu_pd(row + 4)};
+template <Index kColumns>
+[[gnu::target("avx2,fma"), gnu::always_inline]] inline Row<kColumns> load(const double* row) {
+  if constexpr (kColumns == 4)
+    return {_mm256_loadu_pd(row)};
+  else
+    return {_mm256_loadu_pd(row), _mm256_loadu_pd(row + 4)};
 }
 
-[[gnu::target("avx2,fma"), gnu::always_inline]] inline void store(const Row& row, double* place) {
+template <Index kColumns>
+[[gnu::target("avx2,fma"), gnu::always_inline]] inline void store(const Row<kColumns>& row,
+                                                                  double* place) {
   _mm256_storeu_pd(place, row.low);
-  _mm256_storeu_pd(place + 4, row.high);
+  if constexpr (kColumns == 8) _mm256_storeu_pd(place + 4, row.high);
 }
 
 /// sum + factor * row
-[[gnu::target("avx2,fma"), gnu::always_inline]] inline Row add(const Row& sum, __m256d factor,
-                                                               const Row& row) {
-  return {_mm256_fmadd_pd(factor, row.low, sum.low), _mm256_fmadd_pd(factor, row.high, sum.high)};
+template <Index kColumns>
+[[gnu::target("avx2,fma"), gnu::always_inline]] inline Row<kColumns> add(const Row<kColumns>& sum,
+                                                                         __m256d factor,
+                                                                         const Row<kColumns>& row) {
+  if constexpr (kColumns == 4) {
+    return {_mm256_fmadd_pd(factor, row.low, sum.low)};
+  } else {
+    return {_mm256_fmadd_pd(factor, row.low, sum.low), _mm256_fmadd_pd(factor, row.high, sum.high)};
+  }
 }
 
-template <typename Entry>
-[[gnu::target("avx2,fma")]] void multiply_widely(const TileProduct<Entry>& p) {
-  const Row zero = {_mm256_setzero_pd(), _mm256_setzero_pd()};
-  Index j = 0;
-  // Two columns of the tile at once, so that rows are loaded and stored half as often.
-  for (; j + 1 < p.shape.n_columns; j += 2) {
-    const Entry* g = p.tile + j * p.shape.n_rows;
-    const Row in = load(p.x_columns + kProductColumns * j);
-    const Row next_in = load(p.x_columns + kProductColumns * (j + 1));
-    Row sum = zero;
-    Row next_sum = zero;
-    for (Index i = 0; i < p.shape.n_rows; ++i) {
-      const __m256d entry = _mm256_set1_pd(static_cast<double>(g[i]));
-      const __m256d next_entry = _mm256_set1_pd(static_cast<double>(g[i + p.shape.n_rows]));
-      double* out = p.above + kProductColumns * i;
-      store(add(add(load(out), entry, in), next_entry, next_in), out);
-      const Row row = load(p.x_rows + kProductColumns * i);
-      sum = add(sum, entry, row);
-      next_sum = add(next_sum, next_entry, row);
+/// An entry of the tile, everywhere.
+[[gnu::target("avx2,fma"), gnu::always_inline]] inline __m256d spread(const float* entry) {
+  return _mm256_cvtps_pd(_mm_broadcast_ss(entry));
+}
+[[gnu::target("avx2,fma"), gnu::always_inline]] inline __m256d spread(const double* entry) {
+  return _mm256_broadcast_sd(entry);
+}
+
+/// Takes kStep columns of the tile at once, so that rows are loaded and stored less often and
+/// enough sums are under way to hide how long one addition takes.
+template <Index kColumns, Index kStep, typename Entry>
+[[gnu::target("avx2,fma")]] void multiply_columns(const TileProduct<Entry>& p, Index j) {
+  const Entry* g = p.tile + j * p.shape.n_rows;
+  Row<kColumns> in[kStep];
+  Row<kColumns> sum[kStep] = {};
+#pragma GCC unroll 4
+  for (Index s = 0; s < kStep; ++s) {
+    in[s] = load<kColumns>(p.x_columns + kColumns * (j + s));
+  }
+  for (Index i = 0; i < p.shape.n_rows; ++i) {
+    const Row<kColumns> row = load<kColumns>(p.x_rows + kColumns * i);
+    Row<kColumns> out = load<kColumns>(p.above + kColumns * i);
+#pragma GCC unroll 4
+    for (Index s = 0; s < kStep; ++s) {
+      const __m256d entry = spread(g + i + s * p.shape.n_rows);
+      out = add(out, entry, in[s]);
+      sum[s] = add(sum[s], entry, row);
     }
-    const __m256d one = _mm256_set1_pd(1);
-    double* out = p.below + kProductColumns * j;
-    store(add(load(out), one, sum), out);
-    store(add(load(out + kProductColumns), one, next_sum), out + kProductColumns);
+    store(out, p.above + kColumns * i);
   }
-  if (j == p.shape.n_columns) return;
-  multiply_portably(TileProduct<Entry>{p.tile + j * p.shape.n_rows,
-                                       {p.shape.n_rows, 1},
-                                       p.x_rows,
-                                       p.x_columns + kProductColumns * j,
-                                       p.above,
-                                       p.below + kProductColumns * j});
+#pragma GCC unroll 4
+  for (Index s = 0; s < kStep; ++s) {
+    double* out = p.below + kColumns * (j + s);
+    store(add(load<kColumns>(out), _mm256_set1_pd(1), sum[s]), out);
+  }
+}
+
+template <Index kColumns, typename Entry>
+void multiply_widely(const TileProduct<Entry>& p) {
+  constexpr Index kStep = 16 / kColumns;
+  Index j = 0;
+  for (; j + kStep <= p.shape.n_columns; j += kStep) multiply_columns<kColumns, kStep>(p, j);
+  for (; j < p.shape.n_columns; ++j) multiply_columns<kColumns, 1>(p, j);
 }
 
 #endif
-
-template <typename Entry>
-void multiply(const TileProduct<Entry>& product) {
-#if defined(__x86_64__)
-  if (has_wide_instructions()) {
-    multiply_widely(product);
-    return;
-  }
-#endif
-  multiply_portably(product);
-}
 
 }  // namespace
 
-void multiply_tile(const float* tile, const TileShape& shape, const double* x_rows,
+template <Index kColumns, typename Entry>
+void multiply_tile(const Entry* tile, const TileShape& shape, const double* x_rows,
                    const double* x_columns, double* above, double* below) {
-  multiply(TileProduct<float>{tile, shape, x_rows, x_columns, above, below});
+  const TileProduct<Entry> product{tile, shape, x_rows, x_columns, above, below};
+#if defined(__x86_64__)
+  if (has_wide_instructions()) {
+    multiply_widely<kColumns>(product);
+    return;
+  }
+#endif
+  multiply_portably<kColumns>(product);
 }
 
-void multiply_tile(const double* tile, const TileShape& shape, const double* x_rows,
-                   const double* x_columns, double* above, double* below) {
-  multiply(TileProduct<double>{tile, shape, x_rows, x_columns, above, below});
-}
+template void multiply_tile<kProductColumns>(const float*, const TileShape&, const double*,
+                                             const double*, double*, double*);
+template void multiply_tile<kProductColumns>(const double*, const TileShape&, const double*,
+                                             const double*, double*, double*);
+template void multiply_tile<kFewProductColumns>(const float*, const TileShape&, const double*,
+                                                const double*, double*, double*);
+template void multiply_tile<kFewProductColumns>(const double*, const TileShape&, const double*,
+                                                const double*, double*, double*);
 
 }  // namespace radiosity
