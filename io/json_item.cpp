@@ -4,7 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
+#include <limits>
 #include <set>
 #include <utility>
 #include <vector>
@@ -154,6 +156,8 @@ Vec3 JsonItem::direction() const {
   const Vec3 direction = point();
   const double length = direction.stableNorm();
   if (!(length > 0)) fail("is [0, 0, 0], expected a direction");
+  // One that has unit length to rounding is kept, so that what was written reads back the same.
+  if (std::abs(length - 1) < 4 * std::numeric_limits<double>::epsilon()) return direction;
   return direction / length;
 }
 
