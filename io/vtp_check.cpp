@@ -100,6 +100,8 @@ class VtpCheck {
       if (std::find(kTypes.begin(), kTypes.end(), type) == kTypes.end()) {
         damaged(fmt::format("array \"{}\" has the type \"{}\"", label, type));
       }
+      check_count(tag, "NumberOfComponents", label);
+      check_count(tag, "NumberOfTuples", label);
       if (attribute(tag, "format") != "appended") continue;
       if (!has_data_) damaged(fmt::format("the data of array \"{}\" are missing", label));
       if (data_ == 0) continue;
@@ -107,6 +109,16 @@ class VtpCheck {
       if (!offset || *offset >= size_ || !is_block(data_ + *offset)) {
         damaged(fmt::format("the data of array \"{}\" are not where they should be", label));
       }
+    }
+  }
+
+  /// What is no number VTK takes for any.
+  void check_count(std::string_view tag, std::string_view name, const std::string& label) const {
+    const auto count = attribute(tag, name);
+    if (!count) return;
+    const auto number = parse_number<std::int32_t>(*count);
+    if (!number || *number < 0) {
+      damaged(fmt::format("array \"{}\" has the {} \"{}\"", label, name, *count));
     }
   }
 

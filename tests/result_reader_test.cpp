@@ -308,6 +308,7 @@ TEST_F(ResultReader, RefusesFilesThatWereCutOff) {
   const PatchMesh mesh = make_mesh();
   io::write(folder() / "out.vtp", mesh, make_solution(mesh, 3));
   const std::string whole = file_bytes(folder() / "out.vtp");
+  [[maybe_unused]] const test::LeaksAllowed allowed;
   testing::internal::CaptureStderr();
   for (std::size_t size = 0; size + 2 < whole.size(); size += 1 + size / 50) {
     write_bytes(folder() / "cut.vtp", whole.substr(0, size));
@@ -322,6 +323,7 @@ TEST_F(ResultReader, SurvivesChangedBytes) {
   io::write(folder() / "out.vtp", mesh, make_solution(mesh, 3));
   const std::string whole = file_bytes(folder() / "out.vtp");
   std::mt19937_64 random(1);
+  [[maybe_unused]] const test::LeaksAllowed allowed;
   testing::internal::CaptureStderr();
   int n_refused = 0;
   for (int i = 0; i < 1000; ++i) {
