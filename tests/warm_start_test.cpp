@@ -111,6 +111,7 @@ TEST_P(WarmStart, HasToFit) {
     }
     return std::string("accepted");
   };
+  EXPECT_EQ(message(Eigen::MatrixXd(0, 3)), "accepted");  // empty: darkness
   EXPECT_EQ(message(Eigen::MatrixXd::Ones(40, 2)),
             "start is 40 x 2 and exitance 40 x 3; expected the same shape, or no start");
   EXPECT_EQ(message(Eigen::MatrixXd::Ones(39, 3)),
