@@ -15,6 +15,7 @@
 #include "apps/terminal_progress.h"
 #include "apps/usage_error.h"
 #include "apps/validate_command.h"
+#include "apps/view_command.h"
 #include "radiosity/error.h"
 
 namespace {
@@ -58,5 +59,6 @@ int main(int argc, char** argv) {
   const apps::InspectCommand inspect(program, interruption);
   const apps::RenderCommand render(program, interruption);
   const apps::ValidateCommand validate(program, interruption);
+  const apps::ViewCommand view(program, interruption);
   return run(program, interruption, argc, argv);
 }

@@ -6,7 +6,6 @@
 #include <span>
 #include <vector>
 
-#include "radiosity/corner_groups.h"
 #include "radiosity/parallel.h"
 
 namespace radiosity {
@@ -115,41 +114,44 @@ void resolve_t_vertices(const CornerGroups& groups, const std::vector<bool>& is_
 
 }  // namespace
 
-Eigen::MatrixXd corner_values(const PatchMesh& mesh, const Eigen::MatrixXd& patch_values,
-                              double crease_angle) {
-  assert(patch_values.rows() == mesh.size());
+Eigen::MatrixXd CornerInterpolation::values(const Eigen::MatrixXd& patch_values) const {
+  assert(patch_values.rows() == mesh_.size());
   constexpr Index kGrain = 256;
-  const CornerGroups groups = make_corner_groups(mesh, crease_angle);
-  std::vector<bool> is_dark(mesh.size());
-  for (Index i = 0; i < mesh.size(); ++i) is_dark[i] = patch_values.row(i).isZero(0);
-  Eigen::MatrixXd values = Eigen::MatrixXd::Zero(4 * mesh.size(), patch_values.cols());
+  std::vector<bool> is_dark(mesh_.size());
+  for (Index i = 0; i < mesh_.size(); ++i) is_dark[i] = patch_values.row(i).isZero(0);
+  Eigen::MatrixXd values = Eigen::MatrixXd::Zero(4 * mesh_.size(), patch_values.cols());
   parallel_for(
-      mesh.size(),
+      mesh_.size(),
       [&](Index i) {
-        const Eigen::MatrixXd slope = gradient(mesh, groups, patch_values, is_dark, i);
-        for (int k = 0; k < mesh.n_corners(i); ++k) {
-          const Vec3 offset = mesh.corner(i, k) - mesh.centroid[i];
+        const Eigen::MatrixXd slope = gradient(mesh_, groups_, patch_values, is_dark, i);
+        for (int k = 0; k < mesh_.n_corners(i); ++k) {
+          const Vec3 offset = mesh_.corner(i, k) - mesh_.centroid[i];
           values.row(4 * i + k) = patch_values.row(i) + offset.transpose() * slope;
         }
       },
       kGrain);
   parallel_for(
-      groups.size(),
+      groups_.size(),
       [&](Index g) {
         std::vector<std::int64_t> lit;
-        for (const std::int64_t slot : groups.group(g)) {
+        for (const std::int64_t slot : groups_.group(g)) {
           if (!is_dark[slot / 4]) lit.push_back(slot);
         }
         if (lit.empty()) return;
-        const Eigen::RowVectorXd value = joined_value(mesh, groups, patch_values, values, g, lit);
+        const Eigen::RowVectorXd value = joined_value(mesh_, groups_, patch_values, values, g, lit);
         for (const std::int64_t slot : lit) values.row(slot) = value;
       },
       kGrain);
-  resolve_t_vertices(groups, is_dark, values);
-  for (Index i = 0; i < mesh.size(); ++i) {
-    if (mesh.n_corners(i) == 3) values.row(4 * i + 3) = values.row(4 * i + 2);
+  resolve_t_vertices(groups_, is_dark, values);
+  for (Index i = 0; i < mesh_.size(); ++i) {
+    if (mesh_.n_corners(i) == 3) values.row(4 * i + 3) = values.row(4 * i + 2);
   }
   return values;
+}
+
+Eigen::MatrixXd corner_values(const PatchMesh& mesh, const Eigen::MatrixXd& patch_values,
+                              double crease_angle) {
+  return CornerInterpolation(mesh, crease_angle).values(patch_values);
 }
 
 }  // namespace radiosity

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include "radiosity/corner_groups.h"
 #include "radiosity/patch_mesh.h"
 
 namespace radiosity {
@@ -23,5 +24,21 @@ namespace radiosity {
 /// value, so that no crack shows.
 Eigen::MatrixXd corner_values(const PatchMesh& mesh, const Eigen::MatrixXd& patch_values,
                               double crease_angle = 0.35);
+
+/// `corner_values` of many fields on the same patches: what depends on the patches alone is found
+/// once.
+class CornerInterpolation {
+ public:
+  /// Refers to `mesh`, which must outlive it.
+  explicit CornerInterpolation(const PatchMesh& mesh, double crease_angle = 0.35)
+      : mesh_(mesh), groups_(make_corner_groups(mesh, crease_angle)) {}
+
+  /// As `corner_values` returns them.
+  [[nodiscard]] Eigen::MatrixXd values(const Eigen::MatrixXd& patch_values) const;
+
+ private:
+  const PatchMesh& mesh_;
+  CornerGroups groups_;
+};
 
 }  // namespace radiosity

@@ -1,0 +1,165 @@
+#include "viewer/view.h"
+
+#include <algorithm>
+#include <chrono>
+#include <deque>
+#include <thread>
+#include <utility>
+
+#include "io/image_file.h"
+#include "radiosity/error.h"
+#include "viewer/desk.h"
+#include "viewer/input.h"
+#include "viewer/overlay.h"
+#include "viewer/painter.h"
+#include "viewer/panels.h"
+#include "viewer/script.h"
+#include "viewer/window.h"
+
+namespace viewer {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kFrameSeconds = 1.0 / 60;
+// While something is computed and OpenGL takes the processor's time too.
+constexpr double kFrugalFrameSeconds = 1.0 / 36;
+constexpr double kIdleSeconds = 0.1;      // between looks at the background while nothing moves
+constexpr int kLivelyFrames = 4;          // after each event, until all widgets have settled
+constexpr int kScreenshotFrames = 3;      // likewise, before a picture of the window
+constexpr std::size_t kMostTimes = 4096;  // frames
+
+std::string window_title(const Session& session) {
+  if (!session.is_open()) return "radiosity";
+  return std::filesystem::path(session.model().path).filename().string() + " - radiosity";
+}
+
+/// The window with all that is in it.
+class Application final : public ScriptHost {
+ public:
+  explicit Application(const ViewOptions& options)
+      : options_(options),
+        window_({.width = options.width, .height = options.height, .scale = options.scale}),
+        desk_(options.settings),
+        panels_(options.settings) {
+    if (options.script) script_.emplace(*options.script);
+  }
+
+  void run() {
+    if (options_.path) open(*options_.path);
+    while (!window_.is_closing()) {
+      if (options_.stop.stop_requested()) throw radiosity::Interrupted();
+      draw_frame();
+      if (script_) script_->advance(desk_, *this);
+      if (has_finished()) return;
+    }
+  }
+
+  void open(const std::string& path) override { panels_.open(desk_, path); }
+  void resize(int width, int height) override { window_.resize(width, height); }
+  [[nodiscard]] std::vector<double> frame_times() const override {
+    return {frame_times_.begin(), frame_times_.end()};
+  }
+  void forget_frame_times() override { frame_times_.clear(); }
+
+ private:
+  void draw_frame() {
+    window_.begin_frame(waiting_time());
+    const auto start = Clock::now();
+    for (const std::string& path : window_.take_dropped_files()) open(path);
+    if (update(desk_)) lively_ = kLivelyFrames;
+    window_.set_title(window_title(desk_.session));
+    input_.handle(desk_, panels_);
+    panels_.draw(desk_, window_.width(), window_.height(), window_.scale());
+    painter_.paint(desk_, view_);
+    view_.set_region(desk_.region, window_.width(), window_.height());
+    const bool is_frugal = window_.is_software() && !desk_.session.is_idle();
+    const bool is_moving = window_.is_software() && view_.is_dirty() && !desk_.screenshot;
+    window_.set_antialiased(!is_frugal && !is_moving);
+    draw_overlay(desk_, window_.scale());
+    finish_frame();
+    const auto end = Clock::now();
+    frame_times_.push_back(std::chrono::duration<double, std::milli>(end - last_frame_).count());
+    if (frame_times_.size() > kMostTimes) frame_times_.pop_front();
+    last_frame_ = end;
+    const double wanted = is_frugal ? kFrugalFrameSeconds : kFrameSeconds;
+    const double left = wanted - std::chrono::duration<double>(end - start).count();
+    // Screens without a beat of their own do not need more frames than others.
+    if (left > 0) std::this_thread::sleep_for(std::chrono::duration<double>(left));
+  }
+
+  /// Shows the frame; the second or third one after a screenshot was asked for is written.
+  void finish_frame() {
+    if (!desk_.screenshot) {
+      screenshot_frames_ = 0;
+      window_.end_frame(view_);
+      return;
+    }
+    lively_ = kLivelyFrames;
+    if (++screenshot_frames_ < kScreenshotFrames) {
+      window_.end_frame(view_);
+      return;
+    }
+    const io::RgbPicture picture = window_.end_captured_frame(view_);
+    const std::string file = *std::exchange(desk_.screenshot, std::nullopt);
+    save_screenshot(picture, file);
+  }
+
+  void save_screenshot(const io::RgbPicture& picture, const std::string& file) {
+    try {
+      if (picture.bytes.empty()) throw radiosity::OutputError(file + ": the window has no size");
+      io::write_png(file, picture);
+      desk_.session.tell("saved " + file);
+    } catch (const radiosity::OutputError& error) {
+      if (is_unattended()) throw;
+      desk_.session.tell_error(error.what());
+    }
+  }
+
+  [[nodiscard]] bool is_unattended() const { return options_.script || options_.screenshot; }
+
+  /// Seconds to wait for mouse and keyboard before the next frame.
+  double waiting_time() {
+    const bool is_busy = script_ || !desk_.session.is_idle() || lively_ > 0;
+    lively_ = std::max(0, lively_ - 1);
+    if (is_busy) return 0;
+    lively_ = 1;  // whatever ends the wait is shown with two frames
+    return kIdleSeconds;
+  }
+
+  /// Whether the script, and then the screenshot, are done.
+  bool has_finished() {
+    if (!is_unattended() || (script_ && !script_->has_ended())) return false;
+    if (!options_.screenshot) return true;
+    if (!script_ && !desk_.session.is_settled()) return false;
+    if (!script_ && !desk_.session.is_open()) fail_unopened();
+    if (!is_last_asked_) desk_.screenshot = options_.screenshot->string();
+    return std::exchange(is_last_asked_, true) && !desk_.screenshot;
+  }
+
+  [[noreturn]] void fail_unopened() const {
+    const auto& messages = desk_.session.messages();
+    throw radiosity::SceneError(messages.empty() ? "there is no scene to show"
+                                                 : messages.back().text);
+  }
+
+  ViewOptions options_;
+  Window window_;
+  SceneView view_;
+  Painter painter_;
+  Desk desk_;
+  Panels panels_;
+  Input input_;
+  std::optional<Script> script_;
+  std::deque<double> frame_times_;  // ms
+  Clock::time_point last_frame_ = Clock::now();
+  int lively_ = kLivelyFrames;
+  int screenshot_frames_ = 0;
+  bool is_last_asked_ = false;
+};
+
+}  // namespace
+
+void view(const ViewOptions& options) { Application(options).run(); }
+
+}  // namespace viewer

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <stop_token>
+#include <string>
+
+#include "viewer/model.h"
+
+namespace viewer {
+
+struct ViewOptions {
+  std::optional<std::string> path = {};  ///< scene or result to open; absent: an empty window
+  SolveSettings settings = {};
+  /// Actions to do (docs/viewer.md); the window closes after them.
+  std::optional<std::filesystem::path> script = {};
+  /// Picture of the window, written when the script has ended or, without one, when the scene is
+  /// solved; the window then closes. The window is as it is, with its panels.
+  std::optional<std::filesystem::path> screenshot = {};
+  int width = 1280;           ///< pixels
+  int height = 800;           ///< pixels
+  double scale = 0;           ///< of text and panels; 0 = what the screen asks for
+  std::stop_token stop = {};  ///< closes the window
+};
+
+/// Opens the desktop window and returns when it is closed. Throws WindowError if there is no
+/// display or its OpenGL is too old, ScriptError, OutputError (a screenshot), Interrupted.
+void view(const ViewOptions& options);
+
+}  // namespace viewer
