@@ -32,7 +32,7 @@ Eigen::MatrixXd propagate(const IrradianceSystem& system, const Eigen::MatrixXd&
   const SolveOptions options = probe_options(progress);
   SolveMonitor monitor(options);
   const IrradianceSystem probes = with_exitance(system, sources, kProbeTolerance, monitor);
-  return probes.radiosity(conjugate_gradients(probes, monitor).irradiance) - sources;
+  return probes.radiosity(unproved_irradiance(probes, monitor)) - sources;
 }
 
 /// The error that patches share. An error ε of H is the local error ρ ε of B, which reflection
