@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace radiosity {
 namespace {
@@ -26,12 +27,12 @@ Eigen::VectorXd allowed_errors(const IrradianceSystem& system, const Eigen::Matr
 }
 
 /// One run of conjugate gradients from the true residual of `start`: the irradiance.
-Eigen::MatrixXd descend(const IrradianceSystem& system, const Iterate& start,
-                        SolveMonitor& monitor) {
-  Eigen::MatrixXd irradiance = start.irradiance;
-  Eigen::MatrixXd residual = start.gathered - start.irradiance;
-  Eigen::MatrixXd direction = residual;
+Eigen::MatrixXd descend(const IrradianceSystem& system, Iterate start, SolveMonitor& monitor) {
   Eigen::VectorXd bounds = system.error_bounds(start);
+  Eigen::MatrixXd irradiance = std::move(start.irradiance);
+  Eigen::MatrixXd residual = std::move(start.gathered);
+  residual -= irradiance;
+  Eigen::MatrixXd direction = residual;
   const double limit = kMargin * monitor.tolerance();
   std::vector<Index> columns = columns_above(bounds, limit);
 
