@@ -6,16 +6,18 @@ Eigen::VectorXd energy_norms(const Transport& transport, const Eigen::MatrixXd& 
   return (x.cwiseAbs2().transpose() * transport.area()).cwiseSqrt();
 }
 
-Eigen::MatrixXd compressed_product(const Transport& transport, const Eigen::MatrixXd& x,
+Eigen::MatrixXd compressed_product(const Transport& transport, Eigen::MatrixXd x,
                                    const Eigen::VectorXd& tolerance) {
   constexpr Index kFewColumns = 8;
   if (x.cols() < kFewColumns) return transport.apply(x);
 
-  // Scaled so that the energy norm is the Euclidean one and each column may be off by 1.
+  // Scaled so that the energy norm is the Euclidean one and each column may be off by 1. `rest` is
+  // what is no combination of the basis yet; copies of many columns cost more than sums of them.
   const Eigen::VectorXd root_area = transport.area().cwiseSqrt();
   const Eigen::VectorXd scale =
       (tolerance.array() > 0).select(tolerance.cwiseInverse(), 0).matrix();
-  Eigen::MatrixXd rest = root_area.asDiagonal() * x;
+  Eigen::MatrixXd& rest = x;
+  rest.array().colwise() *= root_area.array();
   Eigen::MatrixXd basis(x.rows(), x.cols());
   Eigen::MatrixXd coordinates(x.cols(), x.cols());
   Index rank = 0;
@@ -33,7 +35,8 @@ Eigen::MatrixXd compressed_product(const Transport& transport, const Eigen::Matr
   }
   const Eigen::MatrixXd gathered =
       transport.apply(root_area.cwiseInverse().asDiagonal() * basis.leftCols(rank));
-  return gathered * coordinates.topRows(rank);
+  x.noalias() = gathered * coordinates.topRows(rank);
+  return x;
 }
 
 }  // namespace radiosity

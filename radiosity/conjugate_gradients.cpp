@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace radiosity {
 namespace {
@@ -25,12 +26,13 @@ Eigen::VectorXd allowed_errors(const IrradianceSystem& system, const Eigen::Matr
   return errors;
 }
 
-/// One run of conjugate gradients from the true residual of `start`, and a last product.
-Iterate descend(const IrradianceSystem& system, const Iterate& start, SolveMonitor& monitor) {
-  Eigen::MatrixXd irradiance = start.irradiance;
-  Eigen::MatrixXd residual = start.gathered - start.irradiance;
-  Eigen::MatrixXd direction = residual;
+/// One run of conjugate gradients from the true residual of `start`: the irradiance.
+Eigen::MatrixXd descend(const IrradianceSystem& system, Iterate start, SolveMonitor& monitor) {
   Eigen::VectorXd bounds = system.error_bounds(start);
+  Eigen::MatrixXd irradiance = std::move(start.irradiance);
+  Eigen::MatrixXd residual = std::move(start.gathered);
+  residual -= irradiance;
+  Eigen::MatrixXd direction = residual;
   const double limit = kMargin * monitor.tolerance();
   std::vector<Index> columns = columns_above(bounds, limit);
   const StepFields fields{
@@ -58,9 +60,12 @@ Iterate descend(const IrradianceSystem& system, const Iterate& start, SolveMonit
     columns = remaining;
     monitor.step(1, 1, bounds.maxCoeff(), fields);
   }
-  Iterate result{irradiance, system.transport->apply(system.radiosity(irradiance))};
-  monitor.spend(1);
-  return result;
+  return irradiance;
+}
+
+/// From darkness, B = M_e: patches that no light can reach then stay exactly 0.
+Iterate darkness(const IrradianceSystem& system) {
+  return {Eigen::MatrixXd::Zero(system.size(), system.n_columns()), system.direct};
 }
 
 }  // namespace
@@ -70,7 +75,9 @@ Iterate conjugate_gradients(const IrradianceSystem& system, SolveMonitor& monito
   double bound = system.error_bounds(iterate).maxCoeff();
   monitor.show(0, 0, bound, step_fields(system, iterate));
   while (bound > monitor.tolerance() && monitor.may_spend(2)) {
-    const Iterate next = descend(system, iterate, monitor);
+    Iterate next{descend(system, iterate, monitor), {}};
+    next.gathered = system.transport->apply(system.radiosity(next.irradiance));
+    monitor.spend(1);
     const double next_bound = system.error_bounds(next).maxCoeff();
     const bool is_stuck = !(next_bound <= 0.5 * bound);
     if (next_bound <= bound) {
@@ -80,6 +87,10 @@ Iterate conjugate_gradients(const IrradianceSystem& system, SolveMonitor& monito
     if (is_stuck) break;
   }
   return iterate;
+}
+
+Eigen::MatrixXd unproved_irradiance(const IrradianceSystem& system, SolveMonitor& monitor) {
+  return descend(system, darkness(system), monitor);
 }
 
 }  // namespace radiosity

@@ -9,4 +9,8 @@ namespace radiosity {
 /// column, one product per step for all columns that have not converged yet.
 Iterate conjugate_gradients(const IrradianceSystem& system, SolveMonitor& monitor);
 
+/// The irradiance alone, n x k, by one run whose bound holds but for rounding: without the product
+/// with all columns that would prove it.
+Eigen::MatrixXd unproved_irradiance(const IrradianceSystem& system, SolveMonitor& monitor);
+
 }  // namespace radiosity

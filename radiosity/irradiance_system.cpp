@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "radiosity/compressed_product.h"
 
@@ -95,16 +96,16 @@ Eigen::MatrixXd IrradianceSystem::reflect(const Eigen::MatrixXd& u,
   for (Index a = 0; a < reflected.cols(); ++a) {
     reflected.col(a) = rho(columns[a]).cwiseProduct(u.col(columns[a]));
   }
-  return tolerance.size() > 0 ? compressed_product(*transport, reflected, tolerance)
+  return tolerance.size() > 0 ? compressed_product(*transport, std::move(reflected), tolerance)
                               : transport->apply(reflected);
 }
 
-double IrradianceSystem::inner(Index c, const Eigen::VectorXd& u, const Eigen::VectorXd& v) const {
+double IrradianceSystem::inner(Index c, const Column& u, const Column& v) const {
   return (transport->area().array() * rho(c).array() * u.array() * v.array()).sum();
 }
 
 double IrradianceSystem::error_bound(Index c, double residual_norm,
-                                     const Eigen::VectorXd& irradiance) const {
+                                     const Column& irradiance) const {
   // The residual itself is known to a few roundings of H only.
   const double rounding =
       4 * std::numeric_limits<double>::epsilon() * std::sqrt(inner(c, irradiance, irradiance));
@@ -113,12 +114,12 @@ double IrradianceSystem::error_bound(Index c, double residual_norm,
       std::sqrt(largest_reflectance[band(c)]) * amplification * (residual_norm + rounding);
   if (absolute == 0) return 0;
 
-  const Eigen::ArrayXd area = transport->area().array();
-  const Eigen::ArrayXd emitted = exitance.col(c).array();
-  const Eigen::ArrayXd b = emitted + rho(c).array() * irradiance.array();
+  const auto& area = transport->area();
+  const auto emitted = exitance.col(c);
+  const Eigen::VectorXd b = emitted + rho(c).cwiseProduct(irradiance);
   // B >= M_e >= 0 bounds ‖B‖ from below even while the iterate is poor.
-  const double least = emitted.minCoeff() >= 0 ? std::sqrt((area * emitted.square()).sum()) : 0.;
-  const double norm = std::max(least, std::sqrt((area * b.square()).sum()) - absolute);
+  const double least = emitted.minCoeff() >= 0 ? std::sqrt(area.dot(emitted.cwiseAbs2())) : 0.;
+  const double norm = std::max(least, std::sqrt(area.dot(b.cwiseAbs2())) - absolute);
   return norm > 0 ? absolute / norm : std::numeric_limits<double>::infinity();
 }
 
@@ -166,12 +167,18 @@ IrradianceSystem make_irradiance_system(const Transport& transport, const Eigen:
   return system;
 }
 
-IrradianceSystem with_exitance(const IrradianceSystem& system, const Eigen::MatrixXd& exitance,
+IrradianceSystem with_exitance(const IrradianceSystem& system, Eigen::MatrixXd exitance,
                                double tolerance, SolveMonitor& monitor) {
-  IrradianceSystem result = system;
-  result.exitance = exitance;
-  result.direct = compressed_product(*system.transport, exitance,
-                                     tolerance * energy_norms(*system.transport, exitance));
+  IrradianceSystem result;
+  result.transport = system.transport;
+  result.exitance = std::move(exitance);
+  result.reflectance = system.reflectance;
+  result.direct = compressed_product(*system.transport, result.exitance,
+                                     tolerance * energy_norms(*system.transport, result.exitance));
+  result.row_sums = system.row_sums;
+  result.seen_reflectance = system.seen_reflectance;
+  result.largest_reflectance = system.largest_reflectance;
+  result.contraction = system.contraction;
   monitor.spend(1);
   return result;
 }

@@ -8,6 +8,9 @@
 
 namespace radiosity {
 
+/// A vector or the column of a matrix, which is not copied.
+using Column = Eigen::Ref<const Eigen::VectorXd>;
+
 /// An approximate solution B = M_e + ρ H and what it yields; both W/m², n x k.
 struct Iterate {
   Eigen::MatrixXd irradiance;  ///< H
@@ -53,13 +56,12 @@ struct IrradianceSystem {
   [[nodiscard]] Eigen::MatrixXd reflect(const Eigen::MatrixXd& u, const std::vector<Index>& columns,
                                         const Eigen::VectorXd& tolerance = {}) const;
   /// <u, v> = Σ A ρ u v with the reflectance of column c.
-  [[nodiscard]] double inner(Index c, const Eigen::VectorXd& u, const Eigen::VectorXd& v) const;
+  [[nodiscard]] double inner(Index c, const Column& u, const Column& v) const;
   /// Whether q < 1, so that residuals bound errors.
   [[nodiscard]] bool has_bound(Index c) const { return contraction[band(c)] < 1; }
   /// Bound on ‖ΔB‖/‖B‖ of column c for the iterate `irradiance` whose residual has at most the
   /// norm ‖r‖_w. Where q < 1 cannot be proved, the same with 1 for 1 / (1 - q), which is no bound.
-  [[nodiscard]] double error_bound(Index c, double residual_norm,
-                                   const Eigen::VectorXd& irradiance) const;
+  [[nodiscard]] double error_bound(Index c, double residual_norm, const Column& irradiance) const;
   /// `error_bound` of each column from the true residual of the iterate, k.
   [[nodiscard]] Eigen::VectorXd error_bounds(const Iterate& iterate) const;
 };
@@ -71,7 +73,7 @@ IrradianceSystem make_irradiance_system(const Transport& transport, const Eigen:
 
 /// The same system with other sources, whose direct light may be off by a relative `tolerance`; one
 /// product.
-IrradianceSystem with_exitance(const IrradianceSystem& system, const Eigen::MatrixXd& exitance,
+IrradianceSystem with_exitance(const IrradianceSystem& system, Eigen::MatrixXd exitance,
                                double tolerance, SolveMonitor& monitor);
 
 /// Where an iteration starts: at SolveOptions::start, or at darkness if there is none or the column

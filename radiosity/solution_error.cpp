@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <random>
+#include <utility>
 
 #include "radiosity/conjugate_gradients.h"
 
@@ -27,12 +28,15 @@ SolveOptions probe_options(const Progress& progress) {
 
 /// What sources of radiosity cause by reflection, (I - ρ F)^-1 of them less themselves, W/m²,
 /// n x k.
-Eigen::MatrixXd propagate(const IrradianceSystem& system, const Eigen::MatrixXd& sources,
+Eigen::MatrixXd propagate(const IrradianceSystem& system, Eigen::MatrixXd sources,
                           const Progress& progress) {
   const SolveOptions options = probe_options(progress);
   SolveMonitor monitor(options);
-  const IrradianceSystem probes = with_exitance(system, sources, kProbeTolerance, monitor);
-  return probes.radiosity(conjugate_gradients(probes, monitor).irradiance) - sources;
+  const IrradianceSystem probes =
+      with_exitance(system, std::move(sources), kProbeTolerance, monitor);
+  Eigen::MatrixXd reflected = unproved_irradiance(probes, monitor);
+  for (Index c = 0; c < reflected.cols(); ++c) reflected.col(c).array() *= probes.rho(c).array();
+  return reflected;
 }
 
 /// The error that patches share. An error ε of H is the local error ρ ε of B, which reflection
@@ -95,8 +99,9 @@ Eigen::MatrixXd remaining_variance(const IrradianceSystem& system, const Eigen::
       if ((bits >> probe & 1) != 0) errors.row(i).segment(probe * k, k) *= -1;
     }
   }
-  const Eigen::MatrixXd propagated =
-      propagate(system, rho.replicate(1, kProbes).cwiseProduct(errors), progress);
+  Eigen::MatrixXd reflected = errors;
+  for (Index p = 0; p < errors.cols(); ++p) reflected.col(p).array() *= rho.col(p % k).array();
+  const Eigen::MatrixXd propagated = propagate(system, std::move(reflected), progress);
   Eigen::MatrixXd variance = Eigen::MatrixXd::Zero(sigma.rows(), k);
   for (Index p = 0; p < errors.cols(); ++p) {
     const double a = common.weight.col(p % k).dot(errors.col(p));
