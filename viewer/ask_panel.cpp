@@ -42,8 +42,8 @@ void draw_light(const Desk& desk, const PatchFacts& facts) {
 void draw_patch(const Desk& desk, const PatchFacts& facts) {
   ImGui::Text("Patch %ld", static_cast<long>(facts.patch));
   if (!ImGui::BeginTable("facts", 2, kTable)) return;
-  ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch, 0.42F);
-  ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 0.58F);
+  ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch, 0.36F);
+  ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 0.64F);
   row("surface", facts.surface);
   if (!facts.material.empty()) row("material", facts.material);
   row("polygon", std::to_string(facts.polygon));

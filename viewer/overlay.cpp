@@ -16,9 +16,12 @@ using radiosity::Index;
 using radiosity::Vec3;
 
 constexpr ImU32 kInk = IM_COL32(235, 235, 235, 255);
-constexpr ImU32 kPanel = IM_COL32(20, 21, 24, 215);
+constexpr ImU32 kPanel = IM_COL32(26, 27, 31, 255);
 constexpr ImU32 kOutline = IM_COL32(255, 170, 40, 255);
 constexpr ImU32 kPartner = IM_COL32(255, 255, 255, 230);
+constexpr float kLegendMargin = 12;  // at scale 1, as the others
+constexpr float kBarWidth = 18;
+constexpr float kBarHeight = 380;
 constexpr ImU32 kShadow = IM_COL32(0, 0, 0, 200);
 
 /// Where a point of the scene appears; empty if it lies behind the camera.
@@ -105,39 +108,34 @@ void draw_bar(ImDrawList& list, const Legend& legend, ImVec2 top, ImVec2 size) {
   }
 }
 
+/// Values to label beside a bar of this height.
+std::vector<double> ticks_of(const Legend& legend, float bar_height) {
+  const int most = static_cast<int>(bar_height / (1.8F * ImGui::GetTextLineHeight()));
+  return io::tick_values(legend.scale, std::max(2, most));
+}
+
 void draw_legend(const Desk& desk, ImDrawList& list, float scale) {
   const Legend& legend = *desk.legend;
   const float line = ImGui::GetTextLineHeight();
-  const float margin = 10 * scale;
-  const float bar_width = 18 * scale;
-  const float bar_height = std::min(0.55F * static_cast<float>(desk.region.height), 340 * scale);
-  if (bar_height < 4 * line) return;
-
-  const int most_ticks = std::max(2, static_cast<int>(bar_height / (1.8F * line)));
-  const std::vector<double> ticks = io::tick_values(legend.scale, most_ticks);
-  float label_width = 0;
-  for (const double tick : ticks) {
-    label_width = std::max(label_width, ImGui::CalcTextSize(io::tick_label(tick).c_str()).x);
-  }
-  float width = bar_width + 8 * scale + label_width;
-  for (const std::string& text : legend.title) {
-    width = std::max(width, ImGui::CalcTextSize(text.c_str()).x);
-  }
-  const float title_height = static_cast<float>(legend.title.size()) * line + 1.2F * line;
-  const float height = title_height + bar_height + line + 2 * margin;
-  const ImVec2 corner(static_cast<float>(desk.region.left + desk.region.width) - width - 3 * margin,
-                      static_cast<float>(desk.region.top) + margin);
-  list.AddRectFilled(corner, ImVec2(corner.x + width + 2 * margin, corner.y + height), kPanel,
-                     4 * scale);
-
-  ImVec2 place(corner.x + margin, corner.y + margin);
+  const float margin = kLegendMargin * scale;
+  const auto top = static_cast<float>(desk.region.top);
+  const auto left = static_cast<float>(desk.region.left + desk.region.width);
+  list.AddRectFilled(
+      ImVec2(left, top),
+      ImVec2(left + legend_width(desk, scale), top + static_cast<float>(desk.region.height)),
+      kPanel);
+  ImVec2 place(left + margin, top + margin);
   for (const std::string& text : legend.title) {
     list.AddText(place, kInk, text.c_str());
     place.y += line;
   }
-  place.y += 1.2F * line;
+  place.y += 1.5F * line;
+  const float room = top + static_cast<float>(desk.region.height) - place.y - 2 * line;
+  const float bar_height = std::min(room, kBarHeight * scale);
+  if (bar_height < 2 * line) return;
+  const float bar_width = kBarWidth * scale;
   draw_bar(list, legend, place, ImVec2(bar_width, bar_height));
-  for (const double tick : ticks) {
+  for (const double tick : ticks_of(legend, bar_height)) {
     const auto position = static_cast<float>(io::position_on(legend.scale, tick));
     const float y = place.y + (1 - position) * bar_height;
     const float x = place.x + bar_width;
@@ -173,6 +171,20 @@ std::string missing_text(const Desk& desk) {
 
 }  // namespace
 
+float legend_width(const Desk& desk, double scale) {
+  if (!desk.legend) return 0;
+  const auto size = static_cast<float>(scale);
+  float width = 0;
+  for (const double tick : ticks_of(*desk.legend, kBarHeight * size)) {
+    width = std::max(width, ImGui::CalcTextSize(io::tick_label(tick).c_str()).x);
+  }
+  width += (kBarWidth + 8) * size;
+  for (const std::string& text : desk.legend->title) {
+    width = std::max(width, ImGui::CalcTextSize(text.c_str()).x);
+  }
+  return width + 2 * kLegendMargin * size;
+}
+
 void draw_overlay(const Desk& desk, double scale) {
   if (desk.region.width <= 0 || desk.region.height <= 0) return;
   const auto size = static_cast<float>(scale);
@@ -187,7 +199,6 @@ void draw_overlay(const Desk& desk, double scale) {
     }
     outline(desk, list, *desk.session.selected(), kOutline, 2.5F * size);
   }
-  if (desk.legend) draw_legend(desk, list, size);
   if (const std::string text = missing_text(desk); !text.empty()) {
     const ImVec2 extent = ImGui::CalcTextSize(text.c_str());
     const ImVec2 place(
@@ -199,6 +210,7 @@ void draw_overlay(const Desk& desk, double scale) {
     list.AddText(place, kInk, text.c_str());
   }
   list.PopClipRect();
+  if (desk.legend) draw_legend(desk, list, size);
 }
 
 }  // namespace viewer

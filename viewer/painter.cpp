@@ -13,6 +13,7 @@ namespace {
 using radiosity::Index;
 
 constexpr std::ptrdiff_t kGrain = 1024;  // points
+constexpr double kMapEnd = 0.002;
 
 bool is_same(const Look& a, const Look& b) {
   const bool is_same_range =
@@ -111,8 +112,11 @@ void Painter::paint_field(Desk& desk, SceneView& view, const ShownField& field) 
   std::vector<float> positions(static_cast<std::size_t>(values.rows()));
   for (Index i = 0; i < values.rows(); ++i) {
     const double value = values(i, 0);
+    // Off the very ends of the map, where rounding would tip values over into the unknown.
     positions[static_cast<std::size_t>(i)] =
-        std::isfinite(value) ? static_cast<float>(io::position_on(scale, value)) : -1.F;
+        std::isfinite(value)
+            ? static_cast<float>(std::clamp(io::position_on(scale, value), kMapEnd, 1 - kMapEnd))
+            : -1.F;
   }
   view.set_map_positions(positions);
   desk.legend = Legend{.title = field.title,

@@ -10,6 +10,7 @@
 #include <filesystem>
 
 #include "viewer/iteration_plot.h"
+#include "viewer/overlay.h"
 
 namespace viewer {
 namespace {
@@ -53,7 +54,7 @@ std::string status_text(const Desk& desk) {
   }
   if (session.is_open()) text += fmt::format(" · {} patches", session.model().mesh->size());
   const Light* light = session.light();
-  if (light != nullptr && light->solution.iterations > 0) {
+  if (light != nullptr && light->solution.residual > 0) {
     text += fmt::format(" · residual {:.1e}", light->solution.residual);
   }
   if (session.seconds_to_solve() > 0)
@@ -115,6 +116,7 @@ void Panels::draw(Desk& desk, int width, int height, double scale) {
   }
   draw_popups(desk, scale);
   if (desk.shows_help) draw_help(desk, scale);
+  right -= legend_width(desk, scale);
   desk.region = {.left = static_cast<int>(left),
                  .top = static_cast<int>(top),
                  .width = std::max(0, static_cast<int>(right) - static_cast<int>(left)),

@@ -71,7 +71,7 @@ PatchFacts patch_facts(const Session& session, double efficacy) {
 std::string number_list(const Eigen::VectorXd& values) {
   std::string text;
   for (Index k = 0; k < std::min(values.size(), kMostNumbers); ++k) {
-    text += fmt::format("{}{:.4g}", k > 0 ? "  " : "", values[k]);
+    text += fmt::format("{}{:.3g}", k > 0 ? "  " : "", values[k]);
   }
   if (values.size() > kMostNumbers) text += fmt::format("  … ({} bands)", values.size());
   return text;

@@ -1,6 +1,10 @@
 #include "viewer/state_report.h"
 
+#include <unistd.h>
+
+#include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -145,6 +149,15 @@ json iteration_json(const Desk& desk) {
           {"bounds", bounds}};
 }
 
+/// Memory of this process, as Linux tells; null elsewhere.
+json resident_bytes() {
+  std::ifstream stream("/proc/self/statm");
+  long pages = 0;
+  long resident = 0;
+  if (!(stream >> pages >> resident)) return nullptr;
+  return resident * sysconf(_SC_PAGESIZE);
+}
+
 }  // namespace
 
 json state_report(const Desk& desk) {
@@ -155,6 +168,7 @@ json state_report(const Desk& desk) {
   }
   return {{"path", session.model().path},
           {"patches", session.is_open() ? session.model().mesh->size() : 0},
+          {"resident_bytes", resident_bytes()},
           {"settled", session.is_settled()},
           {"paused", session.is_paused()},
           {"light", light_json(session)},

@@ -157,7 +157,10 @@ void Window::close() { glfwSetWindowShouldClose(parts_->window, GLFW_TRUE); }
 void Window::set_title(const std::string& title) {
   glfwSetWindowTitle(parts_->window, title.c_str());
 }
-void Window::resize(int width, int height) { glfwSetWindowSize(parts_->window, width, height); }
+void Window::resize(int width, int height) {
+  // X ends programs that ask for none.
+  glfwSetWindowSize(parts_->window, std::max(1, width), std::max(1, height));
+}
 int Window::width() const { return parts_->width; }
 int Window::height() const { return parts_->height; }
 double Window::scale() const { return parts_->scale; }
