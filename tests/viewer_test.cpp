@@ -108,7 +108,7 @@ TEST(LightMix, MeanReflectanceIsMetAndNoBandExceedsOne) {
 
 TEST(LightMix, EmittersAreFoundByNameOrIndex) {
   viewer::LightMix mix;
-  mix.emitters = {{.name = "lamp"}, {.name = "0"}, {.name = "7 up"}};
+  for (const char* name : {"lamp", "0", "7 up"}) mix.emitters.push_back({name, {}});
   EXPECT_EQ(viewer::emitter_named(mix, "lamp"), 0U);
   EXPECT_EQ(viewer::emitter_named(mix, "0"), 1U);  // a name counts first
   EXPECT_EQ(viewer::emitter_named(mix, "2"), 2U);
@@ -198,9 +198,10 @@ TEST(Worker, DeliversWhatTasksPostAndTellsErrors) {
   EXPECT_TRUE(worker.is_busy());  // something is still to be delivered
   EXPECT_TRUE(worker.deliver());
   EXPECT_EQ(delivered, 1);
-  EXPECT_FALSE(worker.is_busy());
+  EXPECT_TRUE(worker.is_busy());  // so is what it has to say
   EXPECT_EQ(worker.take_error(), "no such thing");
   EXPECT_FALSE(worker.take_error());
+  EXPECT_FALSE(worker.is_busy());
 }
 
 TEST(Worker, DropsWhatACancelledTaskPosted) {

@@ -66,7 +66,7 @@ WorkStatus Worker::status() const {
 
 bool Worker::is_busy() const {
   const std::scoped_lock lock(mutex_);
-  return status_.is_busy || !posted_.empty();
+  return status_.is_busy || !posted_.empty() || error_;
 }
 
 bool Worker::deliver() {

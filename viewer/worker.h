@@ -65,7 +65,7 @@ class Worker {
   /// Cancels what is being done.
   void cancel();
   [[nodiscard]] WorkStatus status() const;
-  /// Whether a task is wanted or has posted something that is not delivered yet.
+  /// Whether a task is wanted, or left something that is neither delivered nor taken yet.
   [[nodiscard]] bool is_busy() const;
 
   /// Calls what tasks have posted, on the calling thread; whether there was something.
