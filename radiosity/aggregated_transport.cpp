@@ -1,5 +1,7 @@
 #include "radiosity/aggregated_transport.h"
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace radiosity {
@@ -11,11 +13,19 @@ AggregatedTransport::AggregatedTransport(const Transport& finer, PatchGroups gro
 
 Eigen::MatrixXd AggregatedTransport::means(const Eigen::MatrixXd& values) const {
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(size(), values.cols());
+  // Rounding must not carry a mean out of its values' range: of patches that are all white, say.
+  Eigen::VectorXd low(size());
+  Eigen::VectorXd high(size());
   for (Index c = 0; c < values.cols(); ++c) {
+    low.setConstant(std::numeric_limits<double>::infinity());
+    high = -low;
     for (Index i = 0; i < values.rows(); ++i) {
       const std::int32_t g = groups_.group_of[i];
       result(g, c) += finer_.area()[i] / area_[g] * values(i, c);
+      low[g] = std::min(low[g], values(i, c));
+      high[g] = std::max(high[g], values(i, c));
     }
+    result.col(c) = result.col(c).cwiseMax(low).cwiseMin(high);
   }
   return result;
 }

@@ -59,6 +59,19 @@ TEST(PatchGroups, JoinNeitherSurfacesNorFaces) {
   }
 }
 
+// Else patches that are all white are whiter than white together, which no solve accepts.
+TEST(AggregatedTransport, MeansStayWithinTheirValues) {
+  PatchMesh mesh = box_in_box(7);
+  const Visibility visibility(mesh);
+  const auto transport = make_transport(mesh, visibility, {.tolerance = 0.1});
+  const AggregatedTransport aggregated(*transport, make_patch_groups(mesh));
+  for (const double value : {1.0, 0.1, 1.0 / 3, -0.7}) {
+    const Eigen::MatrixXd means =
+        aggregated.means(Eigen::MatrixXd::Constant(mesh.size(), 2, value));
+    EXPECT_TRUE((means.array() == value).all());
+  }
+}
+
 TEST(AggregatedTransport, SumsExchangeAreas) {
   const PatchMesh fine_mesh = box_in_box(4);
   const Visibility fine_visibility(fine_mesh);

@@ -29,7 +29,9 @@ void draw_iteration_plot(const IterationRecord& record, int iteration, double sc
   const float right = corner.x + extent.x - 8 * size;
   const float top = corner.y + 1.4F * line;
   const float bottom = corner.y + extent.y - 1.3F * line;
-  list.AddText(corner, kInk, "bound on the relative error");
+  const std::string title =
+      fmt::format("{}: bound on the relative error", method_name(record.method));
+  list.AddText(corner, kInk, title.c_str());
 
   double highest = 0;
   double lowest = INFINITY;
@@ -58,8 +60,11 @@ void draw_iteration_plot(const IterationRecord& record, int iteration, double sc
   }
   std::vector<ImVec2> curve;
   for (std::size_t k = 0; k < record.steps.size(); ++k) {
-    if (record.bounds[k] > 0 && std::isfinite(record.bounds[k])) {
-      curve.emplace_back(x_of(record.steps[k]), y_of(record.bounds[k]));
+    if (!(record.bounds[k] > 0) || !std::isfinite(record.bounds[k])) continue;
+    // A point for each pixel is enough: Southwell has thousands of steps.
+    const ImVec2 point(x_of(record.steps[k]), y_of(record.bounds[k]));
+    if (curve.empty() || point.x >= curve.back().x + 1 || k + 1 == record.steps.size()) {
+      curve.push_back(point);
     }
   }
   list.AddPolyline(curve.data(), static_cast<int>(curve.size()), kCurve, 0, 1.5F * size);

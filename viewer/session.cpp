@@ -115,6 +115,11 @@ void Session::take_light(Light light) {
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   }
   const bool is_quick = light.kind == Light::Kind::quick;
+  if (changed_ && !is_relight_due_) {
+    change_seconds_ =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - *changed_).count();
+    changed_.reset();
+  }
   light_ = std::move(light);
   ++versions_.light;
   if (is_quick) {
@@ -147,6 +152,8 @@ void Session::start_light_task() {
 
 void Session::relight() {
   ++versions_.mix;
+  changed_ = std::chrono::steady_clock::now();
+  change_seconds_ = 0;
   if (!model_.transport) return;  // the mix is taken up when there are form factors
   if (emitter_lights_) {
     take_light({Light::Kind::solved, superpose(*emitter_lights_, mix_)});

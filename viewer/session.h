@@ -65,6 +65,8 @@ class Session {
   void set_emitter(std::size_t emitter, double scale, bool is_on);
   void set_reflectance(std::size_t material, const Eigen::VectorXd& reflectance);
   void reset_mix();
+  /// Seconds from the latest change of the mix to light that has it; 0 if there is none yet.
+  [[nodiscard]] double change_seconds() const { return change_seconds_; }
   /// Whether emitters can be mixed without solving.
   [[nodiscard]] bool can_superpose() const { return emitter_lights_ != nullptr; }
 
@@ -122,6 +124,8 @@ class Session {
   bool is_quick_running_ = false;  // the light worker has not come to its first picture
   bool is_relight_due_ = false;    // the mix has changed since it began
   double seconds_to_solve_ = 0;
+  double change_seconds_ = 0;
+  std::optional<std::chrono::steady_clock::time_point> changed_;  // and no light has it
   std::chrono::steady_clock::time_point start_;
 
   Pause pause_;

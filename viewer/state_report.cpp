@@ -101,8 +101,10 @@ json mix_json(const Session& session) {
     materials.push_back({{"name", session.model().scene->materials[m].name},
                          {"reflectance", list(session.mix().reflectance[m])}});
   }
-  return {
-      {"emitters", emitters}, {"materials", materials}, {"superposed", session.can_superpose()}};
+  return {{"emitters", emitters},
+          {"materials", materials},
+          {"change_seconds", number(session.change_seconds())},
+          {"superposed", session.can_superpose()}};
 }
 
 json look_json(const Desk& desk) {
