@@ -131,6 +131,17 @@ TEST(Session, ChangedReflectanceEqualsAFreshSolve) {
   EXPECT_EQ(session.mix().emitters[0].scale, 1);
 }
 
+// What was stopped before its first picture must not hold later changes back.
+TEST(Session, FollowsAReflectanceAfterAStop) {
+  viewer::Session session({.n_patches = 1500});
+  open(session, kBox);
+  session.set_reflectance(0, Eigen::Vector3d::Constant(0.3));
+  session.stop();
+  session.set_reflectance(0, Eigen::Vector3d::Constant(0.4));
+  settle(session);
+  EXPECT_LE(difference(session.light()->solution.radiosity, fresh_radiosity(session)), 1e-7);
+}
+
 // A slider that moves all the time must not starve the picture.
 TEST(Session, FollowsAReflectanceThatKeepsChanging) {
   viewer::Session session({.n_patches = 1500});

@@ -16,10 +16,7 @@ using radiosity::Index;
 bool update(Desk& desk) {
   bool has_changed = desk.session.update();
   const Session& session = desk.session;
-  if (desk.asks_light_path && session.selected() && !session.light_path() &&
-      session.model().transport) {
-    desk.session.ask_light_path();
-  }
+  if (desk.asks_light_path) desk.session.ask_light_path();
   const Session::Versions& now = session.versions();
   const Session::Versions& then = desk.facts_versions;
   if (now.light == then.light && now.selection == then.selection && now.model == then.model) {
@@ -29,7 +26,7 @@ bool update(Desk& desk) {
   desk.facts.reset();
   desk.emitter_shares.clear();
   if (!session.selected()) return true;
-  desk.facts = patch_facts(session, desk.look.efficacy);
+  desk.facts = patch_facts(session);
   if (session.light_path() != nullptr && session.light() != nullptr) {
     desk.emitter_shares = emitter_shares(*session.light_path(), *session.model().mesh,
                                          session.light()->solution.exitance, session.mix());

@@ -91,8 +91,7 @@ void Session::take_model(Model model) {
   ++versions_.model;
   if (is_other_mesh) {
     lighting_.cancel();
-    asking_.cancel();
-    recording_.cancel();
+    forget_light_path();
     light_.reset();
     emitter_lights_.reset();
     seconds_to_solve_ = 0;
@@ -158,7 +157,7 @@ void Session::relight() {
   if (emitter_lights_) {
     take_light({Light::Kind::solved, superpose(*emitter_lights_, mix_)});
     start_light_task();
-  } else if (is_quick_running_) {
+  } else if (is_quick_running_ && lighting_.is_busy()) {
     // Let it finish, else the picture would never follow a slider that keeps moving.
     is_relight_due_ = true;
   } else {
@@ -191,16 +190,14 @@ void Session::set_reflectance(std::size_t material, const Eigen::VectorXd& refle
   if (changed == reflectance) return;
   changed = reflectance;
   emitter_lights_.reset();
-  light_path_.reset();
-  asking_.cancel();
+  forget_light_path();
   relight();
 }
 
 void Session::reset_mix() {
   if (!mix_.has_reflectance_of(original_mix_)) {
     emitter_lights_.reset();
-    light_path_.reset();
-    asking_.cancel();
+    forget_light_path();
   }
   mix_ = original_mix_;
   relight();
@@ -213,13 +210,13 @@ void Session::select(std::optional<Index> patch) {
   }
   if (patch == selected_) return;
   selected_ = patch;
-  light_path_.reset();
-  asking_.cancel();
+  forget_light_path();
   ++versions_.selection;
 }
 
 void Session::ask_light_path() {
-  if (!selected_ || !model_.transport || light_path_ || asking_.status().is_busy) return;
+  if (!selected_ || !model_.transport || has_asked_) return;
+  has_asked_ = true;
   asking_.start(
       [this, model = model_, mix = mix_, patch = *selected_](const Worker::Context& context) {
         const Scene scene = with_reflectance(*model.scene, mix);
@@ -235,6 +232,12 @@ void Session::ask_light_path() {
           ++versions_.selection;
         });
       });
+}
+
+void Session::forget_light_path() {
+  light_path_.reset();
+  has_asked_ = false;
+  asking_.cancel();
 }
 
 void Session::record_iteration(radiosity::Method method) {

@@ -102,6 +102,7 @@ class Session {
   [[nodiscard]] const Versions& versions() const { return versions_; }
 
  private:
+  void forget_light_path();
   void begin(const std::string& path, std::shared_ptr<const radiosity::Scene> scene);
   void take_model(Model model);
   void take_light(Light light);
@@ -117,6 +118,7 @@ class Session {
   std::shared_ptr<const EmitterLights> emitter_lights_;  // of the mix's reflectances, or none
   std::optional<radiosity::Index> selected_;
   std::shared_ptr<const LightPath> light_path_;
+  bool has_asked_ = false;  // for the light path; it may have failed
   std::shared_ptr<const IterationRecord> iteration_;
   std::deque<Message> messages_;
   Versions versions_;

@@ -68,7 +68,10 @@ class Application final : public ScriptHost {
     const auto start = Clock::now();
     for (const std::string& path : window_.take_dropped_files()) open(path);
     if (update(desk_)) lively_ = kLivelyFrames;
-    window_.set_title(window_title(desk_.session));
+    if (titled_ != desk_.session.versions().model) {
+      titled_ = desk_.session.versions().model;
+      window_.set_title(window_title(desk_.session));
+    }
     input_.handle(desk_, panels_);
     panels_.draw(desk_, window_.width(), window_.height(), window_.scale());
     painter_.paint(desk_, view_);
@@ -153,6 +156,7 @@ class Application final : public ScriptHost {
   std::optional<Script> script_;
   std::deque<double> frame_times_;  // ms
   Clock::time_point last_frame_ = Clock::now();
+  int titled_ = 0;  // version of the model that the title tells
   int lively_ = kLivelyFrames;
   int screenshot_frames_ = 0;
   bool is_last_asked_ = false;
