@@ -6,6 +6,8 @@
 
 #include "apps/number_list.h"
 #include "io/scene_file.h"
+#include "meshing/adaptive.h"
+#include "meshing/patches.h"
 #include "radiosity/error.h"
 
 namespace apps {
@@ -77,7 +79,7 @@ void add_compute_options(CLI::App& command, ComputeOptions& options) {
                                     fmt::format("Divide into about N patches of about equal size; "
                                                 "without any of these three options {}, or the "
                                                 "polygons as they are if there are more",
-                                                kDefaultPatches))
+                                                meshing::kDefaultPatches))
                         ->check(check_positive)
                         ->type_name("N")
                         ->group(patches);
@@ -113,7 +115,7 @@ void add_adaptive_option(CLI::App& command, ComputeOptions& options) {
       .add_flag("--adaptive", options.adaptive,
                 fmt::format("Make patches small where the light varies, until --tolerance is met "
                             "or --patches (default {}) are spent",
-                            kMostAdaptivePatches))
+                            meshing::kMostAdaptivePatches))
       ->group("Patches")
       ->excludes(command.get_option("--max-edge"))
       ->excludes(command.get_option("--as-is"));

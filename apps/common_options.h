@@ -44,11 +44,6 @@ struct PictureOptions {
   PhotometryOptions photometry;
 };
 
-/// Number of patches asked for if neither --max-edge, --patches nor --as-is is given.
-inline constexpr long kDefaultPatches = 2000;
-/// Number of patches at which --adaptive ends if --patches is not given.
-inline constexpr long kMostAdaptivePatches = 20000;
-
 /// These bind the options to the command; `options` must outlive the parsing.
 void add_common_options(CLI::App& command, CommonOptions& options);
 /// Those of the common options that have to do with running, not with a scene.

@@ -6,7 +6,6 @@
 
 #include "apps/number_list.h"
 #include "apps/quantity_options.h"
-#include "apps/scene_text.h"
 
 namespace apps {
 namespace {

@@ -1,10 +1,6 @@
 #pragma once
 
-#include <fmt/format.h>
-
-#include <string>
 #include <string_view>
-#include <vector>
 
 #include "meshing/inspect.h"
 #include "radiosity/scene.h"
@@ -26,22 +22,6 @@ constexpr std::string_view emission_name(radiosity::Emission::Kind kind) {
       return "temperature";
   }
   return "";
-}
-
-/// "grey"; "red", "green", "blue"; or "400 nm"...
-inline std::vector<std::string> band_names(const radiosity::Bands& bands) {
-  switch (bands.kind) {
-    case radiosity::Bands::Kind::grey:
-      return {"grey"};
-    case radiosity::Bands::Kind::rgb:
-      return {"red", "green", "blue"};
-    case radiosity::Bands::Kind::wavelengths:
-      break;
-  }
-  std::vector<std::string> names;
-  for (const double wavelength : bands.wavelengths)
-    names.push_back(fmt::format("{} nm", wavelength));
-  return names;
 }
 
 /// "note", "warning" or "serious".

@@ -1,7 +1,6 @@
 #include "apps/solve_command.h"
 
 #include <algorithm>
-#include <array>
 
 #include "apps/output_files.h"
 #include "apps/picture_check.h"
@@ -16,19 +15,11 @@ namespace {
 using radiosity::Method;
 using radiosity::Quantity;
 
-constexpr std::array kMethods = {Method::conjugate_gradients, Method::jacobi, Method::gauss_seidel,
-                                 Method::southwell, Method::chebyshev};
-
 std::vector<std::string> method_names() {
   std::vector<std::string> names;
-  for (const Method method : kMethods) names.emplace_back(radiosity::method_name(method));
+  for (const Method method : radiosity::all_methods())
+    names.emplace_back(radiosity::method_name(method));
   return names;
-}
-
-/// The method of a name that the command line has checked.
-Method method_named(const std::string& name) {
-  return *std::find_if(kMethods.begin(), kMethods.end(),
-                       [&](Method method) { return radiosity::method_name(method) == name; });
 }
 
 }  // namespace
@@ -67,7 +58,8 @@ void SolveCommand::run() const {
   const PatchCheck check = [&](const PatchedScene& patched) {
     check_all(patched, quantities, terminal);
   };
-  const SolvedScene solved(common_, compute_, method_named(method_), progress, terminal, check);
+  const SolvedScene solved(common_, compute_, *radiosity::method_named(method_), progress, terminal,
+                           check);
   io::ResultOptions options = {.wavelengths = solved.scene.bands.wavelengths};
   for (const Quantity quantity : quantities) {
     options.quantities.push_back(radiosity::make_field(quantity, solved.mesh, solved.solution,

@@ -21,21 +21,6 @@ namespace {
 
 using namespace radiosity;
 
-// Beyond this many polygons, looking for flaws costs more than it tells.
-constexpr Index kInspectedPolygons = 200'000;
-
-meshing::PatchOptions patch_options(const Scene& scene, const ComputeOptions& compute,
-                                    const Progress& progress) {
-  meshing::PatchOptions options{
-      .max_edge = compute.max_edge, .n_patches = compute.n_patches, .progress = progress};
-  if (compute.adaptive) {  // to look at; refinement makes its own
-    options.n_patches = std::min(options.n_patches.value_or(kDefaultPatches), kDefaultPatches);
-  }
-  const bool nothing_said = !compute.max_edge && !compute.n_patches && !compute.as_is;
-  if (nothing_said && scene.n_polygons() < kDefaultPatches) options.n_patches = kDefaultPatches;
-  return options;
-}
-
 double polygon_area(const Scene& scene, Index i) {
   std::vector<Vec3> corners;
   for (const auto vertex : scene.polygon(i)) corners.push_back(scene.vertices[vertex]);
@@ -59,7 +44,11 @@ Index least_patches(const Scene& scene, const meshing::PatchOptions& options) {
 PatchMesh make_affordable_patches(const Scene& scene, const ComputeOptions& compute,
                                   const MemoryChecks& checks, const Progress& progress,
                                   TerminalProgress& terminal) {
-  const meshing::PatchOptions options = patch_options(scene, compute, progress);
+  const meshing::PatchOptions options = meshing::make_patch_options({.max_edge = compute.max_edge,
+                                                                     .n_patches = compute.n_patches,
+                                                                     .as_is = compute.as_is,
+                                                                     .adaptive = compute.adaptive},
+                                                                    scene, progress);
   checks.expected(least_patches(scene, options), scene.n_polygons());
   warn_of_findings(scene, terminal);
   PatchMesh mesh = meshing::make_patches(scene, options);
@@ -112,10 +101,11 @@ std::unique_ptr<Transport> make_scene_transport(const Scene& scene, const PatchM
 meshing::AdaptiveMesh refine_scene(const Scene& scene, const ComputeOptions& compute,
                                    const Progress& progress, TerminalProgress& terminal) {
   const Index affordable = largest_problem(usable_memory());
-  meshing::AdaptiveOptions options{.tolerance = compute.tolerance,
-                                   .max_patches = compute.n_patches.value_or(kMostAdaptivePatches),
-                                   .transport = transport_options(scene, compute, progress),
-                                   .progress = progress};
+  meshing::AdaptiveOptions options{
+      .tolerance = compute.tolerance,
+      .max_patches = compute.n_patches.value_or(meshing::kMostAdaptivePatches),
+      .transport = transport_options(scene, compute, progress),
+      .progress = progress};
   if (affordable > 0) options.max_patches = std::min<long>(options.max_patches, affordable);
   meshing::AdaptiveMesh result = meshing::make_adaptive_patches(scene, options);
   warn_of_open_rows(result.transport->report(), terminal);
@@ -253,10 +243,7 @@ Scene read_checked_scene(const CommonOptions& common, const Progress& progress,
 }
 
 void warn_of_findings(const Scene& scene, TerminalProgress& terminal) {
-  if (scene.n_polygons() > kInspectedPolygons) return;
-  for (const meshing::Finding& finding : meshing::inspect(scene).findings) {
-    if (finding.severity == meshing::Finding::Severity::serious) terminal.warn(finding.message);
-  }
+  for (const std::string& message : meshing::serious_findings(scene)) terminal.warn(message);
 }
 
 void warn_of_open_rows(const AssemblyReport& report, TerminalProgress& terminal) {

@@ -9,6 +9,7 @@
 #include "apps/scene_text.h"
 #include "apps/surface_flux.h"
 #include "apps/terminal_progress.h"
+#include "radiosity/quantity.h"
 
 namespace apps {
 namespace {

@@ -9,9 +9,12 @@
 
 namespace meshing {
 
+/// Number of patches at which refinement ends if nobody says another.
+inline constexpr long kMostAdaptivePatches = 20000;
+
 struct AdaptiveOptions {
-  double tolerance = 1e-2;   ///< relative error of the radiosity at which refinement ends, > 0
-  long max_patches = 20000;  ///< at which it ends too, about
+  double tolerance = 1e-2;  ///< relative error of the radiosity at which refinement ends, > 0
+  long max_patches = kMostAdaptivePatches;     ///< at which it ends too, about
   radiosity::TransportOptions transport = {};  ///< of the form factors
   radiosity::Progress progress = {};
 };

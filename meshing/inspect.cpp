@@ -151,4 +151,14 @@ Inspection inspect(const radiosity::Scene& scene) {
   return result;
 }
 
+std::vector<std::string> serious_findings(const radiosity::Scene& scene) {
+  constexpr radiosity::Index kInspectedPolygons = 200'000;
+  std::vector<std::string> messages;
+  if (scene.n_polygons() > kInspectedPolygons) return messages;
+  for (const Finding& finding : inspect(scene).findings) {
+    if (finding.severity == Finding::Severity::serious) messages.push_back(finding.message);
+  }
+  return messages;
+}
+
 }  // namespace meshing

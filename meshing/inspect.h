@@ -52,4 +52,8 @@ struct Inspection {
 /// Examines a scene; never throws for bad geometry, that is what it reports.
 Inspection inspect(const radiosity::Scene& scene);
 
+/// Messages of the serious findings, to warn of before long work. None for scenes of more than
+/// 200,000 polygons, where looking for them costs more than it tells.
+std::vector<std::string> serious_findings(const radiosity::Scene& scene);
+
 }  // namespace meshing

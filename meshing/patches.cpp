@@ -170,6 +170,18 @@ PatchMesh PatchMaker::with_about(double n_patches) const {
 
 }  // namespace
 
+PatchOptions make_patch_options(const PatchChoice& choice, const radiosity::Scene& scene,
+                                const radiosity::Progress& progress) {
+  PatchOptions options{
+      .max_edge = choice.max_edge, .n_patches = choice.n_patches, .progress = progress};
+  if (choice.adaptive) {
+    options.n_patches = std::min(options.n_patches.value_or(kDefaultPatches), kDefaultPatches);
+  }
+  const bool nothing_said = !choice.max_edge && !choice.n_patches && !choice.as_is;
+  if (nothing_said && scene.n_polygons() < kDefaultPatches) options.n_patches = kDefaultPatches;
+  return options;
+}
+
 PatchMesh make_patches(const Scene& scene, const PatchOptions& options) {
   assert(!(options.max_edge && options.n_patches));
   assert(!options.max_edge || *options.max_edge > 0);

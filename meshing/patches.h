@@ -17,6 +17,22 @@ struct PatchOptions {
   radiosity::Progress progress = {};
 };
 
+/// Number of patches where nobody says how fine they shall be.
+inline constexpr long kDefaultPatches = 2000;
+
+/// How fine patches shall be, as people say it: at most one of the first three.
+struct PatchChoice {
+  std::optional<double> max_edge = {};  ///< m
+  std::optional<long> n_patches = {};   ///< about so many
+  bool as_is = false;                   ///< each input polygon is one patch
+  bool adaptive = false;                ///< refined where the light varies, later
+};
+
+/// The options for what was chosen. Without a choice there are kDefaultPatches, or the polygons as
+/// they are if there are more; with `adaptive` no more than that, since refinement makes its own.
+PatchOptions make_patch_options(const PatchChoice& choice, const radiosity::Scene& scene,
+                                const radiosity::Progress& progress = {});
+
 /// Largest distance of a quad's corner from the plane of the others, relative to its diagonal, up
 /// to which it counts as planar; a quad further from planar becomes two triangles.
 inline constexpr double kPlanarQuad = 1e-6;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <charconv>
 
 #include "radiosity/color_matching.h"
 
@@ -75,6 +76,26 @@ std::optional<Quantity> quantity_named(std::string_view name) {
   const auto* found = std::find_if(kInfos.begin(), kInfos.end(),
                                    [&](const QuantityInfo& info) { return info.name == name; });
   return found == kInfos.end() ? std::nullopt : std::optional(found->quantity);
+}
+
+std::vector<std::string> band_names(const Bands& bands) {
+  switch (bands.kind) {
+    case Bands::Kind::grey:
+      return {"grey"};
+    case Bands::Kind::rgb:
+      return {"red", "green", "blue"};
+    case Bands::Kind::wavelengths:
+      break;
+  }
+  std::vector<std::string> names;
+  for (const double wavelength : bands.wavelengths) {
+    std::array<char, 512> text{};  // holds any number in the shortest digits that tell it apart
+    const auto end =
+        std::to_chars(text.data(), text.data() + text.size(), wavelength, std::chars_format::fixed)
+            .ptr;
+    names.push_back(std::string(text.data(), end) + " nm");
+  }
+  return names;
 }
 
 std::string band_unit(std::string_view unit, const Bands& bands) {

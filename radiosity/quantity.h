@@ -50,6 +50,9 @@ std::optional<Quantity> quantity_named(std::string_view name);
 /// The unit of a band's values: as given, but per nm if the bands are wavelengths.
 std::string band_unit(std::string_view unit, const Bands& bands);
 
+/// "grey"; "red", "green", "blue"; or "400 nm"...
+std::vector<std::string> band_names(const Bands& bands);
+
 /// lm/W of white light, by which RGB and grey bands become photometric: a convention of lighting
 /// simulation (Radiance's WHTEFFICACY), not a measured value of any lamp.
 inline constexpr double kWhiteEfficacy = 179;

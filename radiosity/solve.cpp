@@ -1,6 +1,7 @@
 #include "radiosity/solve.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -137,6 +138,20 @@ std::string_view method_name(Method method) {
       return "chebyshev";
   }
   return "unknown";
+}
+
+std::span<const Method> all_methods() {
+  static constexpr std::array kMethods = {Method::conjugate_gradients, Method::jacobi,
+                                          Method::gauss_seidel, Method::southwell,
+                                          Method::chebyshev};
+  return kMethods;
+}
+
+std::optional<Method> method_named(std::string_view name) {
+  for (const Method method : all_methods()) {
+    if (method_name(method) == name) return method;
+  }
+  return std::nullopt;
 }
 
 Solution solve(const Transport& transport, const Eigen::MatrixXd& exitance,

@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <optional>
+#include <span>
 #include <string_view>
 
 #include "radiosity/progress.h"
@@ -15,6 +17,10 @@ enum class Method { conjugate_gradients, jacobi, gauss_seidel, southwell, chebys
 
 /// "cg", "jacobi", "gauss-seidel", "southwell", "chebyshev".
 std::string_view method_name(Method method);
+/// All of them, in the order of the enumeration.
+std::span<const Method> all_methods();
+/// Empty if no method has that name.
+std::optional<Method> method_named(std::string_view name);
 
 /// Where an iteration stands. The fields are worked out when asked for, during the call only.
 struct SolveStep {

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <system_error>
 
+#include "io/extension.h"
+
 namespace viewer {
 namespace {
 
@@ -18,9 +20,7 @@ constexpr std::array<std::string_view, 9> kExtensions = {".json", ".obj", ".ply"
                                                          ".gltf", ".glb", ".vtp", ".h5"};
 
 bool is_readable(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = io::lower_case_extension(path);
   return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
 }
 

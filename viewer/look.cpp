@@ -50,9 +50,8 @@ ShownField banded(std::string what, const std::string& unit, const Eigen::Matrix
 
 std::optional<ShownField> quantity_field(const Session& session, const Look& look) {
   if (session.light() == nullptr) return std::nullopt;
-  const QuantityField field =
-      make_field(look.quantity, *session.model().mesh, session.light()->solution,
-                 session.model().bands, look.efficacy);
+  const QuantityField field = make_field(look.quantity, *session.model().mesh,
+                                         session.light()->solution, session.model().bands);
   std::string name(field.info.name);
   std::replace(name.begin(), name.end(), '-', ' ');
   if (look.quantity == Quantity::error) {
@@ -161,13 +160,8 @@ std::optional<Eigen::MatrixXd> shown_radiosity(const Session& session, const Loo
 }
 
 std::string band_title(const radiosity::Bands& bands, std::optional<Index> band) {
-  using Kind = radiosity::Bands::Kind;
   if (!band || *band >= bands.count()) return fmt::format("mean of {} bands", bands.count());
-  if (bands.kind == Kind::wavelengths) {
-    return fmt::format("{} nm", bands.wavelengths[static_cast<std::size_t>(*band)]);
-  }
-  constexpr std::array kRgb = {"red", "green", "blue"};
-  return bands.kind == Kind::rgb ? kRgb[static_cast<std::size_t>(*band)] : "grey";
+  return radiosity::band_names(bands)[static_cast<std::size_t>(*band)];
 }
 
 }  // namespace viewer

@@ -37,8 +37,7 @@ struct Look {
   bool smooth = true;
   bool edges = false;
   bool hide_backs = true;
-  std::size_t step = 0;                         ///< frame of the recorded iteration
-  double efficacy = radiosity::kWhiteEfficacy;  ///< lm/W, of RGB and grey
+  std::size_t step = 0;  ///< frame of the recorded iteration
 };
 
 /// What can be shown, with the name that scripts use ("true-colour", "illuminance",

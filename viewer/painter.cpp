@@ -22,7 +22,7 @@ bool is_same(const Look& a, const Look& b) {
                     a.range->logarithmic == b.range->logarithmic));
   return a.show == b.show && a.quantity == b.quantity && a.band == b.band && is_same_range &&
          a.logarithmic == b.logarithmic && a.stops == b.stops && a.smooth == b.smooth &&
-         a.step == b.step && a.efficacy == b.efficacy;
+         a.step == b.step;
 }
 
 bool needs_repaint(const Session::Versions& a, const Session::Versions& b, Show show) {

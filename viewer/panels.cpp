@@ -15,15 +15,12 @@
 namespace viewer {
 namespace {
 
-using radiosity::Method;
-
 constexpr float kLeftWidth = 270;  // at scale 1, as the others
 constexpr float kRightWidth = 330;
 constexpr float kLeastPicture = 160;
 constexpr int kConsoleLines = 3;
 
-constexpr std::array kMethods = {Method::conjugate_gradients, Method::jacobi, Method::gauss_seidel,
-                                 Method::southwell, Method::chebyshev};
+// In words, in the order of radiosity::all_methods.
 constexpr std::array kMethodNames = {"conjugate gradients", "Jacobi", "Gauss-Seidel",
                                      "Southwell (shooting)", "Chebyshev"};
 
@@ -234,7 +231,7 @@ void Panels::draw_watch(Desk& desk, double scale) {
   ImGui::SameLine();
   ImGui::BeginDisabled(session.model().transport == nullptr);
   if (ImGui::Button("Record")) {
-    session.record_iteration(kMethods[method_]);
+    session.record_iteration(radiosity::all_methods()[static_cast<std::size_t>(method_)]);
     desk.look.step = 0;
     if (desk.look.show != Show::unshot) show(desk, "watched");
     is_playing_ = true;

@@ -29,7 +29,7 @@ std::vector<Partner> largest(const Eigen::VectorXd& row, const Eigen::VectorXd& 
   return partners;
 }
 
-void add_light(PatchFacts& facts, const Session& session, double efficacy) {
+void add_light(PatchFacts& facts, const Session& session) {
   const radiosity::Solution& solution = session.light()->solution;
   facts.has_light = true;
   facts.radiosity = solution.radiosity.row(facts.patch);
@@ -37,14 +37,14 @@ void add_light(PatchFacts& facts, const Session& session, double efficacy) {
   facts.exitance = solution.exitance.row(facts.patch);
   facts.reflectance = solution.reflectance.row(facts.patch);
   if (session.light()->has_errors()) facts.error = solution.radiosity_error.row(facts.patch);
-  const Eigen::VectorXd weights = radiosity::luminous_weights(session.model().bands, efficacy);
+  const Eigen::VectorXd weights = radiosity::luminous_weights(session.model().bands);
   facts.illuminance = weights.dot(facts.irradiance);
   facts.luminance = weights.dot(facts.radiosity) / radiosity::kPi;
 }
 
 }  // namespace
 
-PatchFacts patch_facts(const Session& session, double efficacy) {
+PatchFacts patch_facts(const Session& session) {
   const Model& model = session.model();
   PatchFacts facts;
   facts.patch = session.selected().value();
@@ -58,7 +58,7 @@ PatchFacts patch_facts(const Session& session, double efficacy) {
   facts.area = model.mesh->area[i];
   facts.centroid = model.mesh->centroid[i];
   facts.normal = model.mesh->normal[i];
-  if (session.light() != nullptr) add_light(facts, session, efficacy);
+  if (session.light() != nullptr) add_light(facts, session);
   if (!model.factors) return facts;
   const Eigen::VectorXd row = model.factors.row(facts.patch);
   facts.has_factors = true;

@@ -40,8 +40,8 @@ struct PatchFacts {
   double row_sum = 0;  ///< Σ_j F_ij; what is missing to 1 leaves the scene or meets backs
 };
 
-/// Of the selected patch, which there must be. `efficacy` in lm/W, of RGB and grey.
-PatchFacts patch_facts(const Session& session, double efficacy);
+/// Of the selected patch, which there must be.
+PatchFacts patch_facts(const Session& session);
 
 /// Values with a unit in few digits, for a person: "0.532 0.41 0.2".
 std::string number_list(const Eigen::VectorXd& values);

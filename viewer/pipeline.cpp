@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "io/extension.h"
 #include "io/form_factor_reader.h"
 #include "io/result_reader.h"
 #include "io/scene_file.h"
@@ -27,36 +28,12 @@ using radiosity::Scene;
 using radiosity::Solution;
 using radiosity::Transport;
 
-constexpr long kDefaultPatches = 2000;
-constexpr long kMostAdaptivePatches = 20000;
-// Beyond this many polygons, looking for flaws costs more than it tells.
-constexpr Index kInspectedPolygons = 200'000;
-
 constexpr double kPreviewSeconds = 3;
 constexpr double kPreviewInterval = 0.08;  // s
 constexpr double kLittleUnshot = 0.01;     // share of the emitted power at which a preview ends
 
 constexpr double kQuickTolerance = 1e-3;  // no pixel shows it
 constexpr double kTolerance = 1e-8;
-
-std::string extension(const std::string& path) {
-  std::string result = std::filesystem::path(path).extension().string();
-  std::transform(result.begin(), result.end(), result.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return result;
-}
-
-meshing::PatchOptions patch_options(const SolveSettings& settings, const Scene& scene,
-                                    const Progress& progress) {
-  meshing::PatchOptions options{
-      .max_edge = settings.max_edge, .n_patches = settings.n_patches, .progress = progress};
-  if (settings.adaptive) {  // to look at; refinement makes its own
-    options.n_patches = std::min(options.n_patches.value_or(kDefaultPatches), kDefaultPatches);
-  }
-  const bool nothing_said = !settings.max_edge && !settings.n_patches && !settings.as_is;
-  if (nothing_said && scene.n_polygons() < kDefaultPatches) options.n_patches = kDefaultPatches;
-  return options;
-}
 
 radiosity::TransportOptions transport_options(const SolveSettings& settings, const Scene& scene,
                                               const Progress& progress) {
@@ -113,7 +90,7 @@ Model refined(const Model& coarse, const SolveSettings& settings, const Pipeline
               const Progress& progress) {
   meshing::AdaptiveMesh adaptive = meshing::make_adaptive_patches(
       *coarse.scene, {.tolerance = settings.tolerance,
-                      .max_patches = settings.n_patches.value_or(kMostAdaptivePatches),
+                      .max_patches = settings.n_patches.value_or(meshing::kMostAdaptivePatches),
                       .transport = transport_options(settings, *coarse.scene, progress),
                       .progress = progress});
   if (!adaptive.refinement.is_accurate) {
@@ -131,10 +108,7 @@ Model refined(const Model& coarse, const SolveSettings& settings, const Pipeline
 
 void warn_of_findings(const Scene& scene, const PipelineEvents& events) {
   for (const std::string& warning : scene.warnings) events.warned(warning);
-  if (scene.n_polygons() > kInspectedPolygons) return;
-  for (const meshing::Finding& finding : meshing::inspect(scene).findings) {
-    if (finding.severity == meshing::Finding::Severity::serious) events.warned(finding.message);
-  }
+  for (const std::string& message : meshing::serious_findings(scene)) events.warned(message);
 }
 
 radiosity::SolveOptions solve_options(double tolerance, const Progress& progress) {
@@ -168,14 +142,15 @@ EmitterLights separate(const Model& model, const LightMix& mix, const Scene& sce
 }  // namespace
 
 bool is_result_file(const std::string& path) {
-  return extension(path) == ".vtp" || extension(path) == ".h5";
+  const std::string extension = io::lower_case_extension(path);
+  return extension == ".vtp" || extension == ".h5";
 }
 
 void open_result(const std::string& path, const PipelineEvents& events) {
   Model model;
   model.path = path;
   std::optional<Solution> solution;
-  if (extension(path) == ".vtp") {
+  if (io::lower_case_extension(path) == ".vtp") {
     io::StoredResult result = io::read_result(path);
     for (const std::string& warning : result.warnings) events.warned(warning);
     model.mesh = std::make_shared<PatchMesh>(std::move(result.mesh));
@@ -209,8 +184,12 @@ void run_pipeline(const std::string& path, std::shared_ptr<const Scene> scene, c
   model.path = path;
   model.scene = std::move(scene);
   model.bands = model.scene->bands;
-  model.mesh = std::make_shared<PatchMesh>(
-      meshing::make_patches(*model.scene, patch_options(settings, *model.scene, progress)));
+  model.mesh = std::make_shared<PatchMesh>(meshing::make_patches(
+      *model.scene, meshing::make_patch_options({.max_edge = settings.max_edge,
+                                                 .n_patches = settings.n_patches,
+                                                 .as_is = settings.as_is,
+                                                 .adaptive = settings.adaptive},
+                                                *model.scene, progress)));
   model.visibility = std::make_shared<radiosity::Visibility>(*model.mesh);
   events.opened(model);
   preview(model, mix, events, progress);

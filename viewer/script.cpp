@@ -209,18 +209,15 @@ void set_camera(Stage& stage, ScriptArguments& arguments) {
 }
 
 void record_iteration(Stage& stage, ScriptArguments& arguments) {
-  using radiosity::Method;
   const std::string name = arguments.text("method");
-  for (const Method method : {Method::conjugate_gradients, Method::jacobi, Method::gauss_seidel,
-                              Method::southwell, Method::chebyshev}) {
-    if (radiosity::method_name(method) != name) continue;
-    stage.desk.session.record_iteration(method);
-    show(stage.desk, "watched");
-    stage.desk.look.step = 0;
-    return;
+  const auto method = radiosity::method_named(name);
+  if (!method) {
+    throw std::invalid_argument("no method is called '" + name +
+                                "'; there are cg, jacobi, gauss-seidel, southwell, chebyshev");
   }
-  throw std::invalid_argument("no method is called '" + name +
-                              "'; there are cg, jacobi, gauss-seidel, southwell, chebyshev");
+  stage.desk.session.record_iteration(*method);
+  show(stage.desk, "watched");
+  stage.desk.look.step = 0;
 }
 
 void set_step(Stage& stage, ScriptArguments& arguments) {
