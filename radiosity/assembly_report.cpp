@@ -4,7 +4,7 @@ namespace radiosity {
 
 AssemblyReport make_report(const Census& census, const Eigen::VectorXd& row_sums,
                            const std::vector<std::int32_t>& order,
-                           const std::vector<double>& areas) {
+                           const std::vector<double>& areas, const Eigen::VectorXd& covered) {
   AssemblyReport report;
   report.facing = census.facing;
   report.visible = census.visible;
@@ -17,8 +17,9 @@ AssemblyReport make_report(const Census& census, const Eigen::VectorXd& row_sums
   for (Index row = 0; row < row_sums.size(); ++row) {
     report.row_sums[order[row]] = row_sums[row] / areas[order[row]];
   }
+  report.covered = covered;
   if (row_sums.size() == 0) return report;
-  const Eigen::ArrayXd gap = (1 - report.row_sums.array()).abs();
+  const Eigen::ArrayXd gap = (1 - covered.array() - report.row_sums.array()).abs();
   report.closure_mean = gap.mean();
   report.closure_max = gap.maxCoeff();
   return report;

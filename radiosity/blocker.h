@@ -3,8 +3,6 @@
 #include <vector>
 
 #include "radiosity/geometry.h"
-#include "radiosity/occluders.h"
-#include "radiosity/patch_mesh.h"
 #include "radiosity/shaft.h"
 
 namespace radiosity {
@@ -18,21 +16,23 @@ struct Blocker {
     int left;  ///< index of a face
     int right;
   };
-  /// Bodies with more faces are left in polygons: every test loops over all of them.
-  static constexpr std::size_t kMostFaces = 32;
+  /// Bodies with more faces are left in polygons, and polygons with more sides in parts.
+  static constexpr std::size_t kMostFaces = 128;
 
   std::vector<HalfSpace> faces;  ///< outside is normal · x > offset
   std::vector<Edge> edges;
   std::vector<Vec3> corners;
   Box3 box;
+  Vec3 center = Vec3::Zero();  ///< of a sphere that holds it
+  double radius = 0;           ///< of that sphere, m
+  /// Bodies of few faces, one each or none: what misses `outer` misses this blocker, what is all
+  /// hidden by `inner`, with an end outside of `outer`, is hidden by it.
+  std::vector<Blocker> outer;
+  std::vector<Blocker> inner;
   [[nodiscard]] bool is_flat() const { return faces.size() == 2; }
 };
 
-/// The occluders as blockers. One-sided occluders that meet edge to edge and bound a convex body
-/// become one blocker, as do those that lack only a face in a plane with the whole scene on one
-/// side, such as a box on the floor: nothing sees in through there. `thickness` is how far off a
-/// plane points may be and still count as on it, m.
-std::vector<Blocker> make_blockers(const std::vector<Occluder>& occluders, const PatchMesh& mesh,
-                                   double thickness);
+/// Sets `center` and `radius` from the corners.
+void set_sphere(Blocker& blocker);
 
 }  // namespace radiosity

@@ -6,36 +6,101 @@
 #include "radiosity/shaft.h"
 
 namespace radiosity {
+namespace {
+
+/// Nodes smaller than this share of the larger cluster are not opened: their parts would hardly be
+/// told apart.
+constexpr double kOpenedSize = 0.5;
+
+class Filter {
+ public:
+  Filter(const Cluster& a, const Cluster& b, const BlockerSet& blockers, double thickness)
+      : a_(a),
+        b_(b),
+        blockers_(blockers),
+        thickness_(thickness),
+        is_last_(a.is_leaf() && b.is_leaf()),
+        least_size_(kOpenedSize * std::max(a.box.diagonal().norm(), b.box.diagonal().norm())),
+        shaft_(a.box, b.box) {}
+
+  std::optional<Candidates> run(std::span<const std::int32_t> candidates) {
+    open_.assign(candidates.rbegin(), candidates.rend());
+    while (!open_.empty()) {
+      const std::int32_t k = open_.back();
+      open_.pop_back();
+      const BlockerSet::Node& node = blockers_.nodes[k];
+      const bool is_hiding = node.is_leaf() ? test_leaf(k) : test_group(k);
+      if (is_hiding) return std::nullopt;
+    }
+    return std::move(kept_);
+  }
+
+ private:
+  const SegmentBundle& bundle() {
+    if (!bundle_) bundle_.emplace(a_.outline, b_.outline, thickness_);
+    return *bundle_;
+  }
+
+  /// Keeps a leaf if need be; true if it hides everything.
+  bool test_leaf(std::int32_t k) {
+    const Blocker& blocker = blockers_.blocker(k);
+    if (shaft_.misses(blocker.box, blocker.corners, thickness_)) return false;
+    const SegmentBundle::Verdict verdict = bundle().test(blocker);
+    if (verdict.blocking == Blocking::none) return false;
+    if (verdict.blocking == Blocking::all) return true;
+    if (is_last_ && verdict.divides_source != nullptr && bundle().is_separated(blocker)) {
+      return false;
+    }
+    kept_.push_back(k);
+    return false;
+  }
+
+  /// Keeps or opens a node of several; true if what is within it hides everything.
+  bool test_group(std::int32_t k) {
+    const BlockerSet::Node& node = blockers_.nodes[k];
+    if (shaft_.misses(node.box, thickness_)) return false;
+    if (!node.outer.empty()) {
+      const Blocker& outer = node.outer[0];
+      if (shaft_.misses(outer.box, outer.corners, thickness_)) return false;
+      if (bundle().misses(outer)) return false;
+      if (!node.inner.empty() && bundle().is_end_outside(outer) &&
+          bundle().test(node.inner[0]).blocking == Blocking::all) {
+        return true;
+      }
+    }
+    if (is_last_ || node.box.diagonal().norm() >= least_size_) {
+      open_.push_back(node.right);
+      open_.push_back(node.left);
+    } else {
+      kept_.push_back(k);
+    }
+    return false;
+  }
+
+  const Cluster& a_;
+  const Cluster& b_;
+  const BlockerSet& blockers_;
+  double thickness_;
+  bool is_last_;
+  double least_size_;
+  BoxShaft shaft_;
+  std::optional<SegmentBundle> bundle_;
+  Candidates open_;
+  Candidates kept_;
+};
+
+}  // namespace
+
+Candidates all_candidates(const BlockerSet& blockers) {
+  return blockers.root < 0 ? Candidates() : Candidates{blockers.root};
+}
 
 std::optional<Candidates> possible_blockers(const Cluster& a, const Cluster& b,
-                                            const std::vector<Blocker>& blockers,
+                                            const BlockerSet& blockers,
                                             std::span<const std::int32_t> candidates,
                                             double thickness) {
-  Candidates kept;
-  if (candidates.empty()) return kept;
-  const bool is_last = a.is_leaf() && b.is_leaf();
-  const BoxShaft shaft(a.box, b.box);
-  std::optional<SegmentBundle> there;
-  std::optional<SegmentBundle> back;
-  for (const std::int32_t k : candidates) {
-    const Blocker& blocker = blockers[k];
-    if (shaft.misses(blocker.box, blocker.corners, thickness)) continue;
-    if (!there) there.emplace(a.outline, b.outline, thickness);
-    SegmentBundle::Verdict verdict = there->test(blocker);
-    const bool is_divided = verdict.divides_source != nullptr;
-    if (verdict.blocking == Blocking::some) {
-      if (!back) back.emplace(b.outline, a.outline, thickness);
-      verdict = back->test(blocker);
-    }
-    if (verdict.blocking == Blocking::all) return std::nullopt;
-    if (verdict.blocking == Blocking::none) continue;
-    if (is_last && is_divided && verdict.divides_source != nullptr &&
-        there->is_separated(blocker)) {
-      continue;
-    }
-    kept.push_back(k);
-  }
-  return kept;
+  if (candidates.empty()) return Candidates();
+  return Filter(a, b, blockers, thickness).run(candidates);
 }
 
 bool are_averted(const Cluster& a, const Cluster& b, double thickness) {

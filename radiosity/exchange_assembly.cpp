@@ -5,12 +5,11 @@
 #include <mutex>
 #include <vector>
 
-#include "radiosity/blocker.h"
+#include "radiosity/blocker_set.h"
 #include "radiosity/cluster_tree.h"
 #include "radiosity/cluster_visibility.h"
 #include "radiosity/memory_sink.h"
 #include "radiosity/occluded_pair.h"
-#include "radiosity/occluders.h"
 #include "radiosity/pair_kernel.h"
 #include "radiosity/parallel.h"
 
@@ -30,6 +29,8 @@ constexpr double kExactTolerance = 1e-11;
 /// relative to the tolerance, none.
 constexpr double kMinor = 1e-2;
 constexpr double kNegligible = 1e-3;
+/// Patches of which less than this share is open are covered but for rounding.
+constexpr double kCovered = 1e-6;
 
 /// Rays for a pair whose samples disagree. An entry's relative error falls a little faster than
 /// rays^-½; partly hidden pairs hold a few per cent of all exchange.
@@ -45,7 +46,8 @@ double kernel_tolerance(Index n_patches, double tolerance) {
 
 class Assembler {
  public:
-  Assembler(const PatchMesh& mesh, const Visibility& visibility, const TransportOptions& options)
+  Assembler(const PatchMesh& mesh, const Visibility& visibility, const TransportOptions& options,
+            const Eigen::VectorXd& covered)
       : options_(options),
         visibility_(visibility),
         table_(mesh, kernel_tolerance(mesh.size(), options.tolerance)),
@@ -54,12 +56,13 @@ class Assembler {
                       kNegligible * options.tolerance / static_cast<double>(mesh.size()),
                       table_.thickness(),
                       options.tolerance,
-                      table_.tolerance()} {
+                      table_.tolerance()},
+        covered_(covered) {
     const Box3 box = bounds(mesh);
     if (!box.isEmpty()) center_ = box.center();
     const PatchMesh local = centered(mesh);
     tree_ = make_cluster_tree(local, kLeafSize, table_.thickness());
-    blockers_ = make_blockers(make_occluders(local, table_.thickness()), local, table_.thickness());
+    blockers_ = make_blockers(local, table_.thickness());
     find_strips();
     find_known();
   }
@@ -72,9 +75,7 @@ class Assembler {
     sink.start({tree_.order, Strips(boundaries)});
     if (strips_.empty()) return;
     count_done();
-    Candidates all(blockers_.size());
-    for (std::size_t k = 0; k < all.size(); ++k) all[k] = static_cast<std::int32_t>(k);
-    visit_blocks(0, 0, all, false);
+    visit_blocks(0, 0, all_candidates(blockers_), false);
   }
 
  private:
@@ -261,6 +262,7 @@ class Assembler {
     // Whichever cluster comes first, a pair is computed one way round.
     const std::int32_t i = std::min(tree_.order[row], tree_.order[column]);
     const std::int32_t j = std::max(tree_.order[row], tree_.order[column]);
+    if (is_covered(i) || is_covered(j)) return;
     const Blocking front_i = table_.in_front(i, j);
     if (front_i == Blocking::none) return;
     const Blocking front_j = table_.in_front(j, i);
@@ -280,6 +282,11 @@ class Assembler {
                             : occluded_entry(i, j, front_i, front_j, candidates, work);
     if (candidates.empty()) ++work.census.visible;
     store(row - work.first_row, column - work.first_column, entry, work);
+  }
+
+  /// Whether nothing reaches a patch: it lies on a solid's face and looks into it.
+  [[nodiscard]] bool is_covered(std::int32_t patch) const {
+    return covered_[patch] >= 1 - kCovered;
   }
 
   struct Entry {
@@ -325,7 +332,7 @@ class Assembler {
     const ConvexPolygon polygon_i = part_in_front(i, j, front_j);
     const ConvexPolygon polygon_j = part_in_front(j, i, front_i);
     work.blockers.clear();
-    for (const std::int32_t k : candidates) work.blockers.push_back(&blockers_[k]);
+    for (const std::int32_t k : candidates) work.blockers.push_back(&blockers_.blocker(k));
     const PairEstimate estimate = work.estimator.estimate(
         {polygon_i, table_.plane(i), polygon_j, table_.plane(j), center_, i, j}, work.blockers,
         [&] { return table_.unoccluded(i, j, front_i, front_j); }, pair_seed(options_.seed, i, j));
@@ -343,7 +350,8 @@ class Assembler {
   Vec3 center_ = Vec3::Zero();
   OccludedPairOptions pair_options_;
   ClusterTree tree_;
-  std::vector<Blocker> blockers_;
+  BlockerSet blockers_;
+  const Eigen::VectorXd& covered_;
   std::vector<std::int32_t> strips_;            // clusters
   std::vector<std::int32_t> strip_of_cluster_;  // per cluster, or -1
   std::vector<bool> is_known_;                  // per cluster
@@ -355,14 +363,15 @@ class Assembler {
 }  // namespace
 
 void assemble_tiles(const PatchMesh& mesh, const Visibility& visibility,
-                    const TransportOptions& options, TileSink& sink) {
-  Assembler(mesh, visibility, options).run(sink);
+                    const TransportOptions& options, const Eigen::VectorXd& covered,
+                    TileSink& sink) {
+  Assembler(mesh, visibility, options, covered).run(sink);
 }
 
 Assembly assemble_exchange_areas(const PatchMesh& mesh, const Visibility& visibility,
-                                 const TransportOptions& options) {
-  MemorySink sink(mesh.area);
-  assemble_tiles(mesh, visibility, options, sink);
+                                 const TransportOptions& options, const Eigen::VectorXd& covered) {
+  MemorySink sink(mesh.area, covered);
+  assemble_tiles(mesh, visibility, options, covered, sink);
   return sink.finish();
 }
 

@@ -17,12 +17,13 @@ struct Assembly {
 
 /// Computes the entries of every tile that `sink` has not: facing test and clipping, shaft culling
 /// with candidate occluders inherited down the cluster tree, the exact kernel for pairs proved
-/// visible, sampled visibility for the rest.
+/// visible, sampled visibility for the rest. `covered` are the patches' covered_shares().
 void assemble_tiles(const PatchMesh& mesh, const Visibility& visibility,
-                    const TransportOptions& options, TileSink& sink);
+                    const TransportOptions& options, const Eigen::VectorXd& covered,
+                    TileSink& sink);
 
 /// The same for tiles in memory.
 Assembly assemble_exchange_areas(const PatchMesh& mesh, const Visibility& visibility,
-                                 const TransportOptions& options);
+                                 const TransportOptions& options, const Eigen::VectorXd& covered);
 
 }  // namespace radiosity

@@ -109,7 +109,7 @@ SurfacePoint FinalGather::settled(const SurfacePoint& point) const {
   Vec3 x = point.position - self.center;
   self.keep_within_patch(point.patch, x);
   const Vec3 margin = Vec3::Constant(self.ray_error);
-  for (const Blocker& blocker : self.scene.blockers) {
+  for (const Blocker& blocker : self.scene.blockers.blockers) {
     if (blocker.is_flat()) continue;
     if ((x.array() < (blocker.box.min() - margin).array()).any()) continue;
     if ((x.array() > (blocker.box.max() + margin).array()).any()) continue;

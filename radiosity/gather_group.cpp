@@ -51,7 +51,7 @@ GatherScene::GatherScene(const PatchMesh& mesh, const Eigen::MatrixXd& patch_rad
     is_dark.push_back(radiosity.col(i).isZero(0));
   }
   tree = make_cluster_tree(local, kLeafSize, thickness);
-  blockers = make_blockers(make_occluders(local, thickness), local, thickness);
+  blockers = make_blockers(local, thickness);
 }
 
 void GroupGather::gather(const HalfSpace& plane, std::span<GatherPoint> points,
@@ -69,9 +69,7 @@ void GroupGather::gather(const HalfSpace& plane, std::span<GatherPoint> points,
   source_cluster.outline = source.outline;
   for (const Vec3& corner : source.outline) source_cluster.box.extend(corner);
   source_cluster.plane = plane;
-  Candidates all(scene_.blockers.size());
-  for (std::size_t k = 0; k < all.size(); ++k) all[k] = static_cast<std::int32_t>(k);
-  walk(source_cluster, 0, all, source);
+  walk(source_cluster, 0, all_candidates(scene_.blockers), source);
   resolve(source, 0);
 }
 
@@ -215,7 +213,7 @@ Blocking GroupGather::find_open(const ConvexPolygon& target, std::span<const std
   for (const std::int32_t k : blockers) {
     Shadow* shadow = nullptr;
     if (is_last) shadow = &next_shadow();
-    const SegmentBundle::Verdict verdict = bundle.test(scene_.blockers[k], shadow);
+    const SegmentBundle::Verdict verdict = bundle.test(scene_.blockers.blocker(k), shadow);
     if (verdict.blocking == Blocking::all) return Blocking::all;
     if (verdict.blocking == Blocking::none) continue;
     open_.push_back(k);
@@ -243,7 +241,7 @@ void GroupGather::add_partial(const Target& target, const Source& source) {
     n_shadows_ = n_common;
     bool is_hidden = false;
     for (const std::int32_t k : point_by_point_) {
-      const Blocking blocking = add_point_shadow(scene_.blockers[k], point.position, part.points(),
+      const Blocking blocking = add_point_shadow(scene_.blockers.blocker(k), point.position, part.points(),
                                                  scene_.thickness, next_shadow());
       is_hidden |= blocking == Blocking::all;
       if (blocking == Blocking::some) ++n_shadows_;

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "radiosity/blocker.h"
+#include "radiosity/blocker_set.h"
 #include "radiosity/cluster_tree.h"
 #include "radiosity/cluster_visibility.h"
 #include "radiosity/gather_interpolation.h"
@@ -27,7 +27,7 @@ struct GatherScene {
   std::vector<ConvexPolygon> polygons;
   std::vector<Disc> discs;  ///< around them
   ClusterTree tree;
-  std::vector<Blocker> blockers;
+  BlockerSet blockers;
   Eigen::MatrixXd radiosity;  ///< n_bands x n_patches, W/m²
   std::vector<bool> is_dark;  ///< per patch: it has none
 };

@@ -12,7 +12,8 @@ namespace radiosity {
 /// Keeps the tiles in memory.
 class MemorySink final : public TileSink {
  public:
-  explicit MemorySink(const std::vector<double>& areas) : areas_(areas) {}
+  MemorySink(const std::vector<double>& areas, const Eigen::VectorXd& covered)
+      : areas_(areas), covered_(covered) {}
 
   void start(const TileLayout& layout) override {
     order_ = layout.order;
@@ -27,12 +28,13 @@ class MemorySink final : public TileSink {
 
   Assembly finish() {
     const Eigen::VectorXd row_sums = totals_->row_sums();
-    AssemblyReport report = make_report(totals_->census(), row_sums, order_, areas_);
+    AssemblyReport report = make_report(totals_->census(), row_sums, order_, areas_, covered_);
     return {std::move(order_), std::move(*tiles_), row_sums, std::move(report)};
   }
 
  private:
   const std::vector<double>& areas_;
+  const Eigen::VectorXd& covered_;
   std::vector<std::int32_t> order_;
   std::optional<ExchangeTiles> tiles_;
   std::optional<TileTotals> totals_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "radiosity/patch_mesh.h"
@@ -12,13 +13,26 @@ struct Occluder {
   Vec3 normal;                ///< unit
   double offset = 0;          ///< normal · x = offset on the plane, m
   Box3 box;
-  bool is_one_sided = false;  ///< every patch of it faces `normal` and has no twin
 };
 
+/// Which patches block something, in sets of those that may be merged with each other.
+struct BlockingPatches {
+  std::vector<bool> is_outer;  ///< per patch: in a plane that has the whole scene on one side
+  /// The others, one of each pair of twins.
+  std::vector<std::int32_t> patches;
+};
+
+/// Patches in a plane that has the whole scene on one side (a wall of a convex room) block nothing.
+/// `thickness` is how far off a plane points may be and still count as on it, m.
+BlockingPatches find_blocking_patches(const PatchMesh& mesh, double thickness);
+
 /// The patches merged into few convex polygons that cover exactly the same set, so that visibility
-/// can be reasoned about at low cost. Polygons in a plane that has the whole scene on one side (a
-/// wall of a convex room) are left out: they block nothing. `thickness` is how far off a plane
-/// points may be and still count as on it, m.
-std::vector<Occluder> make_occluders(const PatchMesh& mesh, double thickness);
+/// can be reasoned about at low cost. The patches of one input polygon are merged first, so that
+/// the number of occluders depends little on how it is divided.
+std::vector<Occluder> make_occluders(const PatchMesh& mesh,
+                                     const std::vector<std::int32_t>& patches, double thickness);
+
+/// Leaves out the occluders that lie within another one, such as one of two walls back to back.
+void drop_covered_occluders(std::vector<Occluder>& occluders, double thickness);
 
 }  // namespace radiosity

@@ -9,7 +9,8 @@ namespace radiosity {
 namespace {
 
 /// Whether the corners, of a convex polygon or of a box, lie in one plane.
-bool is_flat(std::span<const Vec3> corners, double thickness) {
+bool are_in_one_plane(std::span<const Vec3> corners, double thickness) {
+  if (corners.size() < 4) return true;
   const Vec3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
   return std::all_of(corners.begin(), corners.end(), [&](const Vec3& corner) {
     return std::abs(normal.dot(corner - corners.front())) <= thickness;
@@ -23,13 +24,26 @@ void Shadow::clear() {
   faces.clear();
 }
 
+SegmentBundle::End SegmentBundle::make_end(std::span<const Vec3> corners, double thickness) {
+  End end{corners, Vec3::Zero(), 0, are_in_one_plane(corners, thickness)};
+  for (const Vec3& corner : corners) end.center += corner;
+  end.center /= static_cast<double>(corners.size());
+  double square = 0;
+  for (const Vec3& corner : corners) square = std::max(square, (corner - end.center).squaredNorm());
+  end.radius = std::sqrt(square);
+  return end;
+}
+
 SegmentBundle::SegmentBundle(std::span<const Vec3> source, std::span<const Vec3> target,
                              double thickness)
-    : source_(source), target_(target), thickness_(thickness) {
+    : thickness_(thickness),
+      source_(make_end(source, thickness)),
+      target_(make_end(target, thickness)),
+      axis_(target_.center - source_.center),
+      radius_(std::max(source_.radius, target_.radius)) {
   assert(source.size() <= kMostCorners && target.size() <= kMostCorners);
   for (const Vec3& point : source) box_.extend(point);
   for (const Vec3& point : target) box_.extend(point);
-  least_side_ = thickness * box_.diagonal().norm();
   for (const Vec3& x : source) {
     for (const Vec3& y : target) {
       const Vec3 direction = y - x;
@@ -46,10 +60,11 @@ SegmentBundle::SegmentBundle(std::span<const Vec3> source, std::span<const Vec3>
   }
 }
 
-SegmentBundle::Range SegmentBundle::range_over(std::span<const Vec3> points, const Vec3& normal) {
+SegmentBundle::Range SegmentBundle::range_over(std::span<const Vec3> points,
+                                               const HalfSpace& plane) {
   Range range{1e300, -1e300};
   for (const Vec3& point : points) {
-    const double height = normal.dot(point);
+    const double height = plane.normal.dot(point) - plane.offset;
     range.low = std::min(range.low, height);
     range.high = std::max(range.high, height);
   }
@@ -80,82 +95,197 @@ SegmentBundle::passing_of(const Vec3& start, const Vec3& end) const {
   return {*std::min_element(low, low + kLanes), *std::max_element(high, high + kLanes)};
 }
 
-std::optional<SegmentBundle::Sides> SegmentBundle::find_sides(const Blocker& blocker) const {
-  Sides sides;
-  for (std::size_t f = 0; f < blocker.faces.size(); ++f) {
-    const HalfSpace& face = blocker.faces[f];
-    const Range a = range_over(source_, face.normal);
-    const Range b = range_over(target_, face.normal);
-    const double above = face.offset + thickness_;
-    const double below = face.offset - thickness_;
-    if (a.low >= below && b.low >= below) return std::nullopt;
-    const bool is_source_on = a.low >= below && a.high <= above;
-    if (blocker.is_flat() && is_source_on) return std::nullopt;
-    sides.of_source[f] = a.high <= above ? Side::behind : a.low >= below ? Side::front : Side::both;
-    if (sides.of_source[f] == Side::both && sides.source_divider == nullptr) {
-      sides.source_divider = &face;
+double SegmentBundle::passing_tolerance(const Vec3& start, const Vec3& end) const {
+  // Moving one end of a segment by the thickness changes its side by the thickness times the other
+  // end's distance from the edge's line.
+  const Vec3 direction = (end - start).normalized();
+  double largest = 0;
+  for (const End* points : {&source_, &target_}) {
+    double least = 1e300;
+    for (const Vec3& point : points->corners) {
+      least = std::min(least, direction.cross(point - start).squaredNorm());
     }
-    sides.is_target_behind[f] = b.high <= above;
-    sides.sees_a_face |= sides.of_source[f] == Side::front;
-    sides.touches_seen_face |= sides.of_source[f] == Side::front && b.high >= below;
-    sides.is_target_outside |= b.high > above && b.low >= below;
-    // What lies on a face is not hidden from what is in front of that face.
-    sides.is_source_on_face |= is_source_on && b.high > above;
-    sides.touches_own_face |= a.high >= below && b.high > above;
-    if (b.high > above && b.low < below) sides.target_divider = &face;
+    largest = std::max(largest, least);
   }
-  return sides;
+  return thickness_ * std::sqrt(largest);
 }
 
-/// The source is inside the blocker. What is outside does not see it; what is divided has to be
-/// divided to tell.
-SegmentBundle::Verdict SegmentBundle::test_from_inside(const Sides& sides) const {
-  const bool is_on_surface =
-      sides.is_source_on_face || (sides.touches_own_face && !is_flat(source_, thickness_));
-  if (sides.is_target_outside && !is_on_surface) return {Blocking::all};
-  if (sides.target_divider == nullptr) return {Blocking::none};
-  return {Blocking::some, nullptr, sides.target_divider};
+SegmentBundle::Side SegmentBundle::side(const Range& height) const {
+  if (height.high <= thickness_) return Side::behind;
+  return height.low >= -thickness_ ? Side::front : Side::both;
+}
+
+bool SegmentBundle::is_on(const Range& height) const {
+  return height.low >= -thickness_ && height.high <= thickness_;
+}
+
+bool SegmentBundle::is_out_of_reach(const Blocker& blocker) const {
+  if ((blocker.box.min().array() >= box_.max().array() - thickness_).any() ||
+      (box_.min().array() >= blocker.box.max().array() - thickness_).any()) {
+    return true;
+  }
+  const Vec3 way = blocker.center - source_.center;
+  const double square = axis_.squaredNorm();
+  const double place = square > 0 ? std::clamp(axis_.dot(way) / square, 0.0, 1.0) : 0;
+  const double reach = radius_ + blocker.radius;
+  return (way - place * axis_).squaredNorm() > reach * reach;
+}
+
+bool SegmentBundle::find_heights(const Blocker& blocker, Heights& heights) const {
+  const bool is_flat = blocker.is_flat();
+  for (std::size_t f = 0; f < blocker.faces.size(); ++f) {
+    Range& a = heights.of_source[f];
+    Range& b = heights.of_target[f];
+    if (is_flat && f == 1) {
+      a = {-heights.of_source[0].high, -heights.of_source[0].low};
+      b = {-heights.of_target[0].high, -heights.of_target[0].low};
+    } else {
+      a = range_over(source_.corners, blocker.faces[f]);
+      b = range_over(target_.corners, blocker.faces[f]);
+    }
+    if (a.low >= -thickness_ && b.low >= -thickness_) return false;
+    // What is in a polygon's plane is not hidden by it.
+    if (is_flat && (is_on(a) || is_on(b))) return false;
+  }
+  return true;
+}
+
+/// What is outside does not see the inside, but for what lies on a face and looks out of it.
+Blocking SegmentBundle::look_from_inside(const Blocker& blocker, const End& end,
+                                         std::span<const Range> own,
+                                         std::span<const Range> other) const {
+  bool is_other_inside = true;
+  bool is_other_outside = false;
+  bool looks_out = false;
+  for (std::size_t f = 0; f < blocker.faces.size(); ++f) {
+    const bool is_beyond = other[f].high > thickness_;
+    is_other_inside &= !is_beyond;
+    is_other_outside |= is_beyond && other[f].low >= -thickness_;
+    const bool touches = own[f].high >= -thickness_ && (!end.is_flat || is_on(own[f]));
+    looks_out |= touches && is_beyond;
+  }
+  if (is_other_inside) return Blocking::none;
+  return is_other_outside && !looks_out ? Blocking::all : Blocking::some;
+}
+
+SegmentBundle::Outlook SegmentBundle::look(const Blocker& blocker, const Heights& heights,
+                                           bool from_source, Shadow* shadow) const {
+  const End& end = from_source ? source_ : target_;
+  const End& there = from_source ? target_ : source_;
+  const std::span own(from_source ? heights.of_source.data() : heights.of_target.data(),
+                      blocker.faces.size());
+  const std::span other(from_source ? heights.of_target.data() : heights.of_source.data(),
+                        blocker.faces.size());
+  std::array<Side, Blocker::kMostFaces> sides;
+  Outlook outlook;
+  bool sees_a_face = false;
+  bool hides_all = true;
+  for (std::size_t f = 0; f < blocker.faces.size(); ++f) {
+    sides[f] = side(own[f]);
+    if (sides[f] == Side::both && outlook.divider == nullptr) outlook.divider = &blocker.faces[f];
+    if (sides[f] != Side::front) continue;
+    sees_a_face = true;
+    // What is not a flat set may have patches in a plane that it touches: those of the other end
+    // are seen there, and those of this end are not behind a polygon that they lie beside.
+    hides_all &= other[f].high <= thickness_;
+    hides_all &= there.is_flat || other[f].high < -thickness_;
+    if (blocker.is_flat()) hides_all &= end.is_flat || own[f].low > thickness_;
+  }
+  if (!sees_a_face && outlook.divider == nullptr) {
+    outlook.is_inside = true;
+    outlook.blocking = look_from_inside(blocker, end, own, other);
+    return outlook;
+  }
+  hides_all &= outlook.divider == nullptr;
+
+  const double largest_tolerance = thickness_ * box_.diagonal().norm();
+  const std::size_t n_edges = shadow != nullptr ? shadow->edges.size() : 0;
+  for (const Blocker::Edge& edge : blocker.edges) {
+    const Side left = sides[edge.left];
+    const Side right = sides[edge.right];
+    if (left == right || left == Side::both || right == Side::both) continue;
+    const Vec3& start = left == Side::front ? edge.start : edge.end;
+    const Vec3& stop = left == Side::front ? edge.end : edge.start;
+    Range passing = passing_of(start, stop);
+    if (!from_source) passing = {-passing.high, -passing.low};
+    const bool may_miss = passing.high <= largest_tolerance;
+    const bool may_hide = passing.low >= -largest_tolerance;
+    const double tolerance = may_miss || may_hide ? passing_tolerance(start, stop) : 0;
+    if (may_miss && passing.high <= tolerance) {
+      if (shadow != nullptr) shadow->edges.resize(n_edges);
+      outlook.blocking = Blocking::none;
+      return outlook;
+    }
+    if (may_hide && passing.low >= -tolerance) continue;
+    hides_all = false;
+    if (shadow != nullptr) shadow->edges.push_back({start, stop});
+  }
+  if (hides_all) outlook.blocking = Blocking::all;
+  if (shadow == nullptr) return outlook;
+  if (hides_all || outlook.divider != nullptr) {
+    shadow->edges.resize(n_edges);
+    return outlook;
+  }
+  for (std::size_t f = 0; f < blocker.faces.size(); ++f) {
+    if (sides[f] == Side::front && other[f].high > thickness_) {
+      shadow->faces.push_back(blocker.faces[f]);
+    }
+  }
+  return outlook;
 }
 
 SegmentBundle::Verdict SegmentBundle::test(const Blocker& blocker, Shadow* shadow) const {
-  if ((blocker.box.min().array() >= box_.max().array() - thickness_).any() ||
-      (box_.min().array() >= blocker.box.max().array() - thickness_).any()) {
-    return {Blocking::none};
-  }
-  const std::optional<Sides> found = find_sides(blocker);
-  if (!found) return {Blocking::none};
-  const Sides& sides = *found;
-  if (!sides.sees_a_face && sides.source_divider == nullptr) return test_from_inside(sides);
-
-  const std::size_t n_edges = shadow != nullptr ? shadow->edges.size() : 0;
-  bool hides_all = true;
-  for (const Blocker::Edge& edge : blocker.edges) {
-    const Side left = sides.of_source[edge.left];
-    const Side right = sides.of_source[edge.right];
-    if (left == right || left == Side::both || right == Side::both) continue;
-    const Vec3& start = left == Side::front ? edge.start : edge.end;
-    const Vec3& end = left == Side::front ? edge.end : edge.start;
-    const Range passing = passing_of(start, end);
-    if (passing.high <= least_side_) {
-      if (shadow != nullptr) shadow->edges.resize(n_edges);
-      return {Blocking::none};
+  assert(blocker.faces.size() <= Blocker::kMostFaces);
+  if (is_out_of_reach(blocker)) return {Blocking::none};
+  if (!blocker.outer.empty()) {
+    if (misses(blocker.outer[0])) return {Blocking::none};
+    if (!blocker.inner.empty() && (blocker.is_flat() || is_end_outside(blocker.outer[0])) &&
+        test(blocker.inner[0]).blocking == Blocking::all) {
+      return {Blocking::all};
     }
-    if (passing.low >= -least_side_) continue;
-    hides_all = false;
-    if (shadow != nullptr) shadow->edges.push_back({start, end});
   }
-  if (sides.source_divider != nullptr) {
-    if (shadow != nullptr) shadow->edges.resize(n_edges);
-    return {Blocking::some, sides.source_divider, nullptr};
+  Heights heights;
+  if (!find_heights(blocker, heights)) return {Blocking::none};
+  const std::size_t n_edges = shadow != nullptr ? shadow->edges.size() : 0;
+  const std::size_t n_faces = shadow != nullptr ? shadow->faces.size() : 0;
+  const Outlook from_source = look(blocker, heights, true, shadow);
+  if (from_source.blocking != Blocking::some) return {from_source.blocking};
+  const Outlook from_target = look(blocker, heights, false, nullptr);
+  if (from_target.blocking != Blocking::some) {
+    if (shadow != nullptr) {
+      shadow->edges.resize(n_edges);
+      shadow->faces.resize(n_faces);
+    }
+    return {from_target.blocking};
   }
+  if (from_source.divider != nullptr) return {Blocking::some, from_source.divider, nullptr};
+  if (!from_source.is_inside) return {Blocking::some};
+  // Seen from inside, the target has to be divided to tell.
   for (std::size_t f = 0; f < blocker.faces.size(); ++f) {
-    if (sides.of_source[f] != Side::front || sides.is_target_behind[f]) continue;
-    hides_all = false;
-    if (shadow != nullptr) shadow->faces.push_back(blocker.faces[f]);
+    const Range& height = heights.of_target[f];
+    if (height.high > thickness_ && height.low < -thickness_) {
+      return {Blocking::some, nullptr, &blocker.faces[f]};
+    }
   }
-  // What touches a face from outside is seen; a polygon does so with nothing but its border.
-  hides_all &= !sides.touches_seen_face || is_flat(target_, thickness_);
-  return {hides_all ? Blocking::all : Blocking::some};
+  return {Blocking::some};
+}
+
+bool SegmentBundle::misses(const Blocker& blocker) const {
+  if (is_out_of_reach(blocker)) return true;
+  Heights heights;
+  if (!find_heights(blocker, heights)) return true;
+  const auto is_missed_from = [&](bool source) {
+    const Outlook outlook = look(blocker, heights, source, nullptr);
+    return outlook.blocking == Blocking::none && !outlook.is_inside;
+  };
+  return is_missed_from(true) || is_missed_from(false);
+}
+
+bool SegmentBundle::is_end_outside(const Blocker& body) const {
+  return std::any_of(body.faces.begin(), body.faces.end(), [this](const HalfSpace& face) {
+    return range_over(source_.corners, face).low >= -thickness_ ||
+           range_over(target_.corners, face).low >= -thickness_;
+  });
 }
 
 bool SegmentBundle::is_separated(const Blocker& blocker) const {
@@ -165,13 +295,13 @@ bool SegmentBundle::is_separated(const Blocker& blocker) const {
   };
   const auto separates = [&](const Vec3& normal, double offset) {
     return are_beyond(blocker.corners, -normal, -offset - thickness_) &&
-           are_beyond(source_, normal, offset - thickness_) &&
-           are_beyond(target_, normal, offset - thickness_);
+           are_beyond(source_.corners, normal, offset - thickness_) &&
+           are_beyond(target_.corners, normal, offset - thickness_);
   };
   for (const Blocker::Edge& edge : blocker.edges) {
     const Vec3 way = edge.end - edge.start;
-    for (const std::span<const Vec3> corners : {source_, target_}) {
-      for (const Vec3& corner : corners) {
+    for (const End* end : {&source_, &target_}) {
+      for (const Vec3& corner : end->corners) {
         Vec3 normal = way.cross(corner - edge.start);
         const double length = normal.norm();
         if (length <= thickness_ * way.norm()) continue;

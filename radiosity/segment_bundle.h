@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -26,6 +25,12 @@ struct Shadow {
 };
 
 /// All segments between two convex sets, given by their corners.
+///
+/// Proofs about patches in these sets rest on what touches what, decided here alone: a corner
+/// within the thickness of a plane is in it. A patch in the plane of a polygon is not hidden by
+/// it, a patch on a body's face from outside sees what is in front of that face, and a patch on a
+/// face that looks into the body sees nothing. Either end may be called the source: the verdict is
+/// the same.
 class SegmentBundle {
  public:
   static constexpr std::size_t kMostCorners = 14;
@@ -43,7 +48,7 @@ class SegmentBundle {
   };
 
   /// Judges a blocker. `none` and `all` are proofs. If it is `some` and nothing is divided, the
-  /// blocker's shadow is appended to `shadow`, where given.
+  /// blocker's shadow on the target is appended to `shadow`, where given.
   [[nodiscard]] Verdict test(const Blocker& blocker, Shadow* shadow = nullptr) const;
 
   /// Whether a plane through an edge of the blocker and a corner of the source or the target has
@@ -51,43 +56,70 @@ class SegmentBundle {
   /// where its own planes divide them. Costs more than `test`.
   [[nodiscard]] bool is_separated(const Blocker& blocker) const;
 
+  /// Whether no segment meets the blocker, given that what is inside it may block, too: as for a
+  /// body around others.
+  [[nodiscard]] bool misses(const Blocker& blocker) const;
+
+  /// Whether a face of the body has all of the source, or all of the target, in front of it.
+  [[nodiscard]] bool is_end_outside(const Blocker& body) const;
+
  private:
-  /// Where a point set lies with respect to a plane.
+  /// One of the two convex sets.
+  struct End {
+    std::span<const Vec3> corners;
+    Vec3 center;
+    double radius;
+    bool is_flat;  ///< in one plane
+  };
+  /// Lowest and highest value.
   struct Range {
     double low;
     double high;
   };
-  enum class Side { front, behind, both };
-  /// Where source and target lie with respect to a blocker's faces.
-  struct Sides {
-    std::array<Side, Blocker::kMostFaces> of_source;
-    std::array<bool, Blocker::kMostFaces> is_target_behind;
-    const HalfSpace* source_divider = nullptr;
-    const HalfSpace* target_divider = nullptr;
-    bool sees_a_face = false;        ///< the source is in front of one
-    bool touches_seen_face = false;  ///< the target reaches one of these
-    bool is_target_outside = false;  ///< in front of a face
-    bool is_source_on_face = false;  ///< with some of the target in front of that face
-    bool touches_own_face = false;   ///< the source reaches such a face
+  /// How far in front of each face the ends lie, m.
+  struct Heights {
+    std::array<Range, Blocker::kMostFaces> of_source;
+    std::array<Range, Blocker::kMostFaces> of_target;
   };
-  /// Empty if source and target are in front of one face, or the source in the plane of a polygon.
-  [[nodiscard]] std::optional<Sides> find_sides(const Blocker& blocker) const;
-  [[nodiscard]] Verdict test_from_inside(const Sides& sides) const;
-  static Range range_over(std::span<const Vec3> points, const Vec3& normal);
-  /// Lowest and highest value, over all segments, of how far they pass on the edge's left, times
-  /// their length, m².
+  enum class Side { front, behind, both };
+  /// What can be said of a blocker as seen from one end.
+  struct Outlook {
+    Blocking blocking = Blocking::some;
+    bool is_inside = false;              ///< the end is inside the blocker
+    const HalfSpace* divider = nullptr;  ///< a face's plane that cuts the end
+  };
+
+  static End make_end(std::span<const Vec3> corners, double thickness);
+  static Range range_over(std::span<const Vec3> points, const HalfSpace& plane);
+  [[nodiscard]] bool is_out_of_reach(const Blocker& blocker) const;
+  /// Empty-handed (false) if a face proves that the blocker blocks nothing.
+  [[nodiscard]] bool find_heights(const Blocker& blocker, Heights& heights) const;
+  [[nodiscard]] Side side(const Range& height) const;
+  [[nodiscard]] bool is_on(const Range& height) const;
+  /// The proofs as seen from one end; `from_source` tells which. The shadow is appended if it is the
+  /// source and nothing else is found.
+  [[nodiscard]] Outlook look(const Blocker& blocker, const Heights& heights, bool from_source,
+                             Shadow* shadow) const;
+  [[nodiscard]] Blocking look_from_inside(const Blocker& blocker, const End& end,
+                                          std::span<const Range> own,
+                                          std::span<const Range> other) const;
+  /// Lowest and highest value, over all segments from source to target, of how far they pass on the
+  /// edge's left, times their length, m².
   [[nodiscard]] Range passing_of(const Vec3& start, const Vec3& end) const;
+  /// What of `passing_of` an end that is off by the thickness may cause, m².
+  [[nodiscard]] double passing_tolerance(const Vec3& start, const Vec3& end) const;
 
   static constexpr std::size_t kLanes = 8;
   static constexpr std::size_t kMostLines =
       (kMostCorners * kMostCorners + kLanes - 1) / kLanes * kLanes;
 
-  std::span<const Vec3> source_;
-  std::span<const Vec3> target_;
   double thickness_;
+  End source_;
+  End target_;
   Box3 box_;
-  std::size_t n_lines_ = 0;  // padded to whole lanes
-  double least_side_ = 0;    // what counts as touching: the thickness times the longest length
+  Vec3 axis_;                 // from the source's centre to the target's
+  double radius_ = 0;         // of a capsule about it that holds all segments
+  std::size_t n_lines_ = 0;   // padded to whole lanes
   // Plücker coordinates of the lines between corners, (direction, moment).
   std::array<std::array<double, kMostLines>, 6> lines_;
 };

@@ -54,4 +54,14 @@ bool BoxShaft::misses(const Box3& box, std::span<const Vec3> corners, double thi
   });
 }
 
+bool BoxShaft::misses(const Box3& box, double thickness) const {
+  if ((box.min().array() >= both_.max().array() - thickness).any() ||
+      (both_.min().array() >= box.max().array() - thickness).any()) {
+    return true;
+  }
+  return std::any_of(planes_.begin(), planes_.end(), [&](const HalfSpace& plane) {
+    return range_over(box, plane.normal).first >= plane.offset - thickness;
+  });
+}
+
 }  // namespace radiosity

@@ -26,6 +26,8 @@ class BoxShaft {
   /// Whether a convex body in the given box and with the given corners is proved to be outside;
   /// `thickness` (m) is how deep into the shaft it may reach and still count so.
   [[nodiscard]] bool misses(const Box3& box, std::span<const Vec3> corners, double thickness) const;
+  /// The same for a box.
+  [[nodiscard]] bool misses(const Box3& box, double thickness) const;
 
  private:
   Box3 both_;

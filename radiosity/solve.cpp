@@ -84,14 +84,21 @@ Iterate iterate_with(Method method, const IrradianceSystem& system, SolveMonitor
 EnergyBalance energy_balance(const IrradianceSystem& system, const Eigen::MatrixXd& b,
                              const Eigen::MatrixXd& gathered) {
   const Eigen::VectorXd& area = system.transport->area();
-  const Eigen::VectorXd leak = area.cwiseProduct(Eigen::VectorXd::Ones(b.rows()) - system.row_sums);
+  // What lies on a solid's face and looks into it shines on that face alone.
+  const Eigen::VectorXd& shares = system.transport->report().covered;
+  const bool is_known = shares.size() == b.rows();
+  const Eigen::VectorXd covered =
+      is_known ? Eigen::VectorXd(area.cwiseProduct(shares)) : Eigen::VectorXd::Zero(b.rows());
+  const Eigen::VectorXd leak =
+      area.cwiseProduct(Eigen::VectorXd::Ones(b.rows()) - system.row_sums) - covered;
   EnergyBalance energy;
   energy.emitted = system.exitance.transpose() * area;
   energy.escaped = b.transpose() * leak;
   energy.absorbed.resize(b.cols());
   for (Index c = 0; c < b.cols(); ++c) {
     energy.absorbed[c] =
-        (area.array() * (1 - system.rho(c).array()) * gathered.col(c).array()).sum();
+        (area.array() * (1 - system.rho(c).array()) * gathered.col(c).array()).sum() +
+        covered.dot(b.col(c));
   }
   return energy;
 }

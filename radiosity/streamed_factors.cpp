@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "radiosity/assembly_report.h"
+#include "radiosity/blocker_set.h"
 #include "radiosity/exchange_assembly.h"
 #include "radiosity/tile_sum.h"
 
@@ -11,7 +12,7 @@ namespace radiosity {
 namespace {
 
 /// To be raised whenever the same scene and options give other numbers than before.
-constexpr int kNumbersVersion = 3;
+constexpr int kNumbersVersion = 4;
 /// The program with its libraries, and one patch with its share of tree and ray tracer, bytes.
 constexpr double kProgramBytes = 96e6;
 constexpr double kPatchBytes = 5e3;
@@ -68,11 +69,14 @@ StreamedFactors::StreamedFactors(const PatchMesh& mesh, const Visibility& visibi
                                  const StreamOptions& options, TileStore& store)
     : mesh_(mesh), options_(options), store_(store) {
   const auto start = std::chrono::steady_clock::now();
-  assemble_tiles(mesh, visibility, assembly_options(options), store);
+  const Eigen::VectorXd covered = covered_shares(mesh, plane_thickness(bounds(mesh)));
+  assemble_tiles(mesh, visibility, assembly_options(options), covered, store);
   const Eigen::VectorXd row_sums = store.totals().row_sums();
-  report_ = make_report(store.totals().census(), row_sums, store.layout().order, mesh.area);
+  report_ = make_report(store.totals().census(), row_sums, store.layout().order, mesh.area,
+                        covered);
   const Eigen::VectorXd areas = areas_of_rows();
-  RowSums sums = close(row_sums, areas);
+  const Eigen::VectorXd open = (1 - covered.array())(store.layout().order);
+  RowSums sums = close(row_sums, areas.cwiseProduct(open));
   if (options.min_factor > 0) sums.mask.setOnes();
   balance_.emplace(*closure_, areas, options.min_factor, sums.mask);
   if (options.min_factor > 0) {

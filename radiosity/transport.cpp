@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "radiosity/blocker_set.h"
 #include "radiosity/closure.h"
 #include "radiosity/exchange_assembly.h"
 
@@ -101,16 +102,17 @@ std::unique_ptr<Transport> make_transport(const PatchMesh& mesh, const Visibilit
   check_memory(mesh.size(), options.memory);
   const auto start = std::chrono::steady_clock::now();
   const Eigen::VectorXd area = Eigen::Map<const Eigen::VectorXd>(mesh.area.data(), mesh.size());
-  Assembly assembly = assemble_exchange_areas(mesh, visibility, options);
-  const Eigen::VectorXd area_in_order = area(assembly.order);
+  const Eigen::VectorXd covered = covered_shares(mesh, plane_thickness(bounds(mesh)));
+  Assembly assembly = assemble_exchange_areas(mesh, visibility, options, covered);
+  const Eigen::VectorXd open_area = (area.array() * (1 - covered.array()))(assembly.order);
   assembly.report.closed =
       options.closed == Closed::yes ||
       (options.closed == Closed::automatic &&
-       is_closed_within_errors(assembly.tiles, assembly.row_sums, area_in_order));
+       is_closed_within_errors(assembly.tiles, assembly.row_sums, open_area));
   assembly.tiles.set_row_sums(assembly.row_sums);
   if (assembly.report.closed) {
     const ClosureCorrection correction =
-        correct_closure(assembly.tiles, assembly.row_sums, area_in_order);
+        correct_closure(assembly.tiles, assembly.row_sums, open_area);
     assembly.tiles.unfreeze();
     assembly.tiles.set_row_sums(correction.sums.present);
     assembly.report.open_rows = correction.n_open_rows;

@@ -24,8 +24,11 @@ struct AssemblyReport {
   bool closed = false;         ///< the scene was taken as closed
   Eigen::VectorXd row_sums;    ///< Σ_j F_ij before any correction, n_patches
   std::int64_t open_rows = 0;  ///< closed scenes: rows further from 1 than sampling explains; kept
-  double closure_mean = 0;     ///< mean |1 - Σ_j F_ij|, before any correction
-  double closure_max = 0;      ///< max |1 - Σ_j F_ij|, before any correction
+  /// Share of each patch that lies on a solid's face and looks into it, n_patches: nothing leaves it
+  /// and nothing reaches it, so that a row of a closed scene sums to 1 less this.
+  Eigen::VectorXd covered;
+  double closure_mean = 0;  ///< mean |1 - covered - Σ_j F_ij|, before any correction
+  double closure_max = 0;   ///< max |1 - covered - Σ_j F_ij|, before any correction
 };
 
 /// What an operator knows about one pair of patches.

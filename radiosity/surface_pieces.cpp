@@ -1,0 +1,161 @@
+#include "radiosity/surface_pieces.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "radiosity/disjoint_sets.h"
+
+namespace radiosity {
+namespace {
+
+/// Facets at a smaller angle around an edge lie in one plane with nothing between them.
+constexpr double kSameAngle = 1e-5;
+
+class Joiner {
+ public:
+  Joiner(const PatchMesh& mesh, const std::vector<std::int32_t>& patches) {
+    result_.first_corner.push_back(0);
+    for (const std::int32_t i : patches) {
+      for (int k = 0; k < mesh.n_corners(i); ++k) {
+        result_.corners.push_back(mesh.corner(i, k));
+        result_.facet.push_back(static_cast<std::int32_t>(result_.normal.size()));
+      }
+      result_.first_corner.push_back(static_cast<std::int32_t>(result_.corners.size()));
+      result_.normal.push_back(mesh.normal[i]);
+    }
+    result_.neighbor.assign(result_.corners.size(), -1);
+  }
+
+  SurfacePieces run() {
+    weld();
+    join_edges();
+    collect();
+    return std::move(result_);
+  }
+
+ private:
+  /// Numbers equal points alike.
+  void weld() {
+    const std::vector<Vec3>& corners = result_.corners;
+    std::vector<std::int32_t> sorted(corners.size());
+    std::iota(sorted.begin(), sorted.end(), 0);
+    const auto coordinates = [&](std::int32_t k) {
+      return std::array{corners[k].x(), corners[k].y(), corners[k].z()};
+    };
+    std::sort(sorted.begin(), sorted.end(), [&](std::int32_t a, std::int32_t b) {
+      const auto p = coordinates(a);
+      const auto q = coordinates(b);
+      return p != q ? p < q : a < b;
+    });
+    point_.resize(corners.size());
+    for (std::size_t k = 0; k < sorted.size(); ++k) {
+      const bool is_new = k == 0 || coordinates(sorted[k]) != coordinates(sorted[k - 1]);
+      point_[sorted[k]] = is_new ? sorted[k] : point_[sorted[k - 1]];
+    }
+  }
+
+  struct Edge {
+    std::int32_t low, high;  // points
+    std::int32_t half_edge;
+    [[nodiscard]] auto key() const { return std::pair(low, high); }
+  };
+
+  void join_edges() {
+    std::vector<Edge> edges;
+    for (std::int32_t h = 0; h < static_cast<std::int32_t>(point_.size()); ++h) {
+      const std::int32_t a = point_[h];
+      const std::int32_t b = point_[result_.next(h)];
+      if (a != b) edges.push_back({std::min(a, b), std::max(a, b), h});
+    }
+    std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
+      return a.key() != b.key() ? a.key() < b.key() : a.half_edge < b.half_edge;
+    });
+    for (std::size_t first = 0; first < edges.size();) {
+      std::size_t last = first + 1;
+      while (last < edges.size() && edges[last].key() == edges[first].key()) ++last;
+      join_at_edge({edges.data() + first, last - first});
+      first = last;
+    }
+  }
+
+  void join(std::int32_t a, std::int32_t b) {
+    result_.neighbor[a] = b;
+    result_.neighbor[b] = a;
+  }
+
+  void join_at_edge(std::span<const Edge> edges) {
+    std::vector<std::int32_t> forward;
+    std::vector<std::int32_t> backward;
+    for (const Edge& edge : edges) {
+      (point_[edge.half_edge] == edge.low ? forward : backward).push_back(edge.half_edge);
+    }
+    if (forward.size() == 1 && backward.size() == 1) {
+      join(forward[0], backward[0]);
+      return;
+    }
+    if (forward.empty() || backward.empty()) return;
+    // Seen along the edge, the matter of a facet that runs forward is clockwise of it.
+    const Vec3 axis =
+        (result_.corners[edges[0].high] - result_.corners[edges[0].low]).normalized();
+    const Vec3 u = axis.unitOrthogonal();
+    const Vec3 v = axis.cross(u);
+    const auto angle = [&](std::int32_t half_edge, double way) {
+      const Vec3 inwards = way * result_.normal[result_.facet[half_edge]].cross(axis);
+      return std::atan2(v.dot(inwards), u.dot(inwards));
+    };
+    struct Wedge {
+      double angle;
+      std::int32_t forward, backward;
+    };
+    std::vector<Wedge> wedges;
+    for (const std::int32_t f : forward) {
+      for (const std::int32_t b : backward) {
+        double wedge = angle(f, 1) - angle(b, -1);
+        while (wedge <= kSameAngle) wedge += 2 * kPi;
+        while (wedge > 2 * kPi + kSameAngle) wedge -= 2 * kPi;
+        wedges.push_back({wedge, f, b});
+      }
+    }
+    std::stable_sort(wedges.begin(), wedges.end(),
+                     [](const Wedge& a, const Wedge& b) { return a.angle < b.angle; });
+    for (const Wedge& wedge : wedges) {
+      if (result_.neighbor[wedge.forward] < 0 && result_.neighbor[wedge.backward] < 0) {
+        join(wedge.forward, wedge.backward);
+      }
+    }
+  }
+
+  void collect() {
+    DisjointSets sets(static_cast<Index>(result_.normal.size()));
+    for (std::size_t h = 0; h < result_.neighbor.size(); ++h) {
+      if (result_.neighbor[h] >= 0) {
+        sets.join(result_.facet[h], result_.facet[result_.neighbor[h]]);
+      }
+    }
+    for (const std::vector<Index>& set : sets.sets()) {
+      SurfacePiece& piece = result_.pieces.emplace_back();
+      const Vec3 origin = result_.corners[result_.first_corner[set.front()]];
+      for (const Index f : set) {
+        piece.facets.push_back(static_cast<std::int32_t>(f));
+        for (std::int32_t h = result_.first_corner[f]; h < result_.first_corner[f + 1]; ++h) {
+          if (result_.neighbor[h] < 0) piece.open_edges.push_back(h);
+        }
+        const std::span<const Vec3> outline = result_.outline(static_cast<std::int32_t>(f));
+        piece.volume += vector_area(outline).dot(outline[0] - origin) / 3;
+      }
+    }
+  }
+
+  SurfacePieces result_;
+  std::vector<std::int32_t> point_;  // per corner: the first one in the same place
+};
+
+}  // namespace
+
+SurfacePieces find_surface_pieces(const PatchMesh& mesh, const std::vector<std::int32_t>& patches) {
+  return Joiner(mesh, patches).run();
+}
+
+}  // namespace radiosity
