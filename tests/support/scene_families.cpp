@@ -140,7 +140,7 @@ void add_room(Builder& builder, Random& random, Vec3& low, Vec3& high) {
   builder.result.is_closed = true;
 }
 
-/// A plate at a height: one-sided either way, two-sided, or a thin solid.
+/// A plate at a height: one-sided, facing up (0) or down (1), two-sided (2), or a thin solid (3).
 void add_plate(Builder& builder, Random& random, int kind, double x0, double x1, double y0,
                double y1, double z) {
   const Points points = rectangle(x0, x1, y0, y1, z);
@@ -162,7 +162,7 @@ void add_plate(Builder& builder, Random& random, int kind, double x0, double x1,
 void make_plates(Builder& builder, Random& random) {
   const int n = random.integer(2, 6);
   const bool is_uniform = random.coin();
-  const int kind = random.integer(0, 4);  // 4: any
+  const int kind = random.integer(0, 4);  // 0: up below, else down; 1: up or down; 4: any
   Vec3 low(-0.5, -0.5, -0.9);
   Vec3 high(0.5, 0.5, 0.9);
   if (random.integer(0, 2) == 0) add_room(builder, random, low, high);
@@ -171,7 +171,8 @@ void make_plates(Builder& builder, Random& random) {
     const double z = low.z() + gap * (k + (is_uniform ? 1 : random.uniform(0.6, 1.3)));
     const double half_x = is_uniform ? 0.45 : random.uniform(0.1, 0.45);
     const double half_y = is_uniform ? 0.45 : random.uniform(0.1, 0.45);
-    const int this_kind = kind == 4 ? random.integer(0, 3) : kind;
+    const std::array kinds{k == 0 ? 0 : 1, random.integer(0, 1), 2, 3, random.integer(0, 3)};
+    const int this_kind = kinds[kind];
     add_plate(builder, random, this_kind, -half_x, half_x, -half_y, half_y, z);
   }
 }
