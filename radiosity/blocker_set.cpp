@@ -57,7 +57,7 @@ class Builder {
     for (const std::int32_t i : blocking.patches) {
       (mesh_.twin[i] < 0 ? one_sided : loose).push_back(i);
     }
-    const SurfacePieces pieces = find_surface_pieces(mesh_, one_sided);
+    const SurfacePieces pieces = find_surface_pieces(mesh_, one_sided, thickness_);
     std::vector<std::int32_t> items;
     for (const SurfacePiece& piece : pieces.pieces) {
       if (const auto body = find_body(pieces, piece, mesh_, thickness_)) {
@@ -180,7 +180,7 @@ class CoverFinder {
   }
 
   void add_solids(const std::vector<std::int32_t>& one_sided) {
-    const SurfacePieces pieces = find_surface_pieces(mesh_, one_sided);
+    const SurfacePieces pieces = find_surface_pieces(mesh_, one_sided, thickness_);
     for (const SurfacePiece& piece : pieces.pieces) {
       if (!piece.is_solid()) continue;
       for (const std::int32_t f : piece.facets) add_cover(pieces.outline(f), pieces.normal[f]);
@@ -194,7 +194,7 @@ class CoverFinder {
     for (const std::int32_t i : blocking.patches) {
       if (mesh_.twin[i] < 0) one_sided.push_back(i);
     }
-    const SurfacePieces pieces = find_surface_pieces(mesh_, one_sided);
+    const SurfacePieces pieces = find_surface_pieces(mesh_, one_sided, thickness_);
     for (const SurfacePiece& piece : pieces.pieces) {
       if (piece.open_edges.empty()) continue;
       const auto body = find_body(pieces, piece, mesh_, thickness_);
@@ -221,37 +221,69 @@ class CoverFinder {
     }
   }
 
-  /// Covers may overlap each other where solids do; a patch is no more than covered.
   [[nodiscard]] double share_of(Index i, double widest) const {
+    ConvexPolygon patch;
     Box3 box;
-    for (int k = 0; k < mesh_.n_corners(i); ++k) box.extend(mesh_.corner(i, k));
+    for (int k = 0; k < mesh_.n_corners(i); ++k) {
+      patch.push_back(mesh_.corner(i, k));
+      box.extend(patch[k]);
+    }
     box.min().array() -= thickness_;
     box.max().array() += thickness_;
-    double area = 0;
+    // Covers may overlap each other, so each is taken away from what the others left.
+    std::vector<ConvexPolygon> open{patch};
     const double first = box.min().x() - widest;
     auto cover = std::lower_bound(covers_.begin(), covers_.end(), first,
                                   [](const Cover& c, double x) { return c.box.min().x() < x; });
     for (; cover != covers_.end() && cover->box.min().x() <= box.max().x(); ++cover) {
       if (cover->normal.dot(mesh_.normal[i]) > -0.9 || !cover->box.intersects(box)) continue;
-      area += common_area(i, *cover);
+      if (!is_in_plane(i, *cover)) continue;
+      std::vector<ConvexPolygon> left;
+      for (const ConvexPolygon& part : open) subtract(part, *cover, left);
+      open = std::move(left);
     }
-    return std::min(1.0, area / mesh_.area[i]);
+    if (open.size() == 1 && open[0].size() == patch.size()) return 0;
+    double area = 0;
+    for (const ConvexPolygon& part : open) area += vector_area(part.points()).norm();
+    return std::clamp(1 - area / mesh_.area[i], 0.0, 1.0);
   }
 
-  [[nodiscard]] double common_area(Index i, const Cover& cover) const {
-    ConvexPolygon rest;
+  [[nodiscard]] bool is_in_plane(Index i, const Cover& cover) const {
     const double offset = cover.normal.dot(cover.outline[0]);
     for (int k = 0; k < mesh_.n_corners(i); ++k) {
-      rest.push_back(mesh_.corner(i, k));
-      if (std::abs(cover.normal.dot(rest[k]) - offset) > thickness_) return 0;
+      if (std::abs(cover.normal.dot(mesh_.corner(i, k)) - offset) > thickness_) return false;
     }
-    for (std::size_t k = 0; k < cover.outline.size() && !rest.empty(); ++k) {
+    return true;
+  }
+
+  /// Appends the parts of a polygon outside a cover.
+  void subtract(const ConvexPolygon& polygon, const Cover& cover,
+                std::vector<ConvexPolygon>& parts) const {
+    ConvexPolygon rest = polygon;
+    const std::size_t first = parts.size();
+    for (std::size_t k = 0; k < cover.outline.size(); ++k) {
       const Vec3& a = cover.outline[k];
       const Vec3& b = cover.outline[k + 1 < cover.outline.size() ? k + 1 : 0];
       const Vec3 inwards = cover.normal.cross(b - a).normalized();
+      const ConvexPolygon outside = clip_to_half_space(rest.points(), a, -inwards, thickness_);
       rest = clip_to_half_space(rest.points(), a, inwards, thickness_);
+      if (rest.size() < 3) {  // nothing is covered
+        parts.resize(first);
+        parts.push_back(polygon);
+        return;
+      }
+      if (outside.size() >= 3) add_part(outside, parts);
     }
-    return rest.size() < 3 ? 0 : vector_area(rest.points()).norm();
+  }
+
+  /// In halves if further cuts might exceed the capacity.
+  static void add_part(const ConvexPolygon& part, std::vector<ConvexPolygon>& parts) {
+    constexpr std::size_t kMostCorners = 8;
+    if (part.size() <= kMostCorners) {
+      parts.push_back(part);
+      return;
+    }
+    for (const ConvexPolygon& piece : divide_about_corners(part)) parts.push_back(piece);
   }
 
   const PatchMesh mesh_;

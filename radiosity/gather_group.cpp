@@ -36,7 +36,7 @@ std::array<double, RectangleInterpolation::kLargestOrder + 1> make_least_ratios(
 }  // namespace
 
 GatherScene::GatherScene(const PatchMesh& mesh, const Eigen::MatrixXd& patch_radiosity)
-    : thickness(plane_thickness(bounds(mesh))), radiosity(patch_radiosity.transpose()) {
+    : thickness(plane_thickness(mesh)), radiosity(patch_radiosity.transpose()) {
   const PatchMesh local = centered(mesh);
   for (Index i = 0; i < local.size(); ++i) {
     const HalfSpace plane{local.normal[i], local.normal[i].dot(local.centroid[i])};

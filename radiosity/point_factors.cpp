@@ -98,7 +98,7 @@ class View {
         n_surfaces_(static_cast<Index>(mesh.surface_names.size())),
         progress_(progress) {
     const Box3 box = bounds(mesh).extend(point);
-    thickness_ = plane_thickness(box);
+    thickness_ = std::max(plane_thickness(box), plane_thickness(mesh));
     touching_ = kTouching * box.diagonal().norm();
     for (Index i = 0; i < mesh.size(); ++i) add_patch(mesh, i, point);
   }

@@ -11,6 +11,10 @@ namespace {
 /// Bodies thinner than this share of their size are flat.
 constexpr double kFlat = 1e-4;
 constexpr int kPolygonSides = 12;
+/// Edges shorter than this share of the size have no direction to speak of and are left out.
+constexpr double kShort = 1e-7;
+/// Bodies within are made smaller by this share, so that nothing is hidden by what is left out.
+constexpr double kMargin = 1e-6;
 
 /// A face under construction: corners, each with the number of the plane that cut the edge after it.
 struct Corner {
@@ -67,7 +71,8 @@ std::optional<Blocker> make_polytope(std::vector<HalfSpace> faces) {
       body.corners.push_back(corner.point);
       if (!had.try_emplace(std::minmax(f, corner.edge), true).second) continue;
       const Vec3& end = polygon[(k + 1) % polygon.size()].point;
-      if (end != corner.point) body.edges.push_back({corner.point, end, f, corner.edge});
+      if ((end - corner.point).norm() <= kShort * reach) continue;
+      body.edges.push_back({corner.point, end, f, corner.edge});
     }
   }
   if (body.edges.size() < 6) return std::nullopt;
@@ -142,13 +147,15 @@ std::optional<Blocker> enclosing_polygon(std::span<const Vec3> points, const Hal
   for (std::size_t k = 0; k < polygon.size(); ++k) {
     const Vec3& end = polygon[(k + 1) % polygon.size()].point;
     body.corners.push_back(polygon[k].point);
-    if (end != polygon[k].point) body.edges.push_back({polygon[k].point, end, 0, 1});
+    if ((end - polygon[k].point).norm() <= kShort * size) continue;
+    body.edges.push_back({polygon[k].point, end, 0, 1});
   }
   set_bounds(body);
   return body;
 }
 
-Blocker shrunk(const Blocker& body, const Vec3& about, double factor) {
+Blocker shrunk(const Blocker& body, const Vec3& about, double most) {
+  const double factor = most * (1 - kMargin);
   const auto moved = [&](const Vec3& point) { return Vec3(about + factor * (point - about)); };
   Blocker result;
   for (const HalfSpace& face : body.faces) {

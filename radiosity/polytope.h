@@ -19,7 +19,7 @@ std::optional<Blocker> enclosing_polytope(std::span<const Vec3> points);
 /// The same in a plane: a polygon of at most 12 sides around coplanar points.
 std::optional<Blocker> enclosing_polygon(std::span<const Vec3> points, const HalfSpace& plane);
 
-/// A body shrunk about a point inside by a factor in (0, 1].
-Blocker shrunk(const Blocker& body, const Vec3& about, double factor);
+/// A body shrunk about a point inside by a factor a little below `most`, in (0, 1].
+Blocker shrunk(const Blocker& body, const Vec3& about, double most);
 
 }  // namespace radiosity

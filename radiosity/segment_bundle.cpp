@@ -17,6 +17,9 @@ bool are_in_one_plane(std::span<const Vec3> corners, double thickness) {
   });
 }
 
+/// Edges of less than so many thicknesses have no direction that a proof could rest on.
+constexpr double kShortEdge = 16;
+
 }  // namespace
 
 void Shadow::clear() {
@@ -211,7 +214,9 @@ SegmentBundle::Outlook SegmentBundle::look(const Blocker& blocker, const Heights
     const bool may_miss = passing.high <= largest_tolerance;
     const bool may_hide = passing.low >= -largest_tolerance;
     const double tolerance = may_miss || may_hide ? passing_tolerance(start, stop) : 0;
-    if (may_miss && passing.high <= tolerance) {
+    const double least_length = kShortEdge * thickness_;
+    const bool is_short = (stop - start).squaredNorm() <= least_length * least_length;
+    if (may_miss && !is_short && passing.high <= tolerance) {
       if (shadow != nullptr) shadow->edges.resize(n_edges);
       outlook.blocking = Blocking::none;
       return outlook;

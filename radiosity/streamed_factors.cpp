@@ -70,7 +70,7 @@ StreamedFactors::StreamedFactors(const PatchMesh& mesh, const Visibility& visibi
                                  const StreamOptions& options, TileStore& store)
     : mesh_(mesh), options_(options), store_(store) {
   const auto start = std::chrono::steady_clock::now();
-  const Eigen::VectorXd covered = covered_shares(mesh, plane_thickness(bounds(mesh)));
+  const Eigen::VectorXd covered = covered_shares(mesh, plane_thickness(mesh));
   assemble_tiles(mesh, visibility, assembly_options(options), covered, store);
   const Eigen::VectorXd row_sums = store.totals().row_sums();
   report_ = make_report(store.totals().census(), row_sums, store.layout().order, mesh.area,

@@ -15,7 +15,8 @@ constexpr double kSameAngle = 1e-5;
 
 class Joiner {
  public:
-  Joiner(const PatchMesh& mesh, const std::vector<std::int32_t>& patches) {
+  Joiner(const PatchMesh& mesh, const std::vector<std::int32_t>& patches, double thickness)
+      : thickness_(thickness) {
     result_.first_corner.push_back(0);
     for (const std::int32_t i : patches) {
       for (int k = 0; k < mesh.n_corners(i); ++k) {
@@ -137,25 +138,32 @@ class Joiner {
     for (const std::vector<Index>& set : sets.sets()) {
       SurfacePiece& piece = result_.pieces.emplace_back();
       const Vec3 origin = result_.corners[result_.first_corner[set.front()]];
+      double area = 0;
       for (const Index f : set) {
         piece.facets.push_back(static_cast<std::int32_t>(f));
         for (std::int32_t h = result_.first_corner[f]; h < result_.first_corner[f + 1]; ++h) {
           if (result_.neighbor[h] < 0) piece.open_edges.push_back(h);
         }
         const std::span<const Vec3> outline = result_.outline(static_cast<std::int32_t>(f));
-        piece.volume += vector_area(outline).dot(outline[0] - origin) / 3;
+        const Vec3 facet_area = vector_area(outline);
+        piece.volume += facet_area.dot(outline[0] - origin) / 3;
+        area += facet_area.norm();
       }
+      // Two walls back to back enclose nothing.
+      if (std::abs(piece.volume) <= thickness_ * area) piece.volume = 0;
     }
   }
 
+  double thickness_;
   SurfacePieces result_;
   std::vector<std::int32_t> point_;  // per corner: the first one in the same place
 };
 
 }  // namespace
 
-SurfacePieces find_surface_pieces(const PatchMesh& mesh, const std::vector<std::int32_t>& patches) {
-  return Joiner(mesh, patches).run();
+SurfacePieces find_surface_pieces(const PatchMesh& mesh, const std::vector<std::int32_t>& patches,
+                                  double thickness) {
+  return Joiner(mesh, patches, thickness).run();
 }
 
 }  // namespace radiosity

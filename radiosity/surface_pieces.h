@@ -12,7 +12,8 @@ namespace radiosity {
 struct SurfacePiece {
   std::vector<std::int32_t> facets;
   std::vector<std::int32_t> open_edges;  ///< half-edges without a neighbour; none: closed
-  double volume = 0;  ///< enclosed, if closed, m³: > 0 where the facets face outwards
+  double volume = 0;  ///< enclosed, if closed, m³: > 0 where the facets face outwards; 0 if it is
+                      ///< no more than the thickness makes
   [[nodiscard]] bool is_solid() const { return open_edges.empty() && volume > 0; }
 };
 
@@ -37,7 +38,8 @@ struct SurfacePieces {
 
 /// Joins the given one-sided patches of a mesh where edges run opposite ways between the same
 /// points. Where more than two facets meet at an edge (solids that touch), those are joined that
-/// have matter between them and nothing else.
-SurfacePieces find_surface_pieces(const PatchMesh& mesh, const std::vector<std::int32_t>& patches);
+/// have matter between them and nothing else. `thickness` is how far off points may be, m.
+SurfacePieces find_surface_pieces(const PatchMesh& mesh, const std::vector<std::int32_t>& patches,
+                                  double thickness);
 
 }  // namespace radiosity

@@ -102,7 +102,7 @@ std::unique_ptr<Transport> make_transport(const PatchMesh& mesh, const Visibilit
   check_memory(mesh.size(), options.memory);
   const auto start = std::chrono::steady_clock::now();
   const Eigen::VectorXd area = Eigen::Map<const Eigen::VectorXd>(mesh.area.data(), mesh.size());
-  const Eigen::VectorXd covered = covered_shares(mesh, plane_thickness(bounds(mesh)));
+  const Eigen::VectorXd covered = covered_shares(mesh, plane_thickness(mesh));
   Assembly assembly = assemble_exchange_areas(mesh, visibility, options, covered);
   const Eigen::VectorXd open_area = (area.array() * (1 - covered.array()))(assembly.order);
   assembly.report.closed =

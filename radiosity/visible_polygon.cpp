@@ -1,6 +1,7 @@
 #include "radiosity/visible_polygon.h"
 
 #include <algorithm>
+#include <array>
 
 #include "radiosity/exchange_area.h"
 
@@ -10,6 +11,16 @@ namespace {
 /// Polygons with this many corners are halved, since each further cut may add one.
 constexpr std::size_t kMostCorners = 9;
 
+/// A polygon cut from corner to corner.
+std::array<ConvexPolygon, 2> halves(const ConvexPolygon& polygon) {
+  const std::size_t half = polygon.size() / 2;
+  std::array<ConvexPolygon, 2> result;
+  for (std::size_t k = 0; k <= half; ++k) result[0].push_back(polygon[k]);
+  for (std::size_t k = half; k < polygon.size(); ++k) result[1].push_back(polygon[k]);
+  result[1].push_back(polygon[0]);
+  return result;
+}
+
 /// Appends a polygon, in halves if further cuts might exceed its capacity.
 void add_part(const ConvexPolygon& part, std::vector<ConvexPolygon>& parts) {
   if (part.size() < 3) return;
@@ -17,14 +28,7 @@ void add_part(const ConvexPolygon& part, std::vector<ConvexPolygon>& parts) {
     parts.push_back(part);
     return;
   }
-  const std::size_t half = part.size() / 2;
-  ConvexPolygon first;
-  ConvexPolygon second;
-  for (std::size_t k = 0; k <= half; ++k) first.push_back(part[k]);
-  for (std::size_t k = half; k < part.size(); ++k) second.push_back(part[k]);
-  second.push_back(part[0]);
-  parts.push_back(first);
-  parts.push_back(second);
+  for (const ConvexPolygon& half : halves(part)) parts.push_back(half);
 }
 
 /// A half-space of a shadow as a point throws it: the shadow is where inwards · (x - on_plane) > 0.
@@ -66,16 +70,21 @@ bool misses(const ConvexPolygon& polygon, const Shadow& shadow, const Vec3& poin
   return false;
 }
 
-/// Appends the parts of `part` outside the shadow that the point sees to `parts`.
+/// Appends the parts of `part` outside the shadow that the point sees to `parts`, given that none
+/// of the shadow's borders before the first does anything to it.
 void cut(const ConvexPolygon& part, const Shadow& shadow, const Vec3& point,
-         std::vector<ConvexPolygon>& parts) {
+         std::vector<ConvexPolygon>& parts, std::size_t first_border = 0) {
   if (misses(part, shadow, point)) {
     add_part(part, parts);
     return;
   }
   ConvexPolygon rest = part;
   const std::size_t first = parts.size();
-  for (std::size_t k = 0; k < n_borders(shadow) && !rest.empty(); ++k) {
+  for (std::size_t k = first_border; k < n_borders(shadow) && !rest.empty(); ++k) {
+    if (rest.size() + 1 >= ConvexPolygon::kCapacity) {
+      for (const ConvexPolygon& half : halves(rest)) cut(half, shadow, point, parts, k);
+      return;
+    }
     const Border limit = border(shadow, k, point);
     const ConvexPolygon inside =
         clip_to_half_space(rest.points(), limit.on_plane, limit.inwards, 0);
