@@ -40,9 +40,4 @@ struct BlockerSet {
 /// `thickness` is how far off a plane points may be and still count as on it, m.
 BlockerSet make_blockers(const PatchMesh& mesh, double thickness);
 
-/// Share of each patch that lies on a face of a solid and looks into it, n_patches: light neither
-/// leaves nor reaches it. Solids are closed outward-facing pieces of surface, and convex bodies
-/// that stand on a plane which has the whole scene on one side.
-Eigen::VectorXd covered_shares(const PatchMesh& mesh, double thickness);
-
 }  // namespace radiosity

@@ -8,6 +8,7 @@
 #include "radiosity/blocker_set.h"
 #include "radiosity/cluster_tree.h"
 #include "radiosity/cluster_visibility.h"
+#include "radiosity/exchange_area.h"
 #include "radiosity/memory_sink.h"
 #include "radiosity/occluded_pair.h"
 #include "radiosity/pair_kernel.h"
@@ -29,8 +30,6 @@ constexpr double kExactTolerance = 1e-11;
 /// relative to the tolerance, none.
 constexpr double kMinor = 1e-2;
 constexpr double kNegligible = 1e-3;
-/// Patches of which less than this share is open are covered but for rounding.
-constexpr double kCovered = 1e-6;
 
 /// Rays for a pair whose samples disagree. An entry's relative error falls a little faster than
 /// rays^-½; partly hidden pairs hold a few per cent of all exchange.
@@ -47,7 +46,7 @@ double kernel_tolerance(Index n_patches, double tolerance) {
 class Assembler {
  public:
   Assembler(const PatchMesh& mesh, const Visibility& visibility, const TransportOptions& options,
-            const Eigen::VectorXd& covered)
+            const Coverage& coverage)
       : options_(options),
         visibility_(visibility),
         table_(mesh, kernel_tolerance(mesh.size(), options.tolerance)),
@@ -57,7 +56,7 @@ class Assembler {
                       table_.thickness(),
                       options.tolerance,
                       table_.tolerance()},
-        covered_(covered) {
+        coverage_(coverage) {
     const Box3 box = bounds(mesh);
     if (!box.isEmpty()) center_ = box.center();
     const PatchMesh local = centered(mesh);
@@ -262,7 +261,7 @@ class Assembler {
     // Whichever cluster comes first, a pair is computed one way round.
     const std::int32_t i = std::min(tree_.order[row], tree_.order[column]);
     const std::int32_t j = std::max(tree_.order[row], tree_.order[column]);
-    if (is_covered(i) || is_covered(j)) return;
+    if (coverage_.is_covered(i) || coverage_.is_covered(j)) return;
     const Blocking front_i = table_.in_front(i, j);
     if (front_i == Blocking::none) return;
     const Blocking front_j = table_.in_front(j, i);
@@ -277,16 +276,13 @@ class Assembler {
       ++work.census.hidden;
       return;
     }
-    const Entry entry = candidates.empty()
+    const bool are_whole = !coverage_.open.contains(i) && !coverage_.open.contains(j);
+    const Entry entry = !are_whole ? entry_in_parts(i, j, candidates, work)
+                        : candidates.empty()
                             ? Entry{table_.unoccluded(i, j, front_i, front_j), 0, true}
                             : occluded_entry(i, j, front_i, front_j, candidates, work);
-    if (candidates.empty()) ++work.census.visible;
+    if (are_whole && candidates.empty()) ++work.census.visible;
     store(row - work.first_row, column - work.first_column, entry, work);
-  }
-
-  /// Whether nothing reaches a patch: it lies on a solid's face and looks into it.
-  [[nodiscard]] bool is_covered(std::int32_t patch) const {
-    return covered_[patch] >= 1 - kCovered;
   }
 
   struct Entry {
@@ -336,12 +332,62 @@ class Assembler {
     const PairEstimate estimate = work.estimator.estimate(
         {polygon_i, table_.plane(i), polygon_j, table_.plane(j), center_, i, j}, work.blockers,
         [&] { return table_.unoccluded(i, j, front_i, front_j); }, pair_seed(options_.seed, i, j));
+    return counted(estimate, work);
+  }
+
+  static Entry counted(const PairEstimate& estimate, TileWork& work) {
     work.census.visible += estimate.blocking == Blocking::none ? 1 : 0;
     work.census.hidden += estimate.blocking == Blocking::all ? 1 : 0;
     work.census.undecided += estimate.blocking == Blocking::some ? 1 : 0;
     work.census.partial += estimate.is_partial ? 1 : 0;
     work.census.rays += estimate.rays;
     return {estimate.value, estimate.error, estimate.blocking != Blocking::some};
+  }
+
+  /// The parts of patch i that nothing covers, in front of patch j.
+  [[nodiscard]] std::vector<ConvexPolygon> open_parts(std::int32_t i, std::int32_t j) const {
+    const HalfSpace& plane = table_.plane(j);
+    const auto parts = coverage_.open.find(i);
+    const std::span<const ConvexPolygon> all =
+        parts == coverage_.open.end() ? std::span(&table_.polygon(i), 1) : std::span(parts->second);
+    std::vector<ConvexPolygon> result;
+    for (const ConvexPolygon& part : all) {
+      const ConvexPolygon seen = clip_to_half_space(part.points(), plane.normal * plane.offset,
+                                                    plane.normal, table_.thickness());
+      if (seen.size() >= 3) result.push_back(seen);
+    }
+    return result;
+  }
+
+  /// An entry of patches that solids cover in part.
+  [[nodiscard]] Entry entry_in_parts(std::int32_t i, std::int32_t j, const Candidates& candidates,
+                                     TileWork& work) const {
+    work.blockers.clear();
+    for (const std::int32_t k : candidates) work.blockers.push_back(&blockers_.blocker(k));
+    PairEstimate sum;
+    double variance = 0;
+    bool all_visible = true;
+    bool all_hidden = true;
+    std::uint64_t seed = pair_seed(options_.seed, i, j);
+    for (const ConvexPolygon& part_i : open_parts(i, j)) {
+      for (const ConvexPolygon& part_j : open_parts(j, i)) {
+        const auto unoccluded = [&] {
+          return exchange_area(part_i.points(), part_j.points(), table_.tolerance());
+        };
+        const PairEstimate estimate = work.estimator.estimate(
+            {part_i, table_.plane(i), part_j, table_.plane(j), center_, i, j}, work.blockers,
+            unoccluded, ++seed);
+        sum.value += estimate.value;
+        sum.rays += estimate.rays;
+        sum.is_partial |= estimate.is_partial;
+        variance += estimate.error * estimate.error;
+        all_visible &= estimate.blocking == Blocking::none;
+        all_hidden &= estimate.blocking == Blocking::all;
+      }
+    }
+    sum.error = std::sqrt(variance);
+    sum.blocking = all_hidden ? Blocking::all : all_visible ? Blocking::none : Blocking::some;
+    return counted(sum, work);
   }
 
   const TransportOptions& options_;
@@ -351,7 +397,7 @@ class Assembler {
   OccludedPairOptions pair_options_;
   ClusterTree tree_;
   BlockerSet blockers_;
-  const Eigen::VectorXd& covered_;
+  const Coverage& coverage_;
   std::vector<std::int32_t> strips_;            // clusters
   std::vector<std::int32_t> strip_of_cluster_;  // per cluster, or -1
   std::vector<bool> is_known_;                  // per cluster
@@ -363,15 +409,15 @@ class Assembler {
 }  // namespace
 
 void assemble_tiles(const PatchMesh& mesh, const Visibility& visibility,
-                    const TransportOptions& options, const Eigen::VectorXd& covered,
+                    const TransportOptions& options, const Coverage& coverage,
                     TileSink& sink) {
-  Assembler(mesh, visibility, options, covered).run(sink);
+  Assembler(mesh, visibility, options, coverage).run(sink);
 }
 
 Assembly assemble_exchange_areas(const PatchMesh& mesh, const Visibility& visibility,
-                                 const TransportOptions& options, const Eigen::VectorXd& covered) {
-  MemorySink sink(mesh.area, covered);
-  assemble_tiles(mesh, visibility, options, covered, sink);
+                                 const TransportOptions& options, const Coverage& coverage) {
+  MemorySink sink(mesh.area, coverage.share);
+  assemble_tiles(mesh, visibility, options, coverage, sink);
   return sink.finish();
 }
 

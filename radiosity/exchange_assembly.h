@@ -1,5 +1,6 @@
 #pragma once
 
+#include "radiosity/coverage.h"
 #include "radiosity/exchange_tiles.h"
 #include "radiosity/patch_mesh.h"
 #include "radiosity/transport.h"
@@ -17,13 +18,12 @@ struct Assembly {
 
 /// Computes the entries of every tile that `sink` has not: facing test and clipping, shaft culling
 /// with candidate occluders inherited down the cluster tree, the exact kernel for pairs proved
-/// visible, sampled visibility for the rest. `covered` are the patches' covered_shares().
+/// visible, sampled visibility for the rest. `coverage` is the mesh's.
 void assemble_tiles(const PatchMesh& mesh, const Visibility& visibility,
-                    const TransportOptions& options, const Eigen::VectorXd& covered,
-                    TileSink& sink);
+                    const TransportOptions& options, const Coverage& coverage, TileSink& sink);
 
 /// The same for tiles in memory.
 Assembly assemble_exchange_areas(const PatchMesh& mesh, const Visibility& visibility,
-                                 const TransportOptions& options, const Eigen::VectorXd& covered);
+                                 const TransportOptions& options, const Coverage& coverage);
 
 }  // namespace radiosity

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "radiosity/assembly_report.h"
-#include "radiosity/blocker_set.h"
+#include "radiosity/coverage.h"
 #include "radiosity/exchange_assembly.h"
 #include "radiosity/tile_sum.h"
 
@@ -70,13 +70,13 @@ StreamedFactors::StreamedFactors(const PatchMesh& mesh, const Visibility& visibi
                                  const StreamOptions& options, TileStore& store)
     : mesh_(mesh), options_(options), store_(store) {
   const auto start = std::chrono::steady_clock::now();
-  const Eigen::VectorXd covered = covered_shares(mesh, plane_thickness(mesh));
-  assemble_tiles(mesh, visibility, assembly_options(options), covered, store);
+  const Coverage coverage = find_coverage(mesh, plane_thickness(mesh));
+  assemble_tiles(mesh, visibility, assembly_options(options), coverage, store);
   const Eigen::VectorXd row_sums = store.totals().row_sums();
   report_ = make_report(store.totals().census(), row_sums, store.layout().order, mesh.area,
-                        covered);
+                        coverage.share);
   const Eigen::VectorXd areas = areas_of_rows();
-  const Eigen::VectorXd open = (1 - covered.array())(store.layout().order);
+  const Eigen::VectorXd open = (1 - coverage.share.array())(store.layout().order);
   RowSums sums = close(row_sums, areas.cwiseProduct(open));
   if (options.min_factor > 0) sums.mask.setOnes();
   balance_.emplace(*closure_, areas, options.min_factor, sums.mask);

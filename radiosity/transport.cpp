@@ -4,8 +4,8 @@
 #include <cmath>
 #include <sstream>
 
-#include "radiosity/blocker_set.h"
 #include "radiosity/closure.h"
+#include "radiosity/coverage.h"
 #include "radiosity/exchange_assembly.h"
 
 namespace radiosity {
@@ -102,9 +102,9 @@ std::unique_ptr<Transport> make_transport(const PatchMesh& mesh, const Visibilit
   check_memory(mesh.size(), options.memory);
   const auto start = std::chrono::steady_clock::now();
   const Eigen::VectorXd area = Eigen::Map<const Eigen::VectorXd>(mesh.area.data(), mesh.size());
-  const Eigen::VectorXd covered = covered_shares(mesh, plane_thickness(mesh));
-  Assembly assembly = assemble_exchange_areas(mesh, visibility, options, covered);
-  const Eigen::VectorXd open_area = (area.array() * (1 - covered.array()))(assembly.order);
+  const Coverage coverage = find_coverage(mesh, plane_thickness(mesh));
+  Assembly assembly = assemble_exchange_areas(mesh, visibility, options, coverage);
+  const Eigen::VectorXd open_area = (area.array() * (1 - coverage.share.array()))(assembly.order);
   assembly.report.closed =
       options.closed == Closed::yes ||
       (options.closed == Closed::automatic &&

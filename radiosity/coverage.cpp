@@ -1,0 +1,175 @@
+#include "radiosity/coverage.h"
+
+#include <algorithm>
+#include <array>
+
+#include "radiosity/body_finder.h"
+#include "radiosity/occluders.h"
+#include "radiosity/surface_pieces.h"
+
+namespace radiosity {
+namespace {
+
+/// Shares closer to 0 or 1 are rounding.
+constexpr double kRounding = 1e-6;
+
+/// A face of a solid that may cover patches.
+struct Cover {
+  std::vector<Vec3> outline;  // convex, counter-clockwise about `normal`
+  Vec3 normal;                // out of the solid
+  Box3 box;
+};
+
+class CoverFinder {
+ public:
+  CoverFinder(PatchMesh mesh, double thickness) : mesh_(std::move(mesh)), thickness_(thickness) {}
+
+  Coverage find() {
+    std::vector<std::int32_t> one_sided;
+    for (std::int32_t i = 0; i < mesh_.size(); ++i) {
+      if (mesh_.twin[i] < 0) one_sided.push_back(i);
+    }
+    add_solids(one_sided);
+    add_caps();
+    Coverage result{Eigen::VectorXd::Zero(mesh_.size()), {}};
+    if (covers_.empty()) return result;
+    std::sort(covers_.begin(), covers_.end(), [](const Cover& a, const Cover& b) {
+      return a.box.min().x() < b.box.min().x();
+    });
+    double widest = 0;
+    for (const Cover& cover : covers_) widest = std::max(widest, cover.box.sizes().x());
+    for (std::int32_t i = 0; i < mesh_.size(); ++i) cover_patch(i, widest, result);
+    return result;
+  }
+
+ private:
+  void add_cover(std::span<const Vec3> outline, const Vec3& normal) {
+    Cover& cover = covers_.emplace_back(
+        Cover{std::vector<Vec3>(outline.begin(), outline.end()), normal, Box3()});
+    for (const Vec3& corner : outline) cover.box.extend(corner);
+  }
+
+  void add_solids(const std::vector<std::int32_t>& one_sided) {
+    const SurfacePieces pieces = find_surface_pieces(mesh_, one_sided, thickness_);
+    for (const SurfacePiece& piece : pieces.pieces) {
+      if (!piece.is_solid()) continue;
+      for (const std::int32_t f : piece.facets) add_cover(pieces.outline(f), pieces.normal[f]);
+    }
+  }
+
+  /// What stands on an outer plane covers the floor also where it has no face there.
+  void add_caps() {
+    const BlockingPatches blocking = find_blocking_patches(mesh_, thickness_);
+    std::vector<std::int32_t> one_sided;
+    for (const std::int32_t i : blocking.patches) {
+      if (mesh_.twin[i] < 0) one_sided.push_back(i);
+    }
+    const SurfacePieces pieces = find_surface_pieces(mesh_, one_sided, thickness_);
+    for (const SurfacePiece& piece : pieces.pieces) {
+      if (piece.open_edges.empty()) continue;
+      const auto body = find_body(pieces, piece, mesh_, thickness_);
+      if (!body || body->cap.size() < 3) continue;
+      add_cap(*body);
+    }
+  }
+
+  void add_cap(const FoundBody& body) {
+    // The face about whose edges the others meet it.
+    const HalfSpace& plane = body.blocker.faces.back();
+    const int cap = static_cast<int>(body.blocker.faces.size()) - 1;
+    Vec3 center = Vec3::Zero();
+    std::vector<const Blocker::Edge*> rim;
+    for (const Blocker::Edge& edge : body.blocker.edges) {
+      if (edge.right == cap) rim.push_back(&edge);
+    }
+    for (const Blocker::Edge* edge : rim) center += edge->start;
+    center /= static_cast<double>(rim.size());
+    // In triangles about the middle: convex, however many corners.
+    for (const Blocker::Edge* edge : rim) {
+      const std::array triangle{center, edge->end, edge->start};
+      add_cover(triangle, plane.normal);
+    }
+  }
+
+  void cover_patch(std::int32_t i, double widest, Coverage& result) const {
+    ConvexPolygon patch;
+    Box3 box;
+    for (int k = 0; k < mesh_.n_corners(i); ++k) {
+      patch.push_back(mesh_.corner(i, k));
+      box.extend(patch[k]);
+    }
+    box.min().array() -= thickness_;
+    box.max().array() += thickness_;
+    // Covers may overlap each other, so each is taken away from what the others left.
+    std::vector<ConvexPolygon> open{patch};
+    bool is_touched = false;
+    const double first = box.min().x() - widest;
+    auto cover = std::lower_bound(covers_.begin(), covers_.end(), first,
+                                  [](const Cover& c, double x) { return c.box.min().x() < x; });
+    for (; cover != covers_.end() && cover->box.min().x() <= box.max().x(); ++cover) {
+      if (cover->normal.dot(mesh_.normal[i]) > -0.9 || !cover->box.intersects(box)) continue;
+      if (!is_in_plane(i, *cover)) continue;
+      is_touched = true;
+      std::vector<ConvexPolygon> left;
+      for (const ConvexPolygon& part : open) subtract(part, *cover, left);
+      open = std::move(left);
+    }
+    if (!is_touched) return;
+    double area = 0;
+    for (const ConvexPolygon& part : open) area += vector_area(part.points()).norm();
+    const double share = 1 - area / mesh_.area[i];
+    if (share <= kRounding) return;
+    result.share[i] = share >= 1 - kRounding ? 1 : share;
+    if (result.share[i] < 1) result.open[i] = std::move(open);
+  }
+
+  [[nodiscard]] bool is_in_plane(Index i, const Cover& cover) const {
+    const double offset = cover.normal.dot(cover.outline[0]);
+    for (int k = 0; k < mesh_.n_corners(i); ++k) {
+      if (std::abs(cover.normal.dot(mesh_.corner(i, k)) - offset) > thickness_) return false;
+    }
+    return true;
+  }
+
+  /// Appends the parts of a polygon outside a cover.
+  void subtract(const ConvexPolygon& polygon, const Cover& cover,
+                std::vector<ConvexPolygon>& parts) const {
+    ConvexPolygon rest = polygon;
+    const std::size_t first = parts.size();
+    for (std::size_t k = 0; k < cover.outline.size(); ++k) {
+      const Vec3& a = cover.outline[k];
+      const Vec3& b = cover.outline[k + 1 < cover.outline.size() ? k + 1 : 0];
+      const Vec3 inwards = cover.normal.cross(b - a).normalized();
+      const ConvexPolygon outside = clip_to_half_space(rest.points(), a, -inwards, thickness_);
+      rest = clip_to_half_space(rest.points(), a, inwards, thickness_);
+      if (rest.size() < 3) {  // nothing is covered
+        parts.resize(first);
+        parts.push_back(polygon);
+        return;
+      }
+      if (outside.size() >= 3) add_part(outside, parts);
+    }
+  }
+
+  /// In halves if further cuts might exceed the capacity.
+  static void add_part(const ConvexPolygon& part, std::vector<ConvexPolygon>& parts) {
+    constexpr std::size_t kMostCorners = 8;
+    if (part.size() <= kMostCorners) {
+      parts.push_back(part);
+      return;
+    }
+    for (const ConvexPolygon& piece : divide_about_corners(part)) parts.push_back(piece);
+  }
+
+  const PatchMesh mesh_;
+  double thickness_;
+  std::vector<Cover> covers_;
+};
+
+}  // namespace
+
+Coverage find_coverage(const PatchMesh& mesh, double thickness) {
+  return CoverFinder(centered(mesh), thickness).find();
+}
+
+}  // namespace radiosity
