@@ -14,6 +14,11 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kRounding = 4 * kEpsilon;
 /// Edges at a smaller angle than this (radian) count as parallel.
 constexpr double kParallel = 1e-14;
+/// At smaller angles than this the closed form for skew edges loses its digits: the feet of the
+/// common perpendicular are known to a rounding over the angle squared. Edges that were parallel
+/// before a file rounded them are such. The error of quadrature then, relative to the lengths.
+constexpr double kNearlyParallel = 1e-4;
+constexpr double kNearlyParallelError = 1e-11;
 /// Lines closer than this (of order-1 coordinates) count as intersecting.
 constexpr double kIntersecting = 1e-13;
 
@@ -207,13 +212,6 @@ Estimate skew_edges(const Edge& e1, const Edge& e2, double c, const Vec3& cross,
   return {0.5 * sum.value, 0.5 * sum.error};
 }
 
-Estimate edge_pair(const Edge& e1, const Edge& e2, double c) {
-  const Vec3 cross = e1.direction.cross(e2.direction);
-  const double sine = cross.norm();
-  if (sine < kParallel) return parallel_edges(e1, e2, c);
-  return skew_edges(e1, e2, c, cross, sine);
-}
-
 /// ∫ over e2 of ln r for the point at s on e1.
 double inner_integral(const Edge& e1, const Edge& e2, double s) {
   const Vec3 way = e1.ends[0] + s * e1.direction - e2.ends[0];
@@ -245,6 +243,24 @@ Estimate adaptive_interval(const Edge& e1, const Edge& e2, double from, double t
   const Estimate b =
       adaptive_interval(e1, e2, middle, to, right, std::max(tolerance / 2, 1e-18), depth - 1);
   return {a.value + b.value, a.error + b.error};
+}
+
+/// The same by quadrature along e1.
+Estimate integrate_adaptively(const Edge& e1, const Edge& e2, double tolerance) {
+  const double whole = gauss_interval(e1, e2, 0, e1.length);
+  Estimate result = adaptive_interval(e1, e2, 0, e1.length, whole, tolerance, kAdaptiveDepth);
+  result.value += 0.5 * e1.length * e2.length;  // to leave out the same term as elsewhere
+  return result;
+}
+
+Estimate edge_pair(const Edge& e1, const Edge& e2, double c) {
+  const Vec3 cross = e1.direction.cross(e2.direction);
+  const double sine = cross.norm();
+  if (sine < kParallel) return parallel_edges(e1, e2, c);
+  if (sine < kNearlyParallel) {
+    return integrate_adaptively(e1, e2, kNearlyParallelError * e1.length * e2.length);
+  }
+  return skew_edges(e1, e2, c, cross, sine);
 }
 
 template <typename PairIntegral>
@@ -283,10 +299,7 @@ Estimate contour_exchange_area_adaptive(std::span<const Vec3> polygon1,
       tolerance / static_cast<double>(polygon1.size() * polygon2.size()) * 2 * kPi;
   return sum_over_edges(
       polygon1, polygon2, [per_pair](const Edge& e1, const Edge& e2, double) -> Estimate {
-        const double whole = gauss_interval(e1, e2, 0, e1.length);
-        Estimate result = adaptive_interval(e1, e2, 0, e1.length, whole, per_pair, kAdaptiveDepth);
-        result.value += 0.5 * e1.length * e2.length;  // to leave out the same term as elsewhere
-        return result;
+        return integrate_adaptively(e1, e2, per_pair);
       });
 }
 
