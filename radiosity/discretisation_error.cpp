@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "radiosity/aggregated_transport.h"
+#include "radiosity/uneven_light.h"
 
 namespace radiosity {
 namespace {
@@ -35,29 +37,11 @@ Solution solve_coarser(const AggregatedTransport& coarser, const Solution& solut
                options);
 }
 
-/// Patches without neighbours get at least the relative error of the others (root mean square).
-/// Returns their number.
-Index fill_in_lone_patches(const PatchGroups& groups, const Eigen::MatrixXd& reflected,
-                           const Eigen::VectorXd& area, Eigen::MatrixXd& error) {
+/// Number of patches alone in their group.
+Index count_lone(const PatchGroups& groups) {
   std::vector<std::int32_t> size(groups.n_groups, 0);
   for (const std::int32_t g : groups.group_of) ++size[g];
-  const auto is_lone = [&](Index i) { return size[groups.group_of[i]] == 1; };
-  Index n_lone = 0;
-  for (Index i = 0; i < error.rows(); ++i) n_lone += is_lone(i) ? 1 : 0;
-  for (Index c = 0; c < error.cols() && n_lone > 0; ++c) {
-    double squares = 0;
-    double whole = 0;
-    for (Index i = 0; i < error.rows(); ++i) {
-      if (is_lone(i)) continue;
-      squares += area[i] * error(i, c) * error(i, c);
-      whole += area[i] * reflected(i, c) * reflected(i, c);
-    }
-    const double relative = whole > 0 ? std::sqrt(squares / whole) : 0;
-    for (Index i = 0; i < error.rows(); ++i) {
-      if (is_lone(i)) error(i, c) = std::max(error(i, c), relative * reflected(i, c));
-    }
-  }
-  return n_lone;
+  return std::count(size.begin(), size.end(), 1);
 }
 
 /// Root mean square over the area of the errors relative to the reflected light, largest over the
@@ -80,7 +64,7 @@ double relative_error(const Eigen::VectorXd& area, const Eigen::MatrixXd& reflec
 DiscretisationError discretisation_error(const PatchMesh& mesh, const Transport& transport,
                                          const Solution& solution, const Progress& progress) {
   const auto report = [&](double done) {
-    if (progress.report) progress.report("patch size", done, 2, "solves");
+    if (progress.report) progress.report("patch size", done, 3, "solves");
   };
   report(0);
   const PatchGroups groups = make_patch_groups(mesh);
@@ -95,6 +79,7 @@ DiscretisationError discretisation_error(const PatchMesh& mesh, const Transport&
   const Eigen::MatrixXd twice =
       coarsest.spread(solve_coarser(coarsest, solution, progress).radiosity);
   report(2);
+  const Progress quiet{.report = {}, .stop = progress.stop};
   result.change = means - once;
   const Eigen::MatrixXd earlier_change = coarsest.spread(coarsest.means(once)) - twice;
 
@@ -110,13 +95,17 @@ DiscretisationError discretisation_error(const PatchMesh& mesh, const Transport&
       last > 0 ? std::clamp(before / last, kLeastRatio, kLargestRatio) : kLargestRatio;
   result.order = std::log2(ratio);
 
-  const Eigen::MatrixXd around =
-      coarsest.spread(coarsest.means(result.change.cwiseAbs2())).cwiseSqrt();
-  result.error = result.change.cwiseAbs().cwiseMax(around) / (ratio - 1);
-  result.n_unknown = fill_in_lone_patches(groups, reflected, area, result.error);
+  // A patch's own change may happen to be small.
+  const Eigen::MatrixXd squared = result.change.cwiseAbs2();
+  const Eigen::MatrixXd around = coarsest.spread(coarsest.means(squared));
+  result.error = ((squared + around) / (2 * (ratio - 1) * (ratio - 1)) +
+                  uneven_light_error(mesh, transport, solution, quiet).cwiseAbs2())
+                     .cwiseSqrt();
+  result.n_unknown = count_lone(groups);
   // Where no light arrives at all there is none to be wrong about.
   result.error = (solution.irradiance.array() == 0).select(0, result.error);
   result.relative = relative_error(area, reflected, result.error);
+  report(3);
   return result;
 }
 

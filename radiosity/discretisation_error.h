@@ -20,16 +20,17 @@ struct DiscretisationError {
   /// Root mean square over the area of the patches' errors relative to their reflected light ρ H
   /// (or to kDarkShare of its mean where they are darker), largest over the columns.
   double relative = 0;
-  Index n_unknown =
-      0;  ///< patches alone in their group, which get the relative error of the others
+  Index n_unknown = 0;  ///< patches alone in their group, which coarser patches tell nothing about
 };
 
 /// Compares the solution with those on patches about twice and four times the size, whose exchange
 /// areas are sums of the ones at hand (AggregatedTransport), so that no form factor is computed.
 /// With the change δ from the coarser to the given patches and the order p that the two changes
-/// show, the error that is left is κ δ, κ = 1 / (2^p - 1) (Richardson 1911). One standard error of
-/// a patch is κ times the greater of its |δ| and the mean |δ| around it (root mean square); more
-/// than 95 % of patches lie within two. Costs two solves to 1e-4.
+/// show, the error that is left is κ δ, κ = 1 / (2^p - 1) (Richardson 1911), of which the mean
+/// square of a patch's own and of all around it is taken. That holds for light that varies over
+/// several patches; `uneven_light_error` is what varies within one, as in gaps narrower than a
+/// patch. One standard error is both in quadrature; more than 95 % of patches lie within two. Costs two solves to 1e-4, all rows of F twice and a solve to 1e-2 with four columns
+/// per band.
 DiscretisationError discretisation_error(const PatchMesh& mesh, const Transport& transport,
                                          const Solution& solution, const Progress& progress = {});
 

@@ -164,4 +164,13 @@ Eigen::MatrixXd radiosity_error(const IrradianceSystem& system, const Iterate& i
   return variance.cwiseSqrt();
 }
 
+Eigen::MatrixXd reflected_light(const Transport& transport, const Solution& solution,
+                                Eigen::MatrixXd sources, const Progress& progress) {
+  const SolveOptions options = probe_options(progress);
+  SolveMonitor monitor(options);
+  const IrradianceSystem system =
+      make_irradiance_system(transport, solution.exitance, solution.reflectance, monitor);
+  return propagate(system, std::move(sources), progress);
+}
+
 }  // namespace radiosity

@@ -3,6 +3,8 @@
 #include <Eigen/Core>
 
 #include "radiosity/irradiance_system.h"
+#include "radiosity/progress.h"
+#include "radiosity/solve.h"
 
 namespace radiosity {
 
@@ -23,5 +25,11 @@ double transport_error_bound(const IrradianceSystem& system);
 /// Deterministic. Takes some tens of products, unless the form factors are exact. Reports "errors".
 Eigen::MatrixXd radiosity_error(const IrradianceSystem& system, const Iterate& iterate,
                                 const Progress& progress);
+
+/// What sources of radiosity, which may be negative, cause by reflection among the patches of
+/// `solution`: (I - ρ F)^-1 of them less themselves, W/m², n x c, to 1 %. Their number c is that of
+/// the solution's columns or a multiple of it.
+Eigen::MatrixXd reflected_light(const Transport& transport, const Solution& solution,
+                                Eigen::MatrixXd sources, const Progress& progress = {});
 
 }  // namespace radiosity
