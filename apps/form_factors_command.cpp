@@ -9,6 +9,7 @@
 #include "apps/json_summary.h"
 #include "apps/memory_size.h"
 #include "apps/output_files.h"
+#include "apps/row_check.h"
 #include "apps/summary.h"
 #include "apps/text_summary.h"
 #include "apps/work_file_check.h"
@@ -43,6 +44,15 @@ MemoryChecks streaming_checks(std::size_t memory) {
     };
   };
   return {check_against(usable_memory()), check_against(memory)};
+}
+
+Eigen::VectorXd row_error(const radiosity::StreamedFactors& factors, radiosity::Index row) {
+  Eigen::VectorXd result;
+  factors.for_each_row(
+      [&](radiosity::Index i, const Eigen::VectorXd& /*row*/, const Eigen::VectorXd& error) {
+        if (i == row) result = error;
+      });
+  return result;
 }
 
 }  // namespace
@@ -110,6 +120,8 @@ void FormFactorsCommand::run() const {
   }
   radiosity::TileStore store = open_store(patched.mesh, fingerprint, progress, terminal);
   const radiosity::StreamedFactors factors(patched.mesh, patched.visibility, options, store);
+  refuse_excess(patched.scene, patched.mesh, factors.report(), compute_.tolerance,
+                [&](radiosity::Index row) { return row_error(factors, row); });
   warn_of_open_rows(factors.report(), terminal);
   summary.factors = &factors;
   const Eigen::MatrixXd by_surface = write_outputs(patched.mesh, factors, fingerprint);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "apps/available_memory.h"
+#include "apps/row_check.h"
 #include "io/false_color.h"
 #include "io/image_file.h"
 #include "io/scene_file.h"
@@ -88,12 +89,19 @@ TransportOptions transport_options(const Scene& scene, const ComputeOptions& com
           .progress = progress};
 }
 
+void check_rows(const Scene& scene, const PatchMesh& mesh, const Transport& transport,
+                const ComputeOptions& compute) {
+  refuse_excess(scene, mesh, transport.report(), compute.tolerance,
+                [&](Index row) { return transport.row_error(row); });
+}
+
 std::unique_ptr<Transport> make_scene_transport(const Scene& scene, const PatchMesh& mesh,
                                                 const Visibility& visibility,
                                                 const ComputeOptions& compute,
                                                 const Progress& progress,
                                                 TerminalProgress& terminal) {
   auto transport = make_transport(mesh, visibility, transport_options(scene, compute, progress));
+  check_rows(scene, mesh, *transport, compute);
   warn_of_open_rows(transport->report(), terminal);
   return transport;
 }
@@ -108,6 +116,7 @@ meshing::AdaptiveMesh refine_scene(const Scene& scene, const ComputeOptions& com
       .progress = progress};
   if (affordable > 0) options.max_patches = std::min<long>(options.max_patches, affordable);
   meshing::AdaptiveMesh result = meshing::make_adaptive_patches(scene, options);
+  check_rows(scene, result.mesh, *result.transport, compute);
   warn_of_open_rows(result.transport->report(), terminal);
   if (!result.refinement.is_accurate) {
     terminal.warn(

@@ -13,8 +13,6 @@ using radiosity::Box3;
 using radiosity::Index;
 using radiosity::Vec3;
 
-/// Distance, relative to the diagonal of the scene, up to which polygons lie in the same plane.
-constexpr double kSamePlane = 1e-6;
 /// Sine of the angle up to which they are parallel.
 constexpr double kParallel = 1e-3;
 /// Overlap, relative to the smaller area, from which it is more than rounding.
@@ -66,6 +64,7 @@ class OverlapFinder {
   [[nodiscard]] bool are_coplanar(Index a, Index b) const;
   [[nodiscard]] bool have_same_outline(Index a, Index b) const;
   [[nodiscard]] double relative_overlap(Index a, Index b) const;
+  [[nodiscard]] double least_overlap(Index a, Index b) const;
   void report(Index a, Index b, double overlap);
 
   const ExaminedScene& examined_;
@@ -75,7 +74,7 @@ class OverlapFinder {
 
 std::vector<Finding> OverlapFinder::run() {
   std::vector<Box3> boxes;
-  const Vec3 margin = Vec3::Constant(kSamePlane * examined_.size);
+  const Vec3 margin = Vec3::Constant(examined_.thickness);
   for (Index i = 0; i < examined_.polygons.size(); ++i) {
     Box3 box;
     if (examined_.is_usable(i)) {
@@ -84,7 +83,7 @@ std::vector<Finding> OverlapFinder::run() {
       }
       cut_into_convex_pieces(i);
     } else {
-      box.extend(Vec3(examined_.bounds.max() + 1e3 * margin));  // meets nothing
+      box.extend(Vec3(examined_.bounds.max() + Vec3::Constant(examined_.size)));  // meets nothing
     }
     boxes.push_back(box);
   }
@@ -101,7 +100,7 @@ std::vector<Finding> OverlapFinder::run() {
     for (const std::int32_t j : others) {
       if (!are_coplanar(i, j) || have_same_outline(i, j)) continue;
       const double overlap = relative_overlap(i, j);
-      if (overlap > kOverlap) report(i, j, overlap);
+      if (overlap > least_overlap(i, j)) report(i, j, overlap);
     }
   }
   return findings_.take();
@@ -136,12 +135,9 @@ bool OverlapFinder::are_coplanar(Index a, Index b) const {
   const Vec3 normal = examined_.normal(a);
   if (normal.cross(examined_.normal(b)).norm() > kParallel) return false;
   const Vec3& origin = examined_.polygons.vertices[examined_.polygons.polygon(a)[0]];
-  // Small details may lie closer to each other than what is small for the scene.
-  const double extent = std::min(examined_.shapes[a].extent, examined_.shapes[b].extent);
-  const double limit = std::min(kSamePlane * examined_.size, kParallel * extent);
   const std::span<const std::int32_t> corners = examined_.polygons.polygon(b);
   return std::all_of(corners.begin(), corners.end(), [&](std::int32_t v) {
-    return std::abs((examined_.polygons.vertices[v] - origin).dot(normal)) <= limit;
+    return std::abs((examined_.polygons.vertices[v] - origin).dot(normal)) <= examined_.thickness;
   });
 }
 
@@ -167,8 +163,20 @@ double OverlapFinder::relative_overlap(Index a, Index b) const {
   return common * frame.unit() * frame.unit() / smaller;
 }
 
+/// What the smaller polygon may overlap the other along its edges for the sake of rounding, relative
+/// to its area.
+double OverlapFinder::least_overlap(Index a, Index b) const {
+  const PolygonShape& shape_a = examined_.shapes[a];
+  const PolygonShape& shape_b = examined_.shapes[b];
+  const PolygonShape& smaller =
+      shape_a.vector_area.norm() < shape_b.vector_area.norm() ? shape_a : shape_b;
+  constexpr double kSides = 2;  // of the length of its extent at most, in a convex polygon
+  return std::max(kOverlap, kSides * smaller.extent * examined_.thickness / smaller.vector_area.norm());
+}
+
 void OverlapFinder::report(Index a, Index b, double overlap) {
-  const bool same_side = examined_.normal(a).dot(examined_.normal(b)) > 0;
+  const bool same_side = examined_.normal(a).dot(examined_.normal(b)) > 0 ||
+                         examined_.is_two_sided(a) || examined_.is_two_sided(b);
   const bool emits = examined_.emits(a) || examined_.emits(b);
   // The message belongs to the light if there is one: that is the one to move.
   if (!examined_.emits(a) && examined_.emits(b)) std::swap(a, b);
@@ -182,8 +190,7 @@ void OverlapFinder::report(Index a, Index b, double overlap) {
                       (emits ? "; it shines into it where they touch" : "; they hide each other"));
     return;
   }
-  findings_.add(Finding::Kind::coplanar_overlap,
-                emits ? Finding::Severity::serious : Finding::Severity::warning, a,
+  findings_.add(Finding::Kind::coplanar_overlap, Finding::Severity::serious, a,
                 what + ", facing the same way; cut a hole there or move one of them");
 }
 

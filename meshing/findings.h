@@ -19,6 +19,8 @@ struct ExaminedScene {
   std::vector<PolygonShape> shapes;  ///< per polygon
   radiosity::Box3 bounds;            ///< of what polygons use, m; empty without polygons
   double size = 0;                   ///< diagonal of the bounds, m
+  double thickness = 0;  ///< how far off a plane, or off each other, points may be that were meant
+                         ///< to lie in it, or on each other, m; see radiosity::plane_thickness
 
   [[nodiscard]] std::int32_t surface(radiosity::Index polygon) const {
     return scene.polygon_surface[polygon];

@@ -5,6 +5,7 @@
 
 #include "meshing/findings.h"
 #include "meshing/text.h"
+#include "radiosity/patch_mesh.h"
 
 namespace meshing {
 
@@ -57,8 +58,13 @@ Vec3 ExaminedScene::center(Index polygon) const {
 }
 
 ExaminedScene examine(const radiosity::Scene& scene) {
-  ExaminedScene examined{
-      .scene = scene, .polygons = weld(scene), .edges = {}, .shapes = {}, .bounds = {}, .size = 0};
+  ExaminedScene examined{.scene = scene,
+                         .polygons = weld(scene),
+                         .edges = {},
+                         .shapes = {},
+                         .bounds = {},
+                         .size = 0,
+                         .thickness = 0};
   examined.edges = make_edge_table(examined.polygons);
   examined.shapes.reserve(scene.n_polygons());
   for (Index i = 0; i < scene.n_polygons(); ++i) {
@@ -66,6 +72,7 @@ ExaminedScene examine(const radiosity::Scene& scene) {
   }
   for (const Vec3& p : examined.polygons.vertices) examined.bounds.extend(p);
   if (!examined.bounds.isEmpty()) examined.size = examined.bounds.diagonal().norm();
+  examined.thickness = radiosity::plane_thickness(examined.bounds, scene.precision);
   return examined;
 }
 
@@ -156,9 +163,22 @@ std::vector<std::string> serious_findings(const radiosity::Scene& scene) {
   std::vector<std::string> messages;
   if (scene.n_polygons() > kInspectedPolygons) return messages;
   for (const Finding& finding : inspect(scene).findings) {
-    if (finding.severity == Finding::Severity::serious) messages.push_back(finding.message);
+    if (finding.severity != Finding::Severity::serious) continue;
+    const std::string more =
+        finding.count > 1 ? " (and " + std::to_string(finding.count - 1) + " more like this)" : "";
+    messages.push_back(finding.message + more);
   }
   return messages;
+}
+
+std::optional<std::string> overlap_finding(const radiosity::Scene& scene) {
+  const ExaminedScene examined = examine(scene);
+  for (const auto& find : {find_coplanar_overlaps, find_duplicates}) {
+    for (const Finding& finding : find(examined)) {
+      if (finding.severity == Finding::Severity::serious) return finding.message;
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace meshing

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -55,5 +56,9 @@ Inspection inspect(const radiosity::Scene& scene);
 /// Messages of the serious findings, to warn of before long work. None for scenes of more than
 /// 200,000 polygons, where looking for them costs more than it tells.
 std::vector<std::string> serious_findings(const radiosity::Scene& scene);
+
+/// What there is to say of the first two polygons that overlap in one plane, facing the same way:
+/// both receive the light there, which is not defined. Absent if there are none.
+std::optional<std::string> overlap_finding(const radiosity::Scene& scene);
 
 }  // namespace meshing

@@ -15,7 +15,7 @@ using radiosity::Index;
 using radiosity::Vec3;
 
 // All relative to the diagonal of the scene.
-constexpr double kSamePlace = 1e-7;   ///< vertices this close are the same but for rounding
+constexpr double kSamePlace = 1e-7;   ///< vertices this close are nearly the same
 constexpr double kOnEdge = 1e-6;      ///< a vertex this close to an edge lies on it
 constexpr double kAlmostMeet = 1e-4;  ///< boundaries this close were meant to meet
 /// A gap is narrower than this part of the edges beside it; otherwise it is a detail of the scene.
@@ -126,7 +126,7 @@ void GapFinder::compare_ends(std::int32_t vertex, std::int32_t end, std::int32_t
   const Vec3& p = examined_.polygons.vertices[vertex];
   const double distance = (p - examined_.polygons.vertices[end]).norm();
   const double limit = std::min(boundary_.shortest_at[vertex], boundary_.shortest_at[end]);
-  if (distance == 0 || distance > kAlmostMeet * examined_.size || distance > kNarrow * limit) {
+  if (distance <= examined_.thickness || distance > kAlmostMeet * examined_.size || distance > kNarrow * limit) {
     return;
   }
   const bool is_rounding = distance < kSamePlace * examined_.size;

@@ -64,9 +64,13 @@ double plane_thickness(const Box3& box) {
   return kShareOfSize * box.diagonal().norm() + kRounding * furthest;
 }
 
-double plane_thickness(const PatchMesh& mesh) {
+double plane_thickness(const Box3& box, double precision) {
   constexpr double kPrecisions = 4;
-  return std::max(plane_thickness(bounds(mesh)), kPrecisions * mesh.precision);
+  return std::max(plane_thickness(box), kPrecisions * precision);
+}
+
+double plane_thickness(const PatchMesh& mesh) {
+  return plane_thickness(bounds(mesh), mesh.precision);
 }
 
 }  // namespace radiosity

@@ -64,10 +64,13 @@ PatchMesh centered(const PatchMesh& mesh);
 /// share of its size, and the rounding of coordinates far from the origin. 0 if it is empty.
 double plane_thickness(const Box3& box);
 
-/// The same for the planes of these patches: the larger of what their box asks for and of how far
-/// a point of one polygon may be off the plane of another that was meant to hold it. Coordinates
-/// are off by up to p = `precision`, points by up to √3 p, and so is the plane within the
-/// polygon that it is taken from: 2√3 p in all. 4 p leaves a little for places beyond it.
+/// The larger of that and of how far a point of one polygon may be off the plane of another that
+/// was meant to hold it: coordinates are off by up to p = `precision`, points by up to √3 p, and so
+/// is the plane within the polygon that it is taken from: 2√3 p in all. 4 p leaves a little for
+/// places beyond it.
+double plane_thickness(const Box3& box, double precision);
+
+/// The same for the planes of these patches.
 double plane_thickness(const PatchMesh& mesh);
 
 }  // namespace radiosity

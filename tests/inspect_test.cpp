@@ -238,7 +238,7 @@ TEST(Inspect, OverlapOfManyPolygonsIsCountedOnce) {
   EXPECT_TRUE(clean.findings.empty()) << all_messages(clean);
   add_surface(scene, "rug", kWhite, {{{1, 1, 0}, {1.4, 1, 0}, {1.4, 1.4, 0}, {1, 1.4, 0}}});
   const Finding finding = only(inspect(scene), Kind::coplanar_overlap);
-  EXPECT_EQ(finding.severity, Severity::warning);
+  EXPECT_EQ(finding.severity, Severity::serious);
   EXPECT_EQ(finding.surface, "rug");
   EXPECT_EQ(finding.count, 16);
 }
