@@ -54,6 +54,7 @@ void add_common_options(CLI::App& command, CommonOptions& options) {
                   "scene says, else m")
       ->check(check_unit)
       ->type_name("U");
+  add_precision_option(command, options.precision);
   add_run_options(command, options);
 }
 
@@ -101,6 +102,15 @@ void add_compute_options(CLI::App& command, ComputeOptions& options) {
       ->capture_default_str()
       ->type_name("C");
   add_seed_option(command, options.seed);
+}
+
+void add_precision_option(CLI::App& command, std::optional<double>& precision) {
+  command
+      .add_option("--precision", precision,
+                  "How far coordinates may be off by rounding, metres: half a unit of their last "
+                  "digit, 0 if they are exact; default: what a .json scene says, else found")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("L");
 }
 
 void add_seed_option(CLI::App& command, std::uint64_t& seed) {

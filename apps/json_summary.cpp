@@ -233,6 +233,7 @@ std::string inspect_json(const radiosity::Scene& scene, const meshing::Inspectio
                {"other", inspection.n_other},
                {"area", inspection.area},
                {"bounds", bounds(inspection.bounds)},
+               {"precision", scene.precision},
                {"closed", inspection.closed},
                {"boundary_edges", inspection.n_boundary_edges},
                {"bands", scene.bands.count()},

@@ -289,6 +289,9 @@ std::string inspect_text(const radiosity::Scene& scene, const meshing::Inspectio
                                    inspection.n_triangles, inspection.n_quads, inspection.n_other));
   text += line("area", fmt::format("{:.6g} m²", inspection.area));
   text += line("bounds", bounds_text(inspection.bounds));
+  text += line("precision", scene.precision > 0
+                                ? fmt::format("coordinates are rounded to {:.1g} m", scene.precision)
+                                : "coordinates are exact");
   text += line("closed", inspection.closed
                              ? "yes: every edge is shared by two polygons"
                              : fmt::format("no: {} boundary edges", inspection.n_boundary_edges));

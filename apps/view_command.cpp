@@ -14,14 +14,16 @@ constexpr int kLargestWindow = 16384;  // pixels
 constexpr int kMostThreads = 4096;
 
 viewer::SolveSettings solve_settings(const ComputeOptions& compute,
-                                     const std::optional<std::string>& unit) {
+                                     const std::optional<std::string>& unit,
+                                     const std::optional<double>& precision) {
   viewer::SolveSettings settings = {.max_edge = compute.max_edge,
                                     .n_patches = compute.n_patches,
                                     .as_is = compute.as_is,
                                     .adaptive = compute.adaptive,
                                     .tolerance = compute.tolerance,
                                     .seed = compute.seed,
-                                    .unit = unit};
+                                    .unit = unit,
+                                    .precision = precision};
   if (compute.closed != "auto") settings.closed = closed_choice(compute.closed, {});
   return settings;
 }
@@ -38,6 +40,7 @@ ViewCommand::ViewCommand(CLI::App& program, Interruption& interruption)
       ->type_name("SCENE|RESULT");
   command->add_option("--unit", unit_, "Unit of the file's coordinates: m, mm, cm, in, ft, km, um")
       ->type_name("U");
+  add_precision_option(*command, precision_);
   command->add_option("--script", script_, "Do the actions of this file, then close the window")
       ->type_name("FILE");
   command
@@ -75,7 +78,7 @@ void ViewCommand::run() const {
   if (screenshot_) check_outputs({*screenshot_}, path_.value_or(""));
   const radiosity::ThreadLimit threads(n_threads_);
   viewer::ViewOptions options = {.path = path_,
-                                 .settings = solve_settings(compute_, unit_),
+                                 .settings = solve_settings(compute_, unit_, precision_),
                                  .width = width_,
                                  .height = height_,
                                  .scale = scale_,

@@ -20,6 +20,7 @@ class ViewCommand {
   Interruption& interruption_;
   std::optional<std::string> path_;
   std::optional<std::string> unit_;
+  std::optional<double> precision_;
   std::optional<std::string> script_;
   std::optional<std::string> screenshot_;
   std::size_t n_threads_ = 0;

@@ -105,6 +105,15 @@ double scene_unit(const JsonItem& root, const ReadOptions& options) {
   return options.unit ? metres_per_unit(*options.unit) : metres;
 }
 
+/// What the scene says in its unit.
+std::optional<double> given_precision(const JsonItem& root) {
+  const auto item = root.find("precision");
+  if (!item) return std::nullopt;
+  const double precision = item->number();
+  if (!(precision >= 0)) item->fail(fmt::format("is {}, expected no negative number", precision));
+  return precision;
+}
+
 }  // namespace
 
 Scene read_json_scene(const std::filesystem::path& path, const ReadOptions& options) {
@@ -122,6 +131,7 @@ Scene read_json_scene(const std::filesystem::path& path, const ReadOptions& opti
     scene.materials = read_materials(*materials, scene.bands, path.parent_path());
   }
   add_surfaces(root.at("surfaces"), path.parent_path(), unit, options.progress, scene);
+  if (const auto precision = given_precision(root)) scene.precision = unit * *precision;
   if (const auto camera = root.find("camera")) scene.camera = read_camera(*camera, unit);
   if (const auto closed = root.find("closed")) scene.closed = closed->boolean();
   if (scene.n_polygons() == 0) fail(path, "has no polygons");

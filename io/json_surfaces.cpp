@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <set>
+#include <span>
 #include <vector>
 
 #include "io/input_checks.h"
 #include "io/json_transform.h"
 #include "io/mesh_file.h"
+#include "io/rounding.h"
 #include "io/scene_file.h"
 #include "io/scene_keys.h"
 
@@ -47,13 +49,13 @@ void add_polygon(const JsonItem& polygon, const std::vector<std::int64_t>& face,
 }
 
 /// Polygons that are lists of indices into `vertices`.
-void add_indexed_polygons(const JsonItem& vertices, const JsonItem& polygons, double unit,
-                          std::int32_t surface, Scene& scene) {
+void add_indexed_polygons(const JsonItem& vertices, const JsonItem& polygons, std::int32_t surface,
+                          Scene& scene) {
   const auto first_vertex = static_cast<std::int64_t>(scene.vertices.size());
   const auto n_vertices = static_cast<std::int64_t>(vertices.size());
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const auto point = as_point(vertices.value()[i]);
-    scene.vertices.push_back(unit * (point ? *point : vertices[i].point()));
+    scene.vertices.push_back(point ? *point : vertices[i].point());
   }
   std::vector<std::int64_t> face;
   for (std::size_t i = 0; i < polygons.size(); ++i) {
@@ -69,7 +71,7 @@ void add_indexed_polygons(const JsonItem& vertices, const JsonItem& polygons, do
 }
 
 /// Polygons that are lists of points.
-void add_point_polygons(const JsonItem& polygons, double unit, std::int32_t surface, Scene& scene) {
+void add_point_polygons(const JsonItem& polygons, std::int32_t surface, Scene& scene) {
   std::vector<std::int64_t> face;
   for (std::size_t i = 0; i < polygons.size(); ++i) {
     const JsonItem polygon = polygons[i];
@@ -80,7 +82,7 @@ void add_point_polygons(const JsonItem& polygons, double unit, std::int32_t surf
         polygon[k].fail("expected a point [x, y, z]; indices need \"vertices\" in the surface");
       }
       const auto point = as_point(polygon.value()[k]);
-      scene.vertices.push_back(unit * (point ? *point : polygon[k].point()));
+      scene.vertices.push_back(point ? *point : polygon[k].point());
       face.push_back(static_cast<std::int64_t>(k));
     }
     add_polygon(polygon, face, static_cast<std::int64_t>(face.size()), first_vertex, surface,
@@ -88,7 +90,8 @@ void add_point_polygons(const JsonItem& polygons, double unit, std::int32_t surf
   }
 }
 
-void add_inline_surface(const JsonItem& item, Surface surface, double unit, Scene& scene) {
+/// With coordinates in the scene's unit.
+void add_inline_surface(const JsonItem& item, Surface surface, Scene& scene) {
   for (const std::string_view key : {"object", "transform", "unit"}) {
     if (item.has(key)) item.fail(fmt::format("\"{}\" belongs to a \"mesh\" only", key));
   }
@@ -98,9 +101,9 @@ void add_inline_surface(const JsonItem& item, Surface surface, double unit, Scen
   const JsonItem polygons = item.at("polygons");
   if (polygons.size() == 0) polygons.fail("has no polygons");
   if (const auto vertices = item.find("vertices")) {
-    add_indexed_polygons(*vertices, polygons, unit, index, scene);
+    add_indexed_polygons(*vertices, polygons, index, scene);
   } else {
-    add_point_polygons(polygons, unit, index, scene);
+    add_point_polygons(polygons, index, scene);
   }
 }
 
@@ -112,7 +115,8 @@ double mesh_unit(const JsonItem& item, const std::string& file, double scene_uni
   return extension == ".gltf" || extension == ".glb" ? 1.0 : scene_unit;
 }
 
-/// Appends the mesh's vertices in metres.
+/// Appends the mesh's vertices in metres, and takes up what they are off, by the largest share that
+/// the three coordinates have in one.
 void add_vertices(const JsonItem& item, const Scene& mesh, double unit_of_mesh, double unit,
                   Scene& scene) {
   Eigen::Affine3d transform = Eigen::Affine3d::Identity();
@@ -120,6 +124,8 @@ void add_vertices(const JsonItem& item, const Scene& mesh, double unit_of_mesh, 
   transform.translation() *= unit;
   transform.linear() *= unit_of_mesh;
   for (const Vec3& vertex : mesh.vertices) scene.vertices.push_back(transform * vertex);
+  const double gain = transform.linear().cwiseAbs().rowwise().sum().maxCoeff();
+  scene.precision = std::max(scene.precision, gain * mesh.precision);
 }
 
 bool is_mirrored(const JsonItem& item) {
@@ -218,6 +224,37 @@ void add_mesh(const JsonItem& item, const Surface& given, const std::filesystem:
   scene.warnings.insert(scene.warnings.end(), mesh.warnings.begin(), mesh.warnings.end());
 }
 
+/// Reads the surfaces whose polygons stand in the scene file, and judges their coordinates as these
+/// are written: each surface by itself, for one may come from elsewhere, and all together.
+class InlinePoints {
+ public:
+  InlinePoints(double unit, Scene& scene) : unit_(unit), scene_(scene) {}
+
+  void add(const JsonItem& item, Surface surface) {
+    const std::size_t first = scene_.vertices.size();
+    add_inline_surface(item, std::move(surface), scene_);
+    const std::span<Vec3> added = std::span(scene_.vertices).subspan(first);
+    precision_ = std::max(precision_, found_rounding(added).precision);
+    all_.insert(all_.end(), added.begin(), added.end());
+    for (Vec3& vertex : added) vertex *= unit_;
+  }
+
+  void find_precision() {
+    const Rounding rounding = found_rounding(all_);
+    const double found = std::max(precision_, rounding.precision);
+    scene_.precision = std::max(scene_.precision, unit_ * found);
+    if (const auto warning = rounding_warning(rounding)) {
+      scene_.warnings.push_back(scene_.source + ": " + *warning);
+    }
+  }
+
+ private:
+  double unit_;
+  Scene& scene_;
+  double precision_ = 0;
+  std::vector<Vec3> all_;
+};
+
 }  // namespace
 
 double read_unit(const JsonItem& item) {
@@ -233,6 +270,7 @@ void add_surfaces(const JsonItem& surfaces, const std::filesystem::path& folder,
                   const Progress& progress, Scene& scene) {
   const std::size_t n_materials = scene.materials.size();  // those of meshes come behind
   std::set<std::string> names;
+  InlinePoints inline_points(unit, scene);
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     progress.check();
     const JsonItem item = surfaces[i];
@@ -248,11 +286,12 @@ void add_surfaces(const JsonItem& surfaces, const std::filesystem::path& folder,
     if (item.has("mesh")) {
       add_mesh(item, surface, folder, unit, progress, scene);
     } else if (item.has("polygons")) {
-      add_inline_surface(item, std::move(surface), unit, scene);
+      inline_points.add(item, std::move(surface));
     } else {
       item.fail("expected either \"mesh\" or \"polygons\"");
     }
   }
+  inline_points.find_precision();
 }
 
 }  // namespace io

@@ -13,7 +13,7 @@ double read_unit(const JsonItem& item);
 
 /// Appends the `surfaces` of a JSON scene to `scene`, whose bands and materials are known already.
 /// Meshes are looked for relative to `folder`. Coordinates become metres; `unit` is the metres per
-/// unit of the scene. Throws SceneError naming the item.
+/// unit of the scene. Finds the scene's precision. Throws SceneError naming the item.
 void add_surfaces(const JsonItem& surfaces, const std::filesystem::path& folder, double unit,
                   const radiosity::Progress& progress, radiosity::Scene& scene);
 

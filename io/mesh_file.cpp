@@ -11,6 +11,7 @@
 #include "io/obj_reader.h"
 #include "io/off_reader.h"
 #include "io/ply_reader.h"
+#include "io/rounding.h"
 #include "io/stl_reader.h"
 
 namespace io {
@@ -31,6 +32,18 @@ Scene read_by_extension(const std::filesystem::path& path, const Progress& progr
                          extension));
 }
 
+/// Coordinates of glTF are single, whatever its transforms make of them.
+void find_precision(const std::filesystem::path& path, Scene& mesh) {
+  const std::string extension = lower_extension(path);
+  const bool is_single = extension == ".gltf" || extension == ".glb";
+  const Rounding rounding =
+      is_single ? single_rounding(mesh.vertices) : found_rounding(mesh.vertices);
+  mesh.precision = rounding.precision;
+  if (const auto warning = rounding_warning(rounding)) {
+    mesh.warnings.push_back(path.string() + ": " + *warning);
+  }
+}
+
 }  // namespace
 
 std::string lower_extension(const std::filesystem::path& path) {
@@ -48,6 +61,7 @@ Scene read_mesh(const std::filesystem::path& path, const Progress& progress) {
     fail(path, fmt::format("has {} vertices and {} polygons, expected at most {} of each",
                            mesh.vertices.size(), mesh.polygon_surface.size(), kMax));
   }
+  find_precision(path, mesh);
   return mesh;
 }
 

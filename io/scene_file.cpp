@@ -58,6 +58,7 @@ Scene read_mesh_scene(const std::filesystem::path& path, const ReadOptions& opti
   Scene scene = read_mesh(path, options.progress);
   scene.source = path.string();
   for (auto& vertex : scene.vertices) vertex *= scale;
+  scene.precision *= scale;
   complete_materials(scene);
   return scene;
 }
@@ -67,6 +68,7 @@ Scene read_mesh_scene(const std::filesystem::path& path, const ReadOptions& opti
 Scene read_scene(const std::filesystem::path& path, const ReadOptions& options) {
   Scene scene = lower_extension(path) == ".json" ? read_json_scene(path, options)
                                                  : read_mesh_scene(path, options);
+  if (options.precision) scene.precision = *options.precision;
   for (const auto& vertex : scene.vertices) {
     if (!vertex.allFinite()) fail(path, "a coordinate in metres is too large for a number");
   }

@@ -12,7 +12,10 @@ namespace io {
 struct ReadOptions {
   /// Unit of the file's coordinates ("m", "mm", "cm", "in", "ft", "km", "um"); overrides what a
   /// JSON scene says. Absent: the JSON scene's `unit`, else metre.
-  std::optional<std::string> unit;
+  std::optional<std::string> unit{};
+  /// Scene::precision, m; overrides what a JSON scene says. Absent: the JSON scene's `precision`,
+  /// else found from the digits of the coordinates.
+  std::optional<double> precision{};
   radiosity::Progress progress{};
 };
 

@@ -239,7 +239,8 @@ void write_json(const Scene& scene, std::ostream& stream) {
   for (const Material& material : scene.materials) {
     material_names.push_back(names.add(material.name));
   }
-  stream << "{\n  \"unit\": \"m\",\n  \"bands\": " << text(bands_json(scene.bands)) << ",\n";
+  stream << "{\n  \"unit\": \"m\",\n  \"precision\": " << text(Json(scene.precision))
+         << ",\n  \"bands\": " << text(bands_json(scene.bands)) << ",\n";
   write_materials(scene, material_names, stream);
   write_surfaces(scene, material_names, stream);
   if (scene.camera) stream << ",\n  \"camera\": " << text(camera_json(*scene.camera));

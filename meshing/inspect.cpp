@@ -62,7 +62,7 @@ ExaminedScene examine(const radiosity::Scene& scene) {
   examined.edges = make_edge_table(examined.polygons);
   examined.shapes.reserve(scene.n_polygons());
   for (Index i = 0; i < scene.n_polygons(); ++i) {
-    examined.shapes.push_back(polygon_shape(examined.points(i)));
+    examined.shapes.push_back(polygon_shape(examined.points(i), scene.precision));
   }
   for (const Vec3& p : examined.polygons.vertices) examined.bounds.extend(p);
   if (!examined.bounds.isEmpty()) examined.size = examined.bounds.diagonal().norm();

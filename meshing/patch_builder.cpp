@@ -88,6 +88,12 @@ PatchMesh PatchBuilder::run() {
     mesh_.surface_two_sided.push_back(s.two_sided);
   }
   mesh_.vertices = topology_.polygons.vertices;
+  mesh_.precision = scene_.precision;
+  mesh_.first_polygon_corner = topology_.polygons.first_corner;
+  mesh_.polygon_corners.reserve(topology_.polygons.corners.size());
+  for (const std::int32_t v : topology_.polygons.corners) {
+    mesh_.polygon_corners.push_back(mesh_.vertices[v]);
+  }
   reserve();
   divide_edges();
   for (; polygon_ < topology_.polygons.size(); ++polygon_) {

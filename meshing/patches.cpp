@@ -44,7 +44,7 @@ void measure_polygons(const Scene& scene, const radiosity::Progress& progress, T
     if (i % 4096 == 0) progress.check();
     points.clear();
     for (const std::int32_t v : polygons.polygon(i)) points.push_back(polygons.vertices[v]);
-    const PolygonShape shape = polygon_shape(points);
+    const PolygonShape shape = polygon_shape(points, scene.precision);
     if (shape.kind == PolygonKind::zero_area || shape.kind == PolygonKind::self_crossing) {
       refuse_polygon(scene, i, shape);
     }

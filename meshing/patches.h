@@ -34,7 +34,8 @@ PatchOptions make_patch_options(const PatchChoice& choice, const radiosity::Scen
                                 const radiosity::Progress& progress = {});
 
 /// Largest distance of a quad's corner from the plane of the others, relative to its diagonal, up
-/// to which it counts as planar; a quad further from planar becomes two triangles.
+/// to which it counts as planar; a quad further from planar becomes two triangles, unless it may be
+/// planar but for the precision of its coordinates (Scene::precision).
 inline constexpr double kPlanarQuad = 1e-6;
 
 /// Subdivides the scene's polygons into well-shaped patches: quads stay quads, triangles are split

@@ -15,6 +15,13 @@ using radiosity::Vec3;
 /// corner counts as straight rather than reflex.
 constexpr double kStraight = 1e-10;
 
+/// Deviation of a planar quad whose coordinates were rounded, relative to how far these are off:
+/// four corners, each off its place by √3 of that. Its corners are then within a quarter of the
+/// deviation of its mean plane.
+constexpr double kQuadPrecisions = 7;
+/// Likewise of a corner from the mean plane of any polygon.
+constexpr double kPolygonPrecisions = 4;
+
 /// Twice the area of the largest triangle of the fan about corner 0. Unlike the vector area it
 /// does not cancel in a bow tie.
 double largest_fan_triangle(std::span<const Vec3> polygon) {
@@ -26,7 +33,7 @@ double largest_fan_triangle(std::span<const Vec3> polygon) {
   return largest;
 }
 
-PolygonKind quad_kind(std::span<const Vec3> quad, const PolygonShape& shape) {
+PolygonKind quad_kind(std::span<const Vec3> quad, const PolygonShape& shape, double precision) {
   const Vec3 normal = shape.vector_area.normalized();
   const double straight = kStraight * shape.extent * shape.extent;
   int n_reflex = 0;
@@ -36,7 +43,8 @@ PolygonKind quad_kind(std::span<const Vec3> quad, const PolygonShape& shape) {
   }
   if (n_reflex > 1) return PolygonKind::self_crossing;
   const double diagonal = std::max((quad[2] - quad[0]).norm(), (quad[3] - quad[1]).norm());
-  const bool is_planar = shape.deviation <= kPlanarQuad * diagonal;
+  const bool is_planar =
+      shape.deviation <= std::max(kPlanarQuad * diagonal, kQuadPrecisions * precision);
   if (n_reflex == 1) {
     return is_planar ? PolygonKind::planar_polygon : PolygonKind::non_planar_polygon;
   }
@@ -74,7 +82,7 @@ double quad_deviation(std::span<const Vec3> quad) {
   return largest;
 }
 
-PolygonShape polygon_shape(std::span<const Vec3> polygon) {
+PolygonShape polygon_shape(std::span<const Vec3> polygon, double precision) {
   PolygonShape shape;
   if (polygon.size() < 3) return shape;
   radiosity::Box3 box;
@@ -90,11 +98,12 @@ PolygonShape polygon_shape(std::span<const Vec3> polygon) {
     shape.kind = PolygonKind::triangle;
   } else if (polygon.size() == 4) {
     shape.deviation = quad_deviation(polygon);
-    shape.kind = quad_kind(polygon, shape);
+    shape.kind = quad_kind(polygon, shape, precision);
   } else {
     shape.deviation = polygon_deviation(polygon, shape.vector_area);
-    shape.kind = shape.deviation > kPlanarQuad * shape.extent ? PolygonKind::non_planar_polygon
-                                                              : PolygonKind::planar_polygon;
+    const double planar = std::max(kPlanarQuad * shape.extent, kPolygonPrecisions * precision);
+    shape.kind = shape.deviation > planar ? PolygonKind::non_planar_polygon
+                                          : PolygonKind::planar_polygon;
   }
   return shape;
 }

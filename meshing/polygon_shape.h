@@ -29,8 +29,9 @@ struct PolygonShape {
   double deviation = 0;  ///< from planar, m: for a quad see kPlanarQuad, else from the mean plane
 };
 
-/// Examines a polygon without repeated consecutive corners.
-PolygonShape polygon_shape(std::span<const radiosity::Vec3> polygon);
+/// Examines a polygon without repeated consecutive corners, whose coordinates may be off by
+/// `precision`, m: it is planar if it may have been meant to be.
+PolygonShape polygon_shape(std::span<const radiosity::Vec3> polygon, double precision);
 
 /// Largest distance of a corner of a quad from the plane of the other three, m. Corners whose
 /// other three lie nearly on a line are left out, since those have no plane.

@@ -40,6 +40,9 @@ RefinableMesh::RefinableMesh(const PatchMesh& mesh) {
   mesh_.vertices = mesh.vertices;
   mesh_.surface_names = mesh.surface_names;
   mesh_.surface_two_sided = mesh.surface_two_sided;
+  mesh_.precision = mesh.precision;
+  mesh_.polygon_corners = mesh.polygon_corners;
+  mesh_.first_polygon_corner = mesh.first_polygon_corner;
   const std::vector<std::vector<Segment>> lines = contact_lines(mesh);
   for (Index i = 0; i < mesh.size(); ++i) {
     const std::int32_t twin = mesh.twin[i];
@@ -253,6 +256,9 @@ void RefinableMesh::build() {
   mesh.vertices = std::move(mesh_.vertices);
   mesh.surface_names = std::move(mesh_.surface_names);
   mesh.surface_two_sided = std::move(mesh_.surface_two_sided);
+  mesh.precision = mesh_.precision;
+  mesh.polygon_corners = std::move(mesh_.polygon_corners);
+  mesh.first_polygon_corner = std::move(mesh_.first_polygon_corner);
   mesh_ = std::move(mesh);
   cell_of_patch_.clear();
   patch_of_cell_.assign(cells_.size(), -1);

@@ -25,7 +25,7 @@ std::array<Vec3, 4> pyramid_normals(const Camera& camera, double aspect) {
 
 ViewContent view_content(const PatchMesh& mesh, const Camera& camera, double aspect) {
   const std::array<Vec3, 4> normals = pyramid_normals(camera, aspect);
-  const double thickness = plane_thickness(bounds(mesh));
+  const double thickness = plane_thickness(mesh);
   ViewContent content;
   for (Index i = 0; i < mesh.size() && !(content.fronts && content.backs); ++i) {
     ConvexPolygon part;

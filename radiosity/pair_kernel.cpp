@@ -13,7 +13,7 @@ PatchTable::PatchTable(const PatchMesh& mesh, double tolerance) : tolerance_(tol
   }
   const Box3 box = bounds(mesh);
   const Vec3 center = box.isEmpty() ? Vec3(Vec3::Zero()) : box.center();
-  thickness_ = plane_thickness(box);
+  thickness_ = plane_thickness(mesh);
   for (Index i = 0; i < mesh.size(); ++i) {
     const HalfSpace plane{mesh.normal[i], mesh.normal[i].dot(mesh.centroid[i] - center)};
     ConvexPolygon polygon;

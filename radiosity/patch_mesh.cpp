@@ -1,5 +1,7 @@
 #include "radiosity/patch_mesh.h"
 
+#include <algorithm>
+
 namespace radiosity {
 namespace {
 
@@ -50,6 +52,7 @@ PatchMesh centered(const PatchMesh& mesh) {
   if (box.isEmpty()) return result;
   for (Vec3& vertex : result.vertices) vertex -= box.center();
   for (Vec3& centroid : result.centroid) centroid -= box.center();
+  for (Vec3& corner : result.polygon_corners) corner -= box.center();
   return result;
 }
 
@@ -59,6 +62,11 @@ double plane_thickness(const Box3& box) {
   if (box.isEmpty()) return 0;
   const double furthest = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
   return kShareOfSize * box.diagonal().norm() + kRounding * furthest;
+}
+
+double plane_thickness(const PatchMesh& mesh) {
+  constexpr double kPrecisions = 4;
+  return std::max(plane_thickness(bounds(mesh)), kPrecisions * mesh.precision);
 }
 
 }  // namespace radiosity

@@ -77,6 +77,9 @@ struct Scene {
   std::vector<std::int32_t> polygon_surface;  ///< per polygon: index into `surfaces`
   std::vector<Surface> surfaces;
   std::vector<Material> materials;
+  /// How far a coordinate may be off what was meant, for its last digits were rounded away: half a
+  /// unit in the last place of the file, m. 0 = exact but for the rounding of `double`.
+  double precision = 0;
   std::optional<Camera> camera;
   std::optional<bool> closed;         ///< as declared by the user; absent = to be found out
   std::vector<std::string> warnings;  ///< what the reader noticed and the user should know

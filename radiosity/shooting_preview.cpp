@@ -43,7 +43,7 @@ ShootingPreview::ShootingPreview(const PatchMesh& mesh, const Visibility& visibi
       unshot_(exitance),
       arrived_(irradiance_),
       part_light_(static_cast<Index>(sources_.nodes.size()), exitance.cols()),
-      thickness_(plane_thickness(bounds(mesh))) {
+      thickness_(plane_thickness(mesh)) {
   assert(exitance.rows() == mesh.size());
   assert(reflectance.rows() == mesh.size() && reflectance.cols() == exitance.cols());
 }

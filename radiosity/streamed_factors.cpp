@@ -47,6 +47,7 @@ Fingerprint stream_fingerprint(const PatchMesh& mesh, const StreamOptions& optio
   fingerprint.add(mesh.twin);
   for (const std::string& name : mesh.surface_names) fingerprint.add(name);
   for (const bool two_sided : mesh.surface_two_sided) fingerprint.add(two_sided);
+  fingerprint.add(mesh.precision);
   fingerprint.add(options.tolerance);
   fingerprint.add(options.closed);
   fingerprint.add(options.seed);

@@ -407,7 +407,7 @@ TEST_F(Program, InspectTellsCountsAndFindings) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const Json json = Json::parse(outcome.out);
   expect_keys(json, {"vertices", "polygons", "triangles", "quads", "other", "area", "bounds",
-                     "closed", "boundary_edges", "surfaces", "findings", "warnings"});
+                     "precision", "closed", "boundary_edges", "surfaces", "findings", "warnings"});
   EXPECT_EQ(json["polygons"], 6);
   EXPECT_EQ(json["quads"], 6);
   EXPECT_NEAR(json["area"], 6, 1e-12);

@@ -29,6 +29,7 @@ void expect_same_frame(const Scene& read, const Scene& scene) {
   EXPECT_EQ(read.bands.kind, scene.bands.kind);
   EXPECT_EQ(read.bands.wavelengths, scene.bands.wavelengths);
   EXPECT_EQ(read.closed, scene.closed);
+  EXPECT_EQ(read.precision, scene.precision);
   ASSERT_EQ(read.materials.size(), scene.materials.size());
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
     EXPECT_EQ(read.materials[i].name, scene.materials[i].name);

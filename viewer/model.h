@@ -24,6 +24,7 @@ struct SolveSettings {
   std::optional<radiosity::Closed> closed = {};  ///< absent: what the scene says
   std::uint64_t seed = 0;                        ///< of the visibility samples
   std::optional<std::string> unit = {};          ///< of the file's coordinates
+  std::optional<double> precision = {};          ///< of these, m; absent: as said or found
 };
 
 /// Rows of form factors, from memory or from a file.
