@@ -57,7 +57,7 @@ void assembly(benchmark::State& state) {
 BENCHMARK(assembly)->Arg(1000)->Arg(4000)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 struct Packet {
-  SegmentSampler::Packet segments;
+  SegmentPacket segments;
   std::int32_t i;
   std::int32_t j;
 };
@@ -80,11 +80,10 @@ const std::vector<Packet>& undecided_packets(const Box& box) {
                              table.plane(i),
                              table.polygon(j),
                              table.plane(j),
-                             bounds(box.mesh).center(),
                              a,
                              b};
       SegmentSampler sampler(pair, pair_seed(0, a, b));
-      for (int k = 0; k < 2; ++k) packets.push_back({sampler.next(), a, b});
+      for (int k = 0; k < 2; ++k) packets.push_back({sampler.next().segments, a, b});
     }
   }
   return packets;
@@ -96,7 +95,7 @@ void ray_stage(benchmark::State& state) {
   for (auto _ : state) {
     std::uint32_t sum = 0;
     for (const Packet& packet : packets) {
-      sum += box.visibility->blocked(packet.segments.from, packet.segments.to, packet.i, packet.j);
+      sum += box.visibility->blocked(packet.segments, packet.i, packet.j);
     }
     benchmark::DoNotOptimize(sum);
   }
@@ -134,16 +133,15 @@ RTCScene make_embree_scene(RTCDevice device, const PatchMesh& mesh) {
   return scene;
 }
 
-RTCRay16 make_rays(const SegmentSampler::Packet& segments) {
+RTCRay16 make_rays(const SegmentPacket& segments, const Eigen::Vector3f& center) {
   RTCRay16 rays{};
   for (int k = 0; k < Visibility::kPacket; ++k) {
-    const Vec3 way = segments.to[k] - segments.from[k];
-    rays.org_x[k] = static_cast<float>(segments.from[k].x());
-    rays.org_y[k] = static_cast<float>(segments.from[k].y());
-    rays.org_z[k] = static_cast<float>(segments.from[k].z());
-    rays.dir_x[k] = static_cast<float>(way.x());
-    rays.dir_y[k] = static_cast<float>(way.y());
-    rays.dir_z[k] = static_cast<float>(way.z());
+    rays.org_x[k] = segments.from[0][k] + center.x();
+    rays.org_y[k] = segments.from[1][k] + center.y();
+    rays.org_z[k] = segments.from[2][k] + center.z();
+    rays.dir_x[k] = segments.to[0][k] - segments.from[0][k];
+    rays.dir_y[k] = segments.to[1][k] - segments.from[1][k];
+    rays.dir_z[k] = segments.to[2][k] - segments.from[2][k];
     rays.tnear[k] = 1e-5F;
     rays.tfar[k] = 1 - 1e-5F;
     rays.mask[k] = ~0U;
@@ -157,7 +155,7 @@ void embree_alone(benchmark::State& state) {
   RTCScene scene = make_embree_scene(device, box.mesh);
   std::vector<RTCRay16> prepared;
   for (const Packet& packet : undecided_packets(box))
-    prepared.push_back(make_rays(packet.segments));
+    prepared.push_back(make_rays(packet.segments, box.visibility->center().cast<float>()));
   alignas(64) std::array<int, Visibility::kPacket> valid;
   valid.fill(-1);
   std::vector<RTCRay16> rays;

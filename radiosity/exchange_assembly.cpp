@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
+#include <numeric>
 #include <vector>
 
 #include "radiosity/blocker_set.h"
@@ -26,16 +27,11 @@ constexpr double kKernelShare = 1e-4;
 /// Up to this many patches it is exact: time is no matter there.
 constexpr Index kExactPatches = 512;
 constexpr double kExactTolerance = 1e-11;
-/// Form factors below this share of the mean one need little accuracy, below a far smaller one,
-/// relative to the tolerance, none.
-constexpr double kMinor = 1e-2;
-constexpr double kNegligible = 1e-3;
-
-/// Rays for a pair whose samples disagree. An entry's relative error falls a little faster than
-/// rays^-½; partly hidden pairs hold a few per cent of all exchange.
-int rays_per_pair(double tolerance) {
-  const double packets = std::clamp(4 * (1e-2 / tolerance), 2.0, 64.0);
-  return Visibility::kPacket * static_cast<int>(std::lround(packets));
+/// Exchange area of a pair on average, where every patch sees half of the others, m².
+double mean_exchange_area(const PatchMesh& mesh) {
+  const double area = std::accumulate(mesh.area.begin(), mesh.area.end(), 0.0);
+  const auto n = static_cast<double>(std::max<Index>(mesh.size(), 1));
+  return 2 * area / (n * n);
 }
 
 double kernel_tolerance(Index n_patches, double tolerance) {
@@ -50,15 +46,9 @@ class Assembler {
       : options_(options),
         visibility_(visibility),
         table_(mesh, kernel_tolerance(mesh.size(), options.tolerance)),
-        pair_options_{rays_per_pair(options.tolerance),
-                      kMinor / static_cast<double>(mesh.size()),
-                      kNegligible * options.tolerance / static_cast<double>(mesh.size()),
-                      table_.thickness(),
-                      options.tolerance,
+        pair_options_{options.tolerance, mean_exchange_area(mesh), table_.thickness(),
                       table_.tolerance()},
         coverage_(coverage) {
-    const Box3 box = bounds(mesh);
-    if (!box.isEmpty()) center_ = box.center();
     const PatchMesh local = centered(mesh);
     tree_ = make_cluster_tree(local, kLeafSize, table_.thickness());
     blockers_ = make_blockers(local, table_.thickness());
@@ -330,7 +320,7 @@ class Assembler {
     work.blockers.clear();
     for (const std::int32_t k : candidates) work.blockers.push_back(&blockers_.blocker(k));
     const PairEstimate estimate = work.estimator.estimate(
-        {polygon_i, table_.plane(i), polygon_j, table_.plane(j), center_, i, j}, work.blockers,
+        {polygon_i, table_.plane(i), polygon_j, table_.plane(j), i, j}, work.blockers,
         [&] { return table_.unoccluded(i, j, front_i, front_j); }, pair_seed(options_.seed, i, j));
     return counted(estimate, work);
   }
@@ -375,7 +365,7 @@ class Assembler {
           return exchange_area(part_i.points(), part_j.points(), table_.tolerance());
         };
         const PairEstimate estimate = work.estimator.estimate(
-            {part_i, table_.plane(i), part_j, table_.plane(j), center_, i, j}, work.blockers,
+            {part_i, table_.plane(i), part_j, table_.plane(j), i, j}, work.blockers,
             unoccluded, ++seed);
         sum.value += estimate.value;
         sum.rays += estimate.rays;
@@ -393,7 +383,6 @@ class Assembler {
   const TransportOptions& options_;
   const Visibility& visibility_;
   PatchTable table_;
-  Vec3 center_ = Vec3::Zero();
   OccludedPairOptions pair_options_;
   ClusterTree tree_;
   BlockerSet blockers_;

@@ -3,37 +3,68 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include "radiosity/exchange_area.h"
+#include "radiosity/polygon_quadrature.h"
+#include "radiosity/visible_polygon.h"
 
 namespace radiosity {
 namespace {
 
 /// One sigma of an uncertain entry is at least so many times the kernel's error.
 constexpr double kKernelErrors = 10;
-/// Divisions of a pair at most, and of one whose form factor is negligible.
+/// Divisions of a pair at most.
 constexpr std::size_t kMostDivisions = 12;
-constexpr std::size_t kMinorDivisions = 2;
-/// Rays for a negligible pair.
-constexpr int kMinorRays = 2 * SegmentSampler::kPacket;
-/// Of a near pair, a polygon this much larger than the other is divided.
-constexpr double kMuchLarger = 2;
 /// Polygons with more corners are divided, since each cut may add one.
 constexpr std::size_t kMostCorners = 8;
-/// Pairs with more shadows are sampled; with fewer if the tolerance is not below the next figure.
-constexpr std::size_t kMostShadows = 12;
-constexpr std::size_t kFewShadows = 3;
-constexpr double kExactTolerance = 1e-4;
-/// Pairs with more blockers go to rays; distant ones sooner, and with many candidates at once, if
-/// little is asked.
-constexpr std::size_t kMostSampled = 32;
-constexpr std::size_t kMostSampledFar = 6;
-constexpr std::size_t kMostTested = 32;
-constexpr double kRayTolerance = 2e-3;
-/// So many times more points for near pairs, over which the kernel varies strongly.
-constexpr int kNearPackets = 4;
-/// Above this tolerance one low rule has to do for distant pairs.
-constexpr double kLowRuleTolerance = 5e-4;
+/// Divisions of the source into quarters at most, where points are sampled.
+constexpr std::size_t kMostQuarterings = 7;
+
+// The cost model. With n samples the error of a pair of exchange area G falls like G n^-p, so that
+// the sum of all errors is least for a given cost if each pair's error is in proportion to
+// G^(1 / (1 + p)); p = ⅔ for quasi-random rays, which give 3/5. Were all pairs partly hidden and all
+// of one size, each might have the tolerance as its relative error; few are, so that more will do.
+
+/// Relative error of a partly hidden pair of mean exchange area, in tolerances.
+constexpr double kBudget = 2;
+constexpr double kErrorPower = 2.0 / 5;
+/// n rays have the error kRaySpread n^-⅔.
+constexpr double kRaySpread = 0.43;
+constexpr double kRayPower = 3.0 / 2;
+/// Standard error of low rules on pieces that the shadows' events bound, for one shadow and for
+/// several; and how much dearer rules are that go on until they agree.
+constexpr double kLowRule = 2e-3;
+constexpr double kLowRuleOfMany = 1e-2;
+constexpr double kAdaptive = 4;
+/// Standard error of four points and their four quarters; it falls like n^-1 as pieces with shadows
+/// are divided.
+constexpr double kFirstPoints = 1e-2;
+constexpr int kPointsOfFirst = 20;
+// Costs on one core, µs (form_factor_bench, by perf): a packet of rays; a point from which a
+// target is seen, and each shadow there; points that a border of a shadow brings with its pieces.
+constexpr double kPacketCost = 2.2;
+constexpr double kPointCost = 0.5;
+constexpr double kShadowCost = 0.5;
+constexpr double kDividingCost = 0.7;
+constexpr double kPointsOfBorder = 1.5;
+/// What other methods cost at least, proofs included: rays go first where they cost less.
+constexpr double kLookCost = 15;
+/// More shadows cannot be divided at their events.
+constexpr std::size_t kMostCuts = 12;
+constexpr std::size_t kMostDividing = 3;
+/// Near pairs may go to rays only if nearly anything will do: samples miss their kernel's peaks.
+constexpr double kCoarse = 0.1;
+/// Rays at most, 10 ms of them.
+constexpr double kMostPackets = 4096;
+constexpr int kMostRays = SegmentSampler::kPacket * static_cast<int>(kMostPackets);
+
+/// The standard error of a piece's four quarters as a share of how far they are off the piece in
+/// all and one by one, and of what is aimed at, since these may be small by chance.
+constexpr double kRuleError = 0.3;
+constexpr double kQuarterError = 0.2;
+constexpr double kChanceError = 0.1;
 
 std::array<ConvexPolygon, 2> halves(const ConvexPolygon& polygon, const HalfSpace& plane,
                                     double thickness) {
@@ -58,18 +89,153 @@ bool misses_halves(const ConvexPolygon& source, const ConvexPolygon& target, con
   return true;
 }
 
-/// Packets of points from which the shadows are cut out, where the source is not divided: their
-/// error falls a little slower than their number rises.
-int packets_for(double tolerance) {
-  return static_cast<int>(std::lround(std::clamp(std::sqrt(1e-2 / tolerance), 1.0, 16.0)));
-}
+/// Planes that have all segments between two polygons on one side, about the line between their
+/// middles: they prove in nanoseconds that a blocker's box is in nobody's way.
+class PairHull {
+ public:
+  PairHull(const ConvexPolygon& source, const ConvexPolygon& target, double thickness) {
+    const Vec3 from = bounding_disc(source.points()).center;
+    const Vec3 way = bounding_disc(target.points()).center - from;
+    const double length = way.norm();
+    const Vec3 along = length > 0 ? Vec3(way / length) : Vec3(Vec3::UnitX());
+    const Vec3 u = along.unitOrthogonal();
+    const Vec3 v = along.cross(u);
+    find_planes(source, target, along, u, v, thickness);
+  }
+
+  __attribute__((target_clones("arch=x86-64-v3", "default"))) [[nodiscard]] bool misses(
+      const Box3& box) const {
+    const double x = box.min().x() + box.max().x();
+    const double y = box.min().y() + box.max().y();
+    const double z = box.min().z() + box.max().z();
+    const double wide = box.max().x() - box.min().x();
+    const double deep = box.max().y() - box.min().y();
+    const double high = box.max().z() - box.min().z();
+    int n_beyond = 0;
+    for (int k = 0; k < kPlanes; ++k) {
+      const double center = x_[k] * x + y_[k] * y + z_[k] * z;
+      const double reach =
+          std::abs(x_[k]) * wide + std::abs(y_[k]) * deep + std::abs(z_[k]) * high;
+      n_beyond += center - reach >= 2 * offset_[k] ? 1 : 0;
+    }
+    return n_beyond > 0;
+  }
+
+ private:
+  static constexpr int kPlanes = 8;
+
+  __attribute__((target_clones("arch=x86-64-v3", "default"))) void find_planes(
+      const ConvexPolygon& source, const ConvexPolygon& target, const Vec3& along, const Vec3& u,
+      const Vec3& v, double thickness) {
+    constexpr double kHalf = 0.70710678118654752;
+    constexpr std::array<double, kPlanes> kCosine{1, kHalf, 0, -kHalf, -1, -kHalf, 0, kHalf};
+    constexpr std::array<double, kPlanes> kSine{0, kHalf, 1, kHalf, 0, -kHalf, -1, -kHalf};
+    // The highest corner of each polygon in each direction, and how far along the line it is.
+    struct Highest {
+      std::array<double, kPlanes> height;
+      std::array<double, kPlanes> place;
+    };
+    const auto find_highest = [&](const ConvexPolygon& polygon, Highest& highest) {
+      for (int k = 0; k < kPlanes; ++k) highest.height[k] = -1e300;
+      for (const Vec3& corner : polygon) {
+        const double a = u.dot(corner);
+        const double b = v.dot(corner);
+        const double c = along.dot(corner);
+        for (int k = 0; k < kPlanes; ++k) {
+          const double height = kCosine[k] * a + kSine[k] * b;
+          const bool is_higher = height > highest.height[k];
+          highest.height[k] = is_higher ? height : highest.height[k];
+          highest.place[k] = is_higher ? c : highest.place[k];
+        }
+      }
+    };
+    Highest of_source;
+    Highest of_target;
+    find_highest(source, of_source);
+    find_highest(target, of_target);
+    std::array<double, kPlanes> slope;
+    for (int k = 0; k < kPlanes; ++k) {
+      const double run = of_target.place[k] - of_source.place[k];
+      slope[k] = run > 0 ? (of_target.height[k] - of_source.height[k]) / run : 0;
+      offset_[k] = -1e300;
+    }
+    for (const ConvexPolygon* polygon : {&source, &target}) {
+      for (const Vec3& corner : *polygon) {
+        const double a = u.dot(corner);
+        const double b = v.dot(corner);
+        const double c = along.dot(corner);
+        for (int k = 0; k < kPlanes; ++k) {
+          const double height = kCosine[k] * a + kSine[k] * b - slope[k] * c;
+          offset_[k] = height > offset_[k] ? height : offset_[k];
+        }
+      }
+    }
+    for (int k = 0; k < kPlanes; ++k) {
+      x_[k] = kCosine[k] * u.x() + kSine[k] * v.x() - slope[k] * along.x();
+      y_[k] = kCosine[k] * u.y() + kSine[k] * v.y() - slope[k] * along.y();
+      z_[k] = kCosine[k] * u.z() + kSine[k] * v.z() - slope[k] * along.z();
+      offset_[k] -= thickness * std::sqrt(1 + slope[k] * slope[k]);
+    }
+  }
+
+  std::array<double, kPlanes> x_;
+  std::array<double, kPlanes> y_;
+  std::array<double, kPlanes> z_;
+  std::array<double, kPlanes> offset_;
+};
 
 PairEstimate weigh(const VisibleFraction& fraction, double whole) {
   return {fraction.value * whole, fraction.error * whole, Blocking::some, fraction.is_partial,
           fraction.rays};
 }
 
+double packets_for(double error) {
+  return std::max(1.0, std::pow(kRaySpread / error, kRayPower) / SegmentSampler::kPacket);
+}
+
+double square(double x) { return x * x; }
+
 }  // namespace
+
+double OccludedPairEstimator::allowed_share(double whole) const {
+  return kBudget * options_.tolerance * std::pow(options_.mean_area / whole, kErrorPower);
+}
+
+OccludedPairEstimator::Method OccludedPairEstimator::choose_method(const View& view,
+                                                                   const Level& level,
+                                                                   double error) const {
+  constexpr double kNever = std::numeric_limits<double>::infinity();
+  const auto n_shadows = static_cast<double>(level.blockers.size());
+  const auto n_dividing = static_cast<double>(level.dividing.size());
+  const double point_cost = kPointCost + kShadowCost * n_shadows + kDividingCost * n_dividing;
+  const bool takes_rays = !view.is_near || error >= kCoarse;
+  const double packets = packets_for(error);
+  const double rays = takes_rays && packets <= kMostPackets ? kPacketCost * packets : kNever;
+
+  double cuts = kNever;
+  if (level.dividing.size() <= kMostDividing && level.blockers.size() <= kMostCuts) {
+    // Where a plane divides the source, that is divided first: some edges fewer on either side.
+    std::size_t n_borders = 0;
+    for (std::size_t k = 0; k < level.blockers.size(); ++k) {
+      n_borders += level.shadows[k].edges.size() + level.shadows[k].faces.size();
+    }
+    for (const std::size_t k : level.dividing) n_borders += level.blockers[k]->edges.size() / 2;
+    const double low = level.blockers.size() == 1 ? kLowRule : kLowRuleOfMany;
+    const bool adapts = view.is_near || error < low;
+    cuts = kPointsOfBorder * static_cast<double>(n_borders) * point_cost *
+           (adapts ? kAdaptive : 1);
+  }
+  const double points =
+      kPointsOfFirst * std::max(1.0, kFirstPoints / error) * point_cost;
+  if (rays <= std::min(cuts, points)) return Method::rays;
+  return cuts <= points ? Method::cuts : Method::points;
+}
+
+void OccludedPairEstimator::PointSums::add(const PointSums& other) {
+  whole += other.whole;
+  visible += other.visible;
+  variance += other.variance;
+}
 
 PairEstimate OccludedPairEstimator::estimate(const SampledPair& pair,
                                              std::span<const Blocker* const> candidates,
@@ -79,17 +245,18 @@ PairEstimate OccludedPairEstimator::estimate(const SampledPair& pair,
 }
 
 OccludedPairEstimator::View::View(const SampledPair& pair) {
+  constexpr double kNear = 2;
   const double area_i = vector_area(pair.polygon_i.points()).norm();
   const double area_j = vector_area(pair.polygon_j.points()).norm();
   from_i = area_i <= area_j;
   source = from_i ? &pair.polygon_i : &pair.polygon_j;
   target = from_i ? &pair.polygon_j : &pair.polygon_i;
+  source_normal = from_i ? pair.plane_i.normal : pair.plane_j.normal;
   source_area = std::min(area_i, area_j);
   const Disc disc_source = bounding_disc(source->points());
   const Disc disc_target = bounding_disc(target->points());
   const double distance = (disc_source.center - disc_target.center).norm();
-  is_near = distance < 2 * (disc_source.radius + disc_target.radius);
-  is_uneven = disc_target.radius > kMuchLarger * disc_source.radius;
+  is_near = distance < kNear * (disc_source.radius + disc_target.radius);
 }
 
 PairEstimate OccludedPairEstimator::estimate(const SampledPair& pair,
@@ -98,42 +265,51 @@ PairEstimate OccludedPairEstimator::estimate(const SampledPair& pair,
                                              std::uint64_t seed, std::size_t depth) {
   if (levels_.size() <= depth) levels_.resize(depth + 1);
   const View view(pair);
-  if (!view.is_near && options_.tolerance >= kRayTolerance && candidates.size() > kMostTested) {
-    const double whole = unoccluded();
-    return cast_rays(pair, whole, whole < options_.minor * view.source_area, seed);
+  std::optional<double> whole;
+  std::optional<FractionSampler> sampler;
+  if (!view.is_near) {
+    whole = unoccluded();
+    const double error = allowed_share(*whole);
+    if (kPacketCost * packets_for(error) <= kLookCost) {
+      // Rays whatever the proofs would be: those that disagree leave nothing to prove.
+      sampler.emplace(visibility_, pair, seed);
+      if (sampler->add_packet().is_partial) return weigh(sampler->add_packets({error, kMostRays}), *whole);
+    }
   }
-  const Blocking blocking = find_shadows(view, candidates, levels_[depth]);
+  const Blocking blocking = find_shadows(*view.source, *view.target, candidates, levels_[depth]);
   if (blocking == Blocking::all) return {0, 0, Blocking::all, false, 0};
-  const double whole = unoccluded();
-  if (blocking == Blocking::none) return {whole, 0, Blocking::none, false, 0};
-  if (whole < options_.negligible * view.source_area) {
-    // Anything from nothing to all of it, at even odds.
-    return {0.5 * whole, whole / std::sqrt(12.0), Blocking::some, false, 0};
-  }
-  return estimate_unproved(pair, view, whole, seed, depth);
+  if (!whole) whole = unoccluded();
+  if (blocking == Blocking::none) return {*whole, 0, Blocking::none, false, 0};
+  if (sampler) return weigh(sampler->add_packets({allowed_share(*whole), kMostRays}), *whole);
+  return estimate_unproved(pair, view, *whole, seed, depth);
 }
 
-Blocking OccludedPairEstimator::find_shadows(const View& view,
+Blocking OccludedPairEstimator::find_shadows(const ConvexPolygon& source,
+                                             const ConvexPolygon& target,
                                              std::span<const Blocker* const> candidates,
                                              Level& level) const {
   level.blockers.clear();
+  level.dividing.clear();
   level.source_divider = nullptr;
   level.target_divider = nullptr;
-  const SegmentBundle bundle(view.source->points(), view.target->points(), options_.thickness);
+  const PairHull hull(source, target, options_.thickness);
+  std::optional<SegmentBundle> bundle;
   for (const Blocker* candidate : candidates) {
+    if (hull.misses(candidate->box)) continue;
+    if (!bundle) bundle.emplace(source.points(), target.points(), options_.thickness);
     const std::size_t n_kept = level.blockers.size();
     if (level.shadows.size() <= n_kept) level.shadows.resize(n_kept + 1);
     Shadow& shadow = level.shadows[n_kept];
     shadow.clear();
-    const SegmentBundle::Verdict verdict = bundle.test(*candidate, &shadow);
+    const SegmentBundle::Verdict verdict = bundle->test(*candidate, &shadow);
     if (verdict.blocking == Blocking::all) return Blocking::all;
     if (verdict.blocking == Blocking::none) continue;
     const bool divides = verdict.divides_source != nullptr || verdict.divides_target != nullptr;
-    if (divides &&
-        misses_halves(*view.source, *view.target, *candidate, verdict, options_.thickness)) {
+    if (divides && misses_halves(source, target, *candidate, verdict, options_.thickness)) {
       continue;
     }
     level.blockers.push_back(candidate);
+    if (verdict.divides_source != nullptr) level.dividing.push_back(n_kept);
     if (level.source_divider == nullptr) level.source_divider = verdict.divides_source;
     if (level.target_divider == nullptr) level.target_divider = verdict.divides_target;
   }
@@ -144,43 +320,29 @@ PairEstimate OccludedPairEstimator::estimate_unproved(const SampledPair& pair, c
                                                       double whole, std::uint64_t seed,
                                                       std::size_t depth) {
   const Level& level = levels_[depth];
-  const std::size_t n_blockers = level.blockers.size();
-  const bool is_minor = whole < options_.minor * view.source_area;
-  const bool may_divide = depth < (is_minor ? kMinorDivisions : kMostDivisions);
+  const double error = allowed_share(whole);
+  const bool may_divide = depth < kMostDivisions;
+  const Method method = choose_method(view, level, error);
   const bool is_source_large = view.source->size() > kMostCorners;
-  if (may_divide && (is_source_large || view.target->size() > kMostCorners)) {
+  const bool is_large = is_source_large || view.target->size() > kMostCorners;
+  if (method == Method::rays) return cast_rays(pair, whole, error, seed);
+  if (may_divide && is_large) {
     return divide(pair, is_source_large == view.from_i,
                   divide_about_corners(is_source_large ? *view.source : *view.target), depth, seed);
   }
-  // Many shadows have too many events for exact pieces to pay, unless much is asked.
-  const bool is_cluttered =
-      n_blockers > (options_.tolerance < kExactTolerance ? kMostShadows : kFewShadows);
-  const bool divides_source = level.source_divider != nullptr;
-  const HalfSpace* divider = divides_source ? level.source_divider : level.target_divider;
-  if (!is_cluttered && divider == nullptr) {
-    return cut_shadows(pair, view.from_i, view.is_near && !is_minor,
-                       {level.shadows.data(), n_blockers}, whole);
+  if (level.target_divider != nullptr && may_divide) {
+    return divide(pair, !view.from_i,
+                  halves(*view.target, *level.target_divider, options_.thickness), depth, seed);
   }
-  if (!is_cluttered && may_divide) {
-    return divide(
-        pair, divides_source == view.from_i,
-        halves(divides_source ? *view.source : *view.target, *divider, options_.thickness), depth,
-        seed);
+  if (is_large || level.target_divider != nullptr) return cast_rays(pair, whole, error, seed);
+  if (method == Method::cuts && level.source_divider != nullptr && may_divide) {
+    return divide(pair, view.from_i,
+                  halves(*view.source, *level.source_divider, options_.thickness), depth, seed);
   }
-  const bool is_far = !view.is_near && options_.tolerance >= kRayTolerance;
-  if (level.target_divider == nullptr && n_blockers <= (is_far ? kMostSampledFar : kMostSampled)) {
-    const int packets = is_minor       ? 1
-                        : view.is_near ? kNearPackets * packets_for(options_.tolerance)
-                                       : packets_for(options_.tolerance);
-    const int n_points = SegmentSampler::kPacket * packets;
-    return weigh(sample_shadowed_fraction(pair, level.blockers, options_.thickness, n_points, seed),
-                 whole);
+  if (method == Method::cuts && level.dividing.empty()) {
+    return cut_shadows(view, {level.shadows.data(), level.blockers.size()}, whole, error);
   }
-  // Rays between a small and a large near polygon have a variance without bound.
-  if (may_divide && view.is_near && view.is_uneven) {
-    return divide(pair, !view.from_i, divide_about_corners(*view.target), depth, seed);
-  }
-  return cast_rays(pair, whole, is_minor, seed);
+  return sample_points(view, whole, error, depth);
 }
 
 PairEstimate OccludedPairEstimator::divide(const SampledPair& pair, bool divides_i,
@@ -196,7 +358,6 @@ PairEstimate OccludedPairEstimator::divide(const SampledPair& pair, bool divides
                            pair.plane_i,
                            divides_i ? pair.polygon_j : pieces[k],
                            pair.plane_j,
-                           pair.origin,
                            pair.i,
                            pair.j};
     const std::uint64_t part_seed =
@@ -220,25 +381,124 @@ PairEstimate OccludedPairEstimator::divide(const SampledPair& pair, bool divides
   return sum;
 }
 
-PairEstimate OccludedPairEstimator::cut_shadows(const SampledPair& pair, bool from_i, bool is_near,
-                                                std::span<const Shadow> shadows, double whole) {
-  const ShadowedPair shadowed{from_i ? pair.polygon_i : pair.polygon_j,
-                              from_i ? pair.plane_i.normal : pair.plane_j.normal,
-                              from_i ? pair.polygon_j : pair.polygon_i, shadows};
-  const bool adapts = is_near || options_.tolerance < kLowRuleTolerance;
-  const VisibleShare share = quadrature_.integrate(shadowed, options_.tolerance, adapts);
+PairEstimate OccludedPairEstimator::cut_shadows(const View& view, std::span<const Shadow> shadows,
+                                                double whole, double error) {
+  const ShadowedPair shadowed{*view.source, view.source_normal, *view.target, shadows};
+  const bool adapts = view.is_near || error < (shadows.size() == 1 ? kLowRule : kLowRuleOfMany);
+  const VisibleShare share = quadrature_.integrate(shadowed, error, adapts);
   if (share.is_exact && share.value == 0) return {0, 0, Blocking::all, false, 0};
   if (share.is_exact) return {whole, 0, Blocking::none, false, 0};
   // The kernel's own error counts, too: closing a row must not lean on entries that claim none.
-  const double error = std::hypot(share.error, kKernelErrors * options_.kernel_tolerance);
-  return {share.value * whole, error * whole, Blocking::some, share.value > 0 && share.value < 1,
+  const double sigma = std::hypot(share.error, kKernelErrors * options_.kernel_tolerance);
+  return {share.value * whole, sigma * whole, Blocking::some, share.value > 0 && share.value < 1,
           0};
 }
 
-PairEstimate OccludedPairEstimator::cast_rays(const SampledPair& pair, double whole, bool is_minor,
+PairEstimate OccludedPairEstimator::cast_rays(const SampledPair& pair, double whole, double error,
                                               std::uint64_t seed) const {
-  const int rays = is_minor ? kMinorRays : options_.max_rays;
-  return weigh(sample_visible_fraction(visibility_, pair, rays, seed), whole);
+  return weigh(sample_visible_fraction(visibility_, pair, {error, kMostRays}, seed), whole);
+}
+
+PairEstimate OccludedPairEstimator::sample_points(const View& view, double whole, double error,
+                                                  std::size_t depth) {
+  const std::size_t last_depth = depth + kMostQuarterings;
+  if (levels_.size() <= last_depth + 1) levels_.resize(last_depth + 2);
+  const PointSums coarse = apply_rule(view, *view.source, levels_[depth]);
+  PointSums sums;
+  add_parts(view, *view.source, coarse, error * coarse.whole, depth, last_depth, sums);
+  if (sums.whole <= 0) return {};
+  const double share = sums.visible / sums.whole;
+  const double sigma =
+      std::hypot(std::sqrt(sums.variance) / sums.whole, kKernelErrors * options_.kernel_tolerance);
+  return {share * whole, sigma * whole, Blocking::some, share > 0 && share < 1, 0};
+}
+
+OccludedPairEstimator::PointSums OccludedPairEstimator::apply_rule(const View& view,
+                                                                   const ConvexPolygon& piece,
+                                                                   Level& level) {
+  constexpr int kOrder = 2;
+  PointSums sums;
+  const auto visible_from = [&](const Vec3& point, double whole) {
+    if (!level.dividing.empty()) {
+      const SegmentBundle bundle(std::span(&point, 1), view.target->points(), options_.thickness);
+      for (const std::size_t k : level.dividing) {
+        level.shadows[k].clear();
+        const Blocking blocking = bundle.test(*level.blockers[k], &level.shadows[k]).blocking;
+        if (blocking == Blocking::all) return 0.0;
+      }
+    }
+    return cutter_.visible_part(point, view.source_normal, *view.target, whole,
+                                {level.shadows.data(), level.blockers.size()});
+  };
+  constexpr std::array<std::size_t, 4> kCornerOfPoint{0, 3, 1, 2};
+  sums.has_quarters = piece.size() == 4;
+  std::size_t n_points = 0;
+  for_each_quadrature_point(piece.points(), kOrder, [&](const Vec3& point, double weight) {
+    const std::size_t corner = kCornerOfPoint[n_points++ % 4];
+    const double whole =
+        facing_point_to_polygon(point, view.source_normal, view.target->points());
+    if (!(whole > 0)) return;  // in the target's plane but for rounding
+    const double visible = visible_from(point, whole);
+    sums.whole += weight * whole;
+    sums.visible += weight * visible;
+    sums.quarter_whole[corner] = weight * whole;
+    sums.quarter_visible[corner] = weight * visible;
+  });
+  return sums;
+}
+
+OccludedPairEstimator::PointSums OccludedPairEstimator::look_at_part(const View& view,
+                                                                     const ConvexPolygon& part,
+                                                                     std::size_t depth) {
+  Level& level = levels_[depth + 1];
+  const Blocking blocking = find_shadows(part, *view.target, levels_[depth].blockers, level);
+  if (blocking == Blocking::some && level.target_divider == nullptr) {
+    return apply_rule(view, part, level);
+  }
+  const double whole =
+      exchange_area(part.points(), view.target->points(), options_.kernel_tolerance);
+  return {whole, blocking == Blocking::all ? 0 : whole, 0, blocking != Blocking::some};
+}
+
+void OccludedPairEstimator::add_parts(const View& view, const ConvexPolygon& piece,
+                                      const PointSums& coarse, double goal, std::size_t depth,
+                                      std::size_t last_depth, PointSums& sums) {
+  const std::vector<ConvexPolygon> parts = divide_about_corners(piece);
+  std::array<PointSums, kMostCorners> fine;
+  PointSums total;
+  bool is_proved = true;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    fine[k] = look_at_part(view, parts[k], depth);
+    total.add(fine[k]);
+    is_proved &= fine[k].is_proved;
+  }
+  if (is_proved) {
+    sums.add(total);
+    return;
+  }
+  const double share = total.whole > 0 ? total.visible / total.whole : 0;
+  // The sum may agree by chance, four quarters hardly ever do.
+  const double change = total.visible - coarse.visible - share * (total.whole - coarse.whole);
+  double squares = 0;
+  for (std::size_t k = 0; coarse.has_quarters && k < parts.size(); ++k) {
+    squares += square(fine[k].visible - coarse.quarter_visible[k] -
+                      share * (fine[k].whole - coarse.quarter_whole[k]));
+  }
+  const double variance = square(kRuleError * change) + square(kQuarterError) * squares;
+  const bool is_good = coarse.has_quarters && variance <= square(goal);
+  if (is_good || depth + 1 >= last_depth) {
+    total.variance += variance + square(kChanceError * goal);
+    sums.add(total);
+    return;
+  }
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    if (fine[k].is_proved) {
+      sums.add(fine[k]);
+      continue;
+    }
+    find_shadows(parts[k], *view.target, levels_[depth].blockers, levels_[depth + 1]);
+    add_parts(view, parts[k], fine[k], goal / 2, depth + 1, last_depth, sums);
+  }
 }
 
 }  // namespace radiosity

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <deque>
 #include <functional>
@@ -7,6 +8,7 @@
 #include <vector>
 
 #include "radiosity/blocker.h"
+#include "radiosity/segment_bundle.h"
 #include "radiosity/shadowed_quadrature.h"
 #include "radiosity/visible_fraction.h"
 
@@ -22,19 +24,16 @@ struct PairEstimate {
 };
 
 struct OccludedPairOptions {
-  int max_rays = 64;               ///< for a pair whose samples disagree
-  double minor = 0;                ///< form factors below this may be coarse
-  double negligible = 0;           ///< of those below this nothing is found out
+  double tolerance = 1e-3;         ///< relative error of all exchange areas together aimed at
+  double mean_area = 0;            ///< exchange area of a pair on average, m²
   double thickness = 0;            ///< how far off a plane a point may be and count as on it, m
-  double tolerance = 1e-3;         ///< relative error aimed at where shadows are cut out exactly
   double kernel_tolerance = 1e-9;  ///< relative error of the kernel where visibility is proved
 };
 
 /// Estimates exchange areas of pairs given all blockers between them. Blockers are first proved
-/// away one by one, as seen from the smaller polygon. The shadows of those that are left are cut
-/// out of the larger one exactly, for quadrature points on pieces of the smaller one within which
-/// the shadows keep their shape. Pairs with too many shadows go to rays. Not to be shared by
-/// threads.
+/// away, as seen from the smaller polygon. What is left is a matter of cost: see `allowed_share` in
+/// the source for how much error a pair may have, and `choose_method` for which of rays, exact cuts
+/// of shadows and sampled shadows gets there soonest. Not to be shared by threads.
 class OccludedPairEstimator {
  public:
   OccludedPairEstimator(const Visibility& visibility, const OccludedPairOptions& options)
@@ -45,10 +44,12 @@ class OccludedPairEstimator {
                         const std::function<double()>& unoccluded, std::uint64_t seed);
 
  private:
+  enum class Method { rays, cuts, points };
   /// What is kept of a pair, and of the parts into which it is divided, at each depth.
   struct Level {
     std::vector<const Blocker*> blockers;
-    std::vector<Shadow> shadows;                ///< of the blockers
+    std::vector<Shadow> shadows;       ///< of the blockers; empty where it depends on the point
+    std::vector<std::size_t> dividing;  ///< blockers with a plane that divides the source
     const HalfSpace* source_divider = nullptr;  ///< a face's plane that cuts the polygon
     const HalfSpace* target_divider = nullptr;
   };
@@ -58,30 +59,53 @@ class OccludedPairEstimator {
     bool from_i;
     const ConvexPolygon* source;
     const ConvexPolygon* target;
+    Vec3 source_normal;
     double source_area;  ///< m²
     bool is_near;
-    bool is_uneven;  ///< the target is much larger
+  };
+  /// Sums over points of the source, per area of the kernel.
+  struct PointSums {
+    double whole = 0;
+    double visible = 0;
+    double variance = 0;
+    bool is_proved = false;
+    /// Of quads: what each of the four points, which lie in the quarters about the corners, gives.
+    bool has_quarters = false;
+    std::array<double, 4> quarter_whole{};
+    std::array<double, 4> quarter_visible{};
+    void add(const PointSums& other);
   };
 
   PairEstimate estimate(const SampledPair& pair, std::span<const Blocker* const> candidates,
                         const std::function<double()>& unoccluded, std::uint64_t seed,
                         std::size_t depth);
   /// Keeps the candidates that are not proved away, and their shadows.
-  Blocking find_shadows(const View& view, std::span<const Blocker* const> candidates,
-                        Level& level) const;
+  Blocking find_shadows(const ConvexPolygon& source, const ConvexPolygon& target,
+                        std::span<const Blocker* const> candidates, Level& level) const;
   PairEstimate estimate_unproved(const SampledPair& pair, const View& view, double whole,
                                  std::uint64_t seed, std::size_t depth);
+  [[nodiscard]] double allowed_share(double whole) const;
+  [[nodiscard]] Method choose_method(const View& view, const Level& level, double error) const;
   PairEstimate divide(const SampledPair& pair, bool divides_i,
                       std::span<const ConvexPolygon> pieces, std::size_t depth, std::uint64_t seed);
-  [[nodiscard]] PairEstimate cut_shadows(const SampledPair& pair, bool from_i, bool is_near,
-                                         std::span<const Shadow> shadows, double whole);
-  [[nodiscard]] PairEstimate cast_rays(const SampledPair& pair, double whole, bool is_minor,
+  [[nodiscard]] PairEstimate cut_shadows(const View& view, std::span<const Shadow> shadows,
+                                         double whole, double error);
+  [[nodiscard]] PairEstimate cast_rays(const SampledPair& pair, double whole, double error,
                                        std::uint64_t seed) const;
+  /// From points of the source, with the shadows that each of them sees.
+  [[nodiscard]] PairEstimate sample_points(const View& view, double whole, double error,
+                                           std::size_t depth);
+  [[nodiscard]] PointSums apply_rule(const View& view, const ConvexPolygon& piece, Level& level);
+  [[nodiscard]] PointSums look_at_part(const View& view, const ConvexPolygon& part,
+                                       std::size_t depth);
+  void add_parts(const View& view, const ConvexPolygon& piece, const PointSums& coarse, double goal,
+                 std::size_t depth, std::size_t last_depth, PointSums& sums);
 
   const Visibility& visibility_;
   OccludedPairOptions options_;
   std::deque<Level> levels_;
   ShadowedQuadrature quadrature_;
+  ShadowCutter cutter_;
 };
 
 }  // namespace radiosity

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -16,12 +17,20 @@ struct Hit {
   bool front = false;       ///< whether the ray arrives at the emitting side
 };
 
+/// Straight lines between two patches in single precision, relative to Visibility::center(), m.
+struct SegmentPacket {
+  static constexpr int kSize = 16;
+  using Lanes = std::array<float, kSize>;
+  alignas(64) std::array<Lanes, 3> from;  ///< x, y, z
+  alignas(64) std::array<Lanes, 3> to;
+};
+
 /// Answers what blocks a straight line between patches. Immutable after construction; all methods
 /// may be called from many threads.
 class Visibility {
  public:
   /// Largest number of segments in one call of `blocked`.
-  static constexpr int kPacket = 16;
+  static constexpr int kPacket = SegmentPacket::kSize;
 
   explicit Visibility(const PatchMesh& mesh);
   ~Visibility();
@@ -30,9 +39,15 @@ class Visibility {
   Visibility(const Visibility&) = delete;
   Visibility& operator=(const Visibility&) = delete;
 
+  /// The centre of the mesh's box, m.
+  [[nodiscard]] const Vec3& center() const;
+
   /// Bit k is set if the open segment from[k]-to[k] is blocked by a patch other than `source`,
-  /// `target` and patches in the plane of one of these. At most kPacket segments, coherent ones
-  /// for speed. from[k] lies on patch `source`, to[k] on patch `target`, m.
+  /// `target` and patches in the plane of one of these. Segments start on patch `source` and end on
+  /// patch `target`.
+  [[nodiscard]] std::uint32_t blocked(const SegmentPacket& segments, std::int32_t source,
+                                      std::int32_t target) const;
+  /// The same for at most kPacket segments from[k]-to[k], m.
   [[nodiscard]] std::uint32_t blocked(std::span<const Vec3> from, std::span<const Vec3> to,
                                       std::int32_t source, std::int32_t target) const;
 

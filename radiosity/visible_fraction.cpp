@@ -1,15 +1,25 @@
 #include "radiosity/visible_fraction.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <vector>
-
-#include "radiosity/exchange_area.h"
-#include "radiosity/segment_bundle.h"
-#include "radiosity/visible_polygon.h"
 
 namespace radiosity {
 namespace {
+
+constexpr int kPacket = SegmentSampler::kPacket;
+using Lanes = SegmentSampler::Lanes;
+
+/// The standard error of n quasi-random points, as a share of that of random ones: kEven times
+/// (kAlikeUpTo / n)^kEvenness from there on. Over 3,000 partly hidden pairs of a furnished room and
+/// of many boxes the true share is 0.62, 0.62, 0.47 and 0.3 for 16, 64, 256 and 4,096 points.
+constexpr double kEven = 0.65;
+constexpr double kAlikeUpTo = 64;
+constexpr double kEvenness = 0.17;
+/// The error falls like n to minus this.
+constexpr double kPower = 0.67;
+/// Samples grow at most so much before the error is estimated anew.
+constexpr int kMostGrowth = 8;
 
 std::uint64_t mix(std::uint64_t x) {
   x += 0x9e3779b97f4a7c15ULL;
@@ -18,90 +28,140 @@ std::uint64_t mix(std::uint64_t x) {
   return x ^ (x >> 31U);
 }
 
-/// Visible parts below this share of the whole are rounding.
-constexpr double kWhole = 1e-9;
-
-double uniform(std::uint64_t bits) { return static_cast<double>(bits >> 11U) * 0x1p-53; }
-
-/// Sums over samples of the weight w and its visible part v.
-struct Sums {
-  double w = 0, v = 0, ww = 0, wv = 0, vv = 0;
-  int n = 0;
-  bool any_visible = false;
-  bool any_hidden = false;
-
-  void add(double weight, double visible) {
-    w += weight;
-    v += visible;
-    ww += weight * weight;
-    wv += weight * visible;
-    vv += visible * visible;
-    ++n;
-  }
-};
-
-/// The ratio Σ v / Σ w with the standard error of a ratio of means. (Cochran 1977, section 6.4)
-VisibleFraction evaluate(const Sums& sums) {
-  VisibleFraction result;
-  result.is_partial = sums.any_visible && sums.any_hidden && sums.w > 0;
-  const double n = sums.n;
-  if (!result.is_partial) {
-    // Agreement is no proof: with a flat prior n agreeing samples leave about 1/n open (Laplace).
-    result.value = sums.any_visible ? 1 : 0;
-    result.error = 1 / (n + 2);
-    return result;
-  }
-  result.value = sums.v / sums.w;
-  const double squares =
-      sums.vv - 2 * result.value * sums.wv + result.value * result.value * sums.ww;
-  result.error = std::sqrt(std::max(squares, 0.0) * n / (n - 1)) / sums.w;
-  return result;
+/// Samples in all that get the error down to what is asked.
+int samples_for(const VisibleFraction& fraction, const RayEffort& effort) {
+  const double power = fraction.is_partial ? 1 / kPower : 1;
+  const double growth =
+      std::min<double>(kMostGrowth, std::pow(fraction.error / effort.error, power));
+  const double packets = std::ceil(growth * fraction.rays / kPacket);
+  return std::min(effort.most_rays, kPacket * static_cast<int>(packets));
 }
 
 }  // namespace
 
-SegmentSampler::Fan::Fan(const ConvexPolygon& convex) : polygon(convex) {
-  for (std::size_t k = 2; k < polygon.size(); ++k) {
-    total += (polygon[k - 1] - polygon[0]).cross(polygon[k] - polygon[0]).norm();
-    cumulative[k] = total;
+SegmentSampler::Fan::Fan(const ConvexPolygon& polygon, const HalfSpace& other) {
+  const Vec3 origin = polygon[0];
+  corner_height = static_cast<float>(other.normal.dot(origin) - other.offset);
+  for (int axis = 0; axis < 3; ++axis) corner[axis] = static_cast<float>(origin[axis]);
+  const auto set_edge = [&](const Vec3& end, std::size_t k,
+                            std::array<std::array<float, kMost>, 3>& edge,
+                            std::array<float, kMost>& height) {
+    const Vec3 way = end - origin;
+    for (int axis = 0; axis < 3; ++axis) edge[axis][k] = static_cast<float>(way[axis]);
+    height[k] = static_cast<float>(other.normal.dot(way));
+  };
+  constexpr double kSame = 1e-6;
+  n_triangles = static_cast<int>(polygon.size()) - 2;
+  if (polygon.size() == 4) {
+    const Vec3 diagonal = polygon[2] - polygon[0];
+    const Vec3 sides = polygon[1] + polygon[3] - 2 * polygon[0];
+    if ((diagonal - sides).squaredNorm() < kSame * kSame * diagonal.squaredNorm()) {
+      n_triangles = 0;
+      set_edge(polygon[1], 0, first, first_height);
+      set_edge(polygon[3], 0, second, second_height);
+      return;
+    }
   }
-}
-
-Vec3 SegmentSampler::Fan::point(double u, double v) const {
-  const double place = u * total;
-  std::size_t k = 2;
-  while (k + 1 < polygon.size() && place >= cumulative[k]) ++k;
-  const double before = k > 2 ? cumulative[k - 1] : 0;
-  const double root = std::sqrt((place - before) / (cumulative[k] - before));
-  return polygon[0] + root * (1 - v) * (polygon[k - 1] - polygon[0]) +
-         root * v * (polygon[k] - polygon[0]);
+  double total = 0;
+  std::array<double, kMost> area;
+  for (int k = 0; k < n_triangles; ++k) {
+    set_edge(polygon[k + 1], k, first, first_height);
+    set_edge(polygon[k + 2], k, second, second_height);
+    area[k] = (polygon[k + 1] - origin).cross(polygon[k + 2] - origin).norm();
+    total += area[k];
+  }
+  double sum = 0;
+  for (int k = 0; k < n_triangles; ++k) {
+    sum += area[k];
+    cumulative[k] = static_cast<float>(sum / total);
+  }
 }
 
 SegmentSampler::SegmentSampler(const SampledPair& pair, std::uint64_t seed)
-    : pair_(pair), fan_i_(pair.polygon_i), fan_j_(pair.polygon_j) {
-  for (double& value : state_) value = uniform(seed = mix(seed));
+    : fan_i_(pair.polygon_i, pair.plane_j),
+      fan_j_(pair.polygon_j, pair.plane_i),
+      scale_(static_cast<float>(1 / (pair.polygon_i[1] - pair.polygon_j[0]).norm())) {
+  for (std::size_t k = 0; k < state_.size(); k += 2) {
+    seed = mix(seed);
+    state_[k] = static_cast<std::uint32_t>(seed >> 32U);
+    state_[k + 1] = static_cast<std::uint32_t>(seed);
+  }
 }
 
-SegmentSampler::Packet SegmentSampler::next() {
-  // Powers of 1/φ₄, where φ₄ is the root of x⁵ = x + 1.
-  static constexpr std::array kStep{0.8566748838545029, 0.733891856627126, 0.6287067210378086,
-                                    0.53859725722361};
-  Packet packet;
-  for (int k = 0; k < kPacket; ++k) {
-    for (int axis = 0; axis < 4; ++axis) {
-      state_[axis] += kStep[axis];
-      if (state_[axis] >= 1) state_[axis] -= 1;
+__attribute__((target_clones("arch=x86-64-v3", "default"))) void SegmentSampler::place(
+    const Fan& fan, const Lanes& u, const Lanes& v, std::array<Lanes, 3>& points, Lanes& heights) {
+  if (fan.n_triangles == 0) {
+    for (int k = 0; k < kPacket; ++k) {
+      points[0][k] = fan.corner[0] + u[k] * fan.first[0][0] + v[k] * fan.second[0][0];
+      points[1][k] = fan.corner[1] + u[k] * fan.first[1][0] + v[k] * fan.second[1][0];
+      points[2][k] = fan.corner[2] + u[k] * fan.first[2][0] + v[k] * fan.second[2][0];
+      heights[k] = fan.corner_height + u[k] * fan.first_height[0] + v[k] * fan.second_height[0];
     }
-    const Vec3 x = fan_i_.point(state_[0], state_[1]);
-    const Vec3 y = fan_j_.point(state_[2], state_[3]);
-    const double square = (y - x).squaredNorm();
-    const double height_i = pair_.plane_i.normal.dot(y) - pair_.plane_i.offset;
-    const double height_j = pair_.plane_j.normal.dot(x) - pair_.plane_j.offset;
-    packet.weight[k] = std::max(0.0, height_i * height_j / (square * square));
-    packet.from[k] = x + pair_.origin;
-    packet.to[k] = y + pair_.origin;
+    return;
   }
-  return packet;
+  alignas(64) Lanes along_first;
+  alignas(64) Lanes along_second;
+  float before = 0;
+  for (int t = 0; t < fan.n_triangles; ++t) {
+    // Each triangle takes the places above the last one's; what it gets wrong the next ones mend.
+    const float inverse = 1 / std::max(fan.cumulative[t] - before, 1e-30F);
+    for (int k = 0; k < kPacket; ++k) {
+      const float root = std::sqrt(std::min(std::max((u[k] - before) * inverse, 0.0F), 1.0F));
+      along_first[k] = root * (1 - v[k]);
+      along_second[k] = root * v[k];
+    }
+    for (int k = 0; k < kPacket; ++k) {
+      const bool is_here = t == 0 || u[k] >= before;
+      const float x =
+          fan.corner[0] + along_first[k] * fan.first[0][t] + along_second[k] * fan.second[0][t];
+      const float y =
+          fan.corner[1] + along_first[k] * fan.first[1][t] + along_second[k] * fan.second[1][t];
+      const float z =
+          fan.corner[2] + along_first[k] * fan.first[2][t] + along_second[k] * fan.second[2][t];
+      const float height = fan.corner_height + along_first[k] * fan.first_height[t] +
+                           along_second[k] * fan.second_height[t];
+      points[0][k] = is_here ? x : points[0][k];
+      points[1][k] = is_here ? y : points[1][k];
+      points[2][k] = is_here ? z : points[2][k];
+      heights[k] = is_here ? height : heights[k];
+    }
+    before = fan.cumulative[t];
+  }
+}
+
+__attribute__((target_clones("arch=x86-64-v3", "default"))) void SegmentSampler::weigh(
+    const Lanes& height_i, const Lanes& height_j, float scale, Packet& packet) {
+  const SegmentPacket& segments = packet.segments;
+  for (int k = 0; k < kPacket; ++k) {
+    const float x = (segments.to[0][k] - segments.from[0][k]) * scale;
+    const float y = (segments.to[1][k] - segments.from[1][k]) * scale;
+    const float z = (segments.to[2][k] - segments.from[2][k]) * scale;
+    const float square = x * x + y * y + z * z;
+    const float kernel = (height_i[k] * scale) * (height_j[k] * scale) / (square * square);
+    packet.weight[k] = kernel > 0 ? kernel : 0;
+  }
+}
+
+const SegmentSampler::Packet& SegmentSampler::next() {
+  // Powers of 1/φ₄, where φ₄ is the root of x⁵ = x + 1, times 2³².
+  static constexpr std::array<std::uint32_t, 4> kStep{3679390609U, 3152041523U, 2700274806U,
+                                                      2313257605U};
+  alignas(64) std::array<Lanes, 4> at;
+  for (int axis = 0; axis < 4; ++axis) {
+    const std::uint32_t start = state_[axis];
+    const std::uint32_t step = kStep[axis];
+    for (unsigned k = 0; k < kPacket; ++k) {
+      const std::uint32_t bits = start + (k + 1) * step;
+      at[axis][k] = static_cast<float>(static_cast<std::int32_t>(bits >> 8U)) * 0x1p-24F;
+    }
+    state_[axis] = start + kPacket * step;
+  }
+  alignas(64) Lanes height_of_i;
+  alignas(64) Lanes height_of_j;
+  place(fan_i_, at[0], at[1], packet_.segments.from, height_of_i);
+  place(fan_j_, at[2], at[3], packet_.segments.to, height_of_j);
+  weigh(height_of_i, height_of_j, scale_, packet_);
+  return packet_;
 }
 
 std::uint64_t pair_seed(std::uint64_t seed, std::int32_t i, std::int32_t j) {
@@ -109,63 +169,75 @@ std::uint64_t pair_seed(std::uint64_t seed, std::int32_t i, std::int32_t j) {
                           static_cast<std::uint32_t>(j)));
 }
 
-VisibleFraction sample_visible_fraction(const Visibility& visibility, const SampledPair& pair,
-                                        int max_rays, std::uint64_t seed) {
-  constexpr int kPacket = SegmentSampler::kPacket;
-  constexpr int kAgreed = 2 * kPacket;
-  SegmentSampler sampler(pair, seed);
-  Sums sums;
-  while (sums.n < max_rays) {
-    const SegmentSampler::Packet packet = sampler.next();
-    const std::uint32_t blocked = visibility.blocked(packet.from, packet.to, pair.i, pair.j);
-    for (int k = 0; k < kPacket; ++k) {
-      const bool is_free = (blocked >> k & 1U) == 0;
-      sums.add(packet.weight[k], is_free ? packet.weight[k] : 0);
-      (is_free ? sums.any_visible : sums.any_hidden) = true;
-    }
-    if (sums.n == kAgreed && sums.any_visible != sums.any_hidden) break;
+void FractionSampler::Sums::add(const Lanes& weight, std::uint32_t blocked) {
+  float packet_w = 0;
+  float packet_v = 0;
+  float packet_ww = 0;
+  float packet_vv = 0;
+  for (unsigned k = 0; k < kPacket; ++k) {
+    const float free = (blocked >> k & 1U) == 0 ? weight[k] : 0.0F;
+    packet_w += weight[k];
+    packet_v += free;
+    packet_ww += weight[k] * weight[k];
+    packet_vv += free * free;
   }
-  VisibleFraction result = evaluate(sums);
-  result.rays = sums.n;
+  w += packet_w;
+  v += packet_v;
+  ww += packet_ww;
+  vv += packet_vv;
+  n += kPacket;
+  constexpr std::uint32_t kAll = (1U << kPacket) - 1;
+  any_visible |= blocked != kAll;
+  any_hidden |= blocked != 0;
+}
+
+/// The ratio Σ v / Σ w with the standard error of a ratio of means. (Cochran 1977, section 6.4)
+VisibleFraction FractionSampler::Sums::evaluate() const {
+  VisibleFraction result;
+  result.is_partial = any_visible && any_hidden && w > 0;
+  result.rays = n;
+  const double n_samples = n;
+  if (!result.is_partial) {
+    // Agreement is no proof: with a flat prior n agreeing samples leave about 1/n open (Laplace).
+    result.value = any_visible ? 1 : 0;
+    result.error = 1 / (n_samples + 2);
+    return result;
+  }
+  result.value = v / w;
+  const double share = result.value;
+  const double squares = (1 - 2 * share) * vv + share * share * ww;
+  const double of_random = std::sqrt(std::max(squares, 0.0) * n_samples / (n_samples - 1)) / w;
+  result.error =
+      kEven * std::pow(std::min(1.0, kAlikeUpTo / n_samples), kEvenness) * of_random;
   return result;
 }
 
-VisibleFraction sample_shadowed_fraction(const SampledPair& pair,
-                                         std::span<const Blocker* const> blockers, double thickness,
-                                         int n_points, std::uint64_t seed) {
-  SegmentSampler sampler(pair, seed);
-  // From the smaller one the other's form factor varies less.
-  const bool from_i =
-      vector_area(pair.polygon_i.points()).norm() <= vector_area(pair.polygon_j.points()).norm();
-  const Vec3& normal = from_i ? pair.plane_i.normal : pair.plane_j.normal;
-  const ConvexPolygon& target = from_i ? pair.polygon_j : pair.polygon_i;
-  ShadowCutter cutter;
-  std::vector<Shadow> shadows;
-  const auto visible_from = [&](const Vec3& point, double whole) {
-    const SegmentBundle bundle(std::span(&point, 1), target.points(), thickness);
-    std::size_t n_shadows = 0;
-    for (const Blocker* blocker : blockers) {
-      if (shadows.size() <= n_shadows) shadows.resize(n_shadows + 1);
-      shadows[n_shadows].clear();
-      const Blocking blocking = bundle.test(*blocker, &shadows[n_shadows]).blocking;
-      if (blocking == Blocking::all) return 0.0;
-      if (blocking == Blocking::some) ++n_shadows;
-    }
-    return cutter.visible_part(point, normal, target, whole, {shadows.data(), n_shadows});
-  };
-  Sums sums;
-  while (sums.n < n_points) {
-    const SegmentSampler::Packet packet = sampler.next();
-    for (int k = 0; k < SegmentSampler::kPacket; ++k) {
-      const Vec3 point = (from_i ? packet.from[k] : packet.to[k]) - pair.origin;
-      const double whole = facing_point_to_polygon(point, normal, target.points());
-      const double visible = visible_from(point, whole);
-      sums.add(whole, visible);
-      sums.any_visible |= visible > kWhole * whole;
-      sums.any_hidden |= visible < (1 - kWhole) * whole;
-    }
+void FractionSampler::sample() {
+  const SegmentSampler::Packet& packet = sampler_.next();
+  sums_.add(packet.weight, visibility_.blocked(packet.segments, pair_.i, pair_.j));
+}
+
+VisibleFraction FractionSampler::add_packet() {
+  sample();
+  return sums_.evaluate();
+}
+
+VisibleFraction FractionSampler::add_packets(const RayEffort& effort) {
+  VisibleFraction result = sums_.evaluate();
+  while (result.error > effort.error) {
+    const int n_samples = samples_for(result, effort);
+    if (n_samples <= sums_.n) break;
+    while (sums_.n < n_samples) sample();
+    result = sums_.evaluate();
   }
-  return evaluate(sums);
+  return result;
+}
+
+VisibleFraction sample_visible_fraction(const Visibility& visibility, const SampledPair& pair,
+                                        const RayEffort& effort, std::uint64_t seed) {
+  FractionSampler sampler(visibility, pair, seed);
+  sampler.add_packet();
+  return sampler.add_packets(effort);
 }
 
 }  // namespace radiosity

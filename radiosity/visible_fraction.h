@@ -3,7 +3,6 @@
 #include <array>
 #include <cstdint>
 
-#include "radiosity/blocker.h"
 #include "radiosity/convex_polygon.h"
 #include "radiosity/shaft.h"
 #include "radiosity/visibility.h"
@@ -12,47 +11,56 @@ namespace radiosity {
 
 /// A pair of patches as a visibility estimate sees it.
 struct SampledPair {
-  const ConvexPolygon& polygon_i;  ///< the part in front of j, relative to `origin`
+  const ConvexPolygon& polygon_i;  ///< the part in front of j, relative to Visibility::center()
   const HalfSpace& plane_i;
-  const ConvexPolygon& polygon_j;  ///< the part in front of i, relative to `origin`
+  const ConvexPolygon& polygon_j;  ///< the part in front of i, relative to Visibility::center()
   const HalfSpace& plane_j;
-  Vec3 origin;     ///< of the polygons' coordinates, m
   std::int32_t i;  ///< patches, for Visibility
   std::int32_t j;
 };
 
 /// Quasi-random segments between the polygons of a pair: the additive recurrence with the
-/// generalised golden ratio of four dimensions (Roberts 2018), shifted at random by `seed`.
+/// generalised golden ratio of four dimensions (Roberts 2018), shifted at random by `seed`. Works on
+/// a packet at a time in single precision.
 class SegmentSampler {
  public:
   static constexpr int kPacket = Visibility::kPacket;
-  using Points = std::array<Vec3, kPacket>;
-  using Weights = std::array<double, kPacket>;
+  using Lanes = SegmentPacket::Lanes;
 
+  /// The polygons may not change while segments are drawn.
   SegmentSampler(const SampledPair& pair, std::uint64_t seed);
 
-  /// The ends (m) and kernels cosθ_i cosθ_j / r², up to a constant, of the next segments.
+  /// Segments and their kernels cosθ_i cosθ_j / r², up to a constant.
   struct Packet {
-    Points from;
-    Points to;
-    Weights weight;
+    SegmentPacket segments;
+    alignas(64) Lanes weight;
   };
-  Packet next();
+  const Packet& next();
 
  private:
-  /// Maps the unit square to points of equal density on a convex polygon, by a fan of triangles.
+  /// Maps the unit square to points of equal density on a convex polygon: a parallelogram as it is,
+  /// others by a fan of triangles. Heights are above the plane of the other polygon.
   struct Fan {
-    explicit Fan(const ConvexPolygon& polygon);
-    [[nodiscard]] Vec3 point(double u, double v) const;
-    const ConvexPolygon& polygon;
-    std::array<double, ConvexPolygon::kCapacity> cumulative{};
-    double total = 0;
+    Fan(const ConvexPolygon& polygon, const HalfSpace& other);
+    static constexpr std::size_t kMost = ConvexPolygon::kCapacity - 2;
+    std::array<float, 3> corner;  // of all triangles
+    float corner_height;
+    std::array<std::array<float, kMost>, 3> first;  // edges from there
+    std::array<std::array<float, kMost>, 3> second;
+    std::array<float, kMost> first_height;
+    std::array<float, kMost> second_height;
+    std::array<float, kMost> cumulative;  // share of the area up to and with a triangle
+    int n_triangles;                      // 0: a parallelogram
   };
+  static void place(const Fan& fan, const Lanes& u, const Lanes& v, std::array<Lanes, 3>& points,
+                    Lanes& heights);
+  static void weigh(const Lanes& height_i, const Lanes& height_j, float scale, Packet& packet);
 
-  const SampledPair& pair_;
   Fan fan_i_;
   Fan fan_j_;
-  std::array<double, 4> state_{};
+  float scale_;  // of lengths, so that weights are near 1, 1/m
+  std::array<std::uint32_t, 4> state_{};  // fractions of 2³²
+  Packet packet_;
 };
 
 /// Kernel-weighted visible fraction of a pair, in [0, 1], with its standard error.
@@ -63,19 +71,45 @@ struct VisibleFraction {
   bool is_partial = false;  ///< samples disagree
 };
 
-/// Estimates ∫∫ K V / ∫∫ K with K = cosθ_i cosθ_j / (π r²) from packets of segments between
-/// quasi-random points, shifted at random by `seed` (which should depend on the pair). Takes
-/// `max_rays`, or two packets if all of these agree.
-VisibleFraction sample_visible_fraction(const Visibility& visibility, const SampledPair& pair,
-                                        int max_rays, std::uint64_t seed);
+/// How far samples go.
+struct RayEffort {
+  double error = 0;    ///< standard error of the fraction to get to
+  int most_rays = 16;  ///< a multiple of the packets' size
+};
 
-/// The same from `n_points` quasi-random points on the smaller polygon, as seen from each of which
-/// the blockers' shadows are cut out of the other: free of the noise that the singular kernel of
-/// near pairs brings to rays. `blockers` are all that may block the pair, relative to `origin`;
-/// `thickness` is how far off a plane a point may be and still count as on it, m.
-VisibleFraction sample_shadowed_fraction(const SampledPair& pair,
-                                         std::span<const Blocker* const> blockers, double thickness,
-                                         int n_points, std::uint64_t seed);
+/// Estimates ∫∫ K V / ∫∫ K with K = cosθ_i cosθ_j / (π r²) from packets of segments between
+/// quasi-random points, shifted at random by `seed` (which should depend on the pair).
+class FractionSampler {
+ public:
+  FractionSampler(const Visibility& visibility, const SampledPair& pair, std::uint64_t seed)
+      : visibility_(visibility), pair_(pair), sampler_(pair, seed) {}
+
+  /// What one packet more gives, together with those before.
+  VisibleFraction add_packet();
+  /// As many packets more as the samples' disagreement and the error asked call for.
+  VisibleFraction add_packets(const RayEffort& effort);
+
+ private:
+  /// Sums over samples of the weight w and its visible part v, which is w or 0.
+  struct Sums {
+    double w = 0, v = 0, ww = 0, vv = 0;
+    int n = 0;
+    bool any_visible = false;
+    bool any_hidden = false;
+    void add(const SegmentSampler::Lanes& weight, std::uint32_t blocked);
+    [[nodiscard]] VisibleFraction evaluate() const;
+  };
+  void sample();
+
+  const Visibility& visibility_;
+  const SampledPair& pair_;
+  SegmentSampler sampler_;
+  Sums sums_;
+};
+
+/// The same in one go: a packet first, then as many as it takes.
+VisibleFraction sample_visible_fraction(const Visibility& visibility, const SampledPair& pair,
+                                        const RayEffort& effort, std::uint64_t seed);
 
 /// A seed for a pair from the run's seed. (SplitMix64, Steele et al. 2014)
 std::uint64_t pair_seed(std::uint64_t seed, std::int32_t i, std::int32_t j);

@@ -119,6 +119,7 @@ double ShadowCutter::visible_part(const Vec3& point, const Vec3& normal,
                                   const ConvexPolygon& target, double whole,
                                   std::span<const Shadow> shadows) {
   if (shadows.empty()) return whole;
+  if (shadows.size() == 1 && n_borders(shadows[0]) == 0) return whole;
   if (shadows.size() == 1 && n_borders(shadows[0]) + target.size() < ConvexPolygon::kCapacity) {
     const ConvexPolygon hidden = shadowed(target, shadows[0], point);
     return hidden.empty() ? whole : whole - facing_point_to_polygon(point, normal, hidden.points());

@@ -1,0 +1,118 @@
+/// Closed rooms full of things: the tolerance holds for all exchange areas together, and the
+/// standard errors tell how far off the single ones are. bench/form_factor_bench has more of them.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bench/bench_scenes.h"
+#include "radiosity/parallel.h"
+#include "radiosity/transport.h"
+
+namespace {
+
+using namespace radiosity;
+
+constexpr int kRooms = 8;
+constexpr double kReference = 1e-5;
+
+/// How far off exchange areas are, over all ordered pairs of some rooms.
+struct Errors {
+  double n_uncertain = 0;
+  double within_one = 0;
+  double within_two = 0;
+  double beyond_eight = 0;
+};
+
+/// Σ|ΔG| / ΣG of one room; adds its uncertain entries to `errors`.
+double compare(const PatchMesh& mesh, const Transport& transport, const Transport& reference,
+               Errors& errors) {
+  double difference = 0;
+  double sum = 0;
+  for (Index i = 0; i < mesh.size(); ++i) {
+    const Eigen::ArrayXd truth = reference.row(i);
+    const Eigen::ArrayXd gap = (transport.row(i).array() - truth).abs();
+    const Eigen::ArrayXd error = transport.row_error(i);
+    difference += mesh.area[i] * gap.sum();
+    sum += mesh.area[i] * truth.sum();
+    for (Index j = 0; j < mesh.size(); ++j) {
+      if (error[j] == 0) {
+        EXPECT_LE(gap[j], 1e-6 * truth[j] + 1e-11) << i << " " << j;
+        continue;
+      }
+      ++errors.n_uncertain;
+      errors.within_one += gap[j] <= error[j] ? 1 : 0;
+      errors.within_two += gap[j] <= 2 * error[j] ? 1 : 0;
+      errors.beyond_eight += gap[j] > 8 * error[j] && gap[j] > 1e-9 * truth.sum() ? 1 : 0;
+    }
+  }
+  return difference / sum;
+}
+
+class ClutteredRooms : public testing::TestWithParam<double> {};
+
+TEST_P(ClutteredRooms, KeepTheToleranceAndTheirErrors) {
+  const double tolerance = GetParam();
+  Errors errors;
+  for (int seed = 1; seed <= kRooms; ++seed) {
+    // Each polygon as it is: large patches with many shadows, and near pairs.
+    const PatchMesh mesh = bench::cluttered_room(static_cast<std::uint64_t>(seed), 0);
+    const Visibility visibility(mesh);
+    const auto transport =
+        make_transport(mesh, visibility, {.tolerance = tolerance, .closed = Closed::no});
+    const auto reference = make_transport(
+        mesh, visibility, {.tolerance = kReference, .closed = Closed::no, .seed = 1});
+    EXPECT_LE(compare(mesh, *transport, *reference, errors), tolerance) << "seed " << seed;
+  }
+  RecordProperty("within_one", std::to_string(errors.within_one / errors.n_uncertain));
+  RecordProperty("within_two", std::to_string(errors.within_two / errors.n_uncertain));
+  EXPECT_GT(errors.n_uncertain, 1000);
+  EXPECT_GE(errors.within_one, 0.62 * errors.n_uncertain);
+  EXPECT_LE(errors.within_one, 0.95 * errors.n_uncertain);
+  EXPECT_GE(errors.within_two, 0.93 * errors.n_uncertain);
+  EXPECT_EQ(errors.beyond_eight, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Tolerances, ClutteredRooms, testing::Values(1e-2, 1e-3));
+
+TEST(Clutter, GivesTheSameBitsAtAnyNumberOfThreads) {
+  const PatchMesh mesh = bench::cluttered_room(3, 0);
+  const Visibility visibility(mesh);
+  const auto run = [&] {
+    const auto transport =
+        make_transport(mesh, visibility, {.tolerance = 1e-2, .closed = Closed::no});
+    Eigen::MatrixXd rows(mesh.size(), mesh.size());
+    for (Index i = 0; i < mesh.size(); ++i) rows.row(i) = transport->row(i);
+    return rows;
+  };
+  const Eigen::MatrixXd with_many = run();
+  const ThreadLimit single(1);
+  EXPECT_EQ(with_many, run());
+}
+
+/// A coarse patch's factors are the sums of those of its parts.
+TEST(Clutter, CoarsePatchesAgreeWithTheirPartsWithinTheirErrors) {
+  constexpr double kTolerance = 1e-3;
+  const PatchMesh coarse = bench::cluttered_room(2, 0);
+  const PatchMesh fine = bench::cluttered_room(2, 1200);
+  const Visibility of_coarse(coarse);
+  const Visibility of_fine(fine);
+  const auto transport =
+      make_transport(coarse, of_coarse, {.tolerance = kTolerance, .closed = Closed::no});
+  const auto parts = make_transport(fine, of_fine, {.tolerance = kTolerance, .closed = Closed::no});
+  const auto n_polygons = static_cast<Index>(coarse.polygon.back()) + 1;
+  const auto sum_up = [&](const PatchMesh& mesh, const Transport& factors) {
+    Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(n_polygons, n_polygons);
+    for (Index i = 0; i < mesh.size(); ++i) {
+      const Eigen::VectorXd row = mesh.area[i] * factors.row(i);
+      for (Index j = 0; j < mesh.size(); ++j) sums(mesh.polygon[i], mesh.polygon[j]) += row[j];
+    }
+    return sums;
+  };
+  const Eigen::MatrixXd of_polygons = sum_up(coarse, *transport);
+  const Eigen::MatrixXd of_parts = sum_up(fine, *parts);
+  EXPECT_LE((of_polygons - of_parts).cwiseAbs().sum(), 2 * kTolerance * of_parts.sum());
+}
+
+}  // namespace
