@@ -88,9 +88,8 @@ class Builder {
   void add_piece(const SurfacePieces& pieces, const SurfacePiece& piece,
                  const std::vector<Occluder>& occluders, std::vector<std::int32_t>& loose,
                  const std::vector<std::int32_t>& patches, std::vector<std::int32_t>& items) {
-    // A hollow (the walls of a room) has everything inside.
-    const bool is_hollow = piece.open_edges.empty() && piece.volume < 0;
-    if (occluders.size() < kManyPolygons || is_hollow) {
+    // A hollow has everything inside.
+    if (occluders.size() < kManyPolygons || piece.is_hollow()) {
       loose.insert(loose.end(), patches.begin(), patches.end());
       return;
     }

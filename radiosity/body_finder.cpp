@@ -169,26 +169,6 @@ class BodyFinder {
   int cap_ = -1;
 };
 
-/// Whether the closed piece has a point inside: its facets fill the sphere of directions.
-/// (van Oosterom & Strackee 1983)
-bool has_inside(const SurfacePieces& pieces, const SurfacePiece& piece, const Vec3& point) {
-  double angle = 0;
-  for (const std::int32_t f : piece.facets) {
-    const std::span<const Vec3> outline = pieces.outline(f);
-    const Vec3 a = outline[0] - point;
-    for (std::size_t k = 2; k < outline.size(); ++k) {
-      const Vec3 b = outline[k - 1] - point;
-      const Vec3 c = outline[k] - point;
-      const double la = a.norm();
-      const double lb = b.norm();
-      const double lc = c.norm();
-      angle += 2 * std::atan2(a.dot(b.cross(c)),
-                              la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
-    }
-  }
-  return std::abs(angle - 4 * kPi) < 0.1;
-}
-
 }  // namespace
 
 std::optional<FoundBody> find_body(const SurfacePieces& pieces, const SurfacePiece& piece,
@@ -222,7 +202,7 @@ std::optional<Blocker> find_inner_body(const SurfacePieces& pieces, const Surfac
   }
   if (!(volume > 0)) return std::nullopt;
   center = outer.center + center / volume;
-  if (!has_inside(pieces, piece, center)) return std::nullopt;
+  if (winding_number(pieces, piece, center) != 1) return std::nullopt;
   // The least size at which some face of the shrunk body leaves a facet outside, for every facet.
   double factor = 1;
   for (const std::int32_t f : piece.facets) {

@@ -12,11 +12,17 @@ namespace {
 
 /// Shares closer to 0 or 1 are rounding.
 constexpr double kRounding = 1e-6;
+/// A solid is in a hollow if a point just off some facet is: of how many, how far off in shares of
+/// their size and in thicknesses.
+constexpr std::size_t kTriedFacets = 32;
+constexpr double kGap = 1e-4;
+constexpr double kGaps = 16;
 
-/// A face of a solid that may cover patches.
+/// A face of a solid, or a wall around a hollow, that may cover patches.
 struct Cover {
   std::vector<Vec3> outline;  // convex, counter-clockwise about `normal`
   Vec3 normal;                // out of the solid
+  std::int32_t hollow;        // the piece, or -1: of a solid
   Box3 box;
 };
 
@@ -29,7 +35,14 @@ class CoverFinder {
     for (std::int32_t i = 0; i < mesh_.size(); ++i) {
       if (mesh_.twin[i] < 0) one_sided.push_back(i);
     }
-    add_solids(one_sided);
+    pieces_ = find_surface_pieces(mesh_, one_sided, thickness_);
+    piece_of_patch_.assign(mesh_.size(), -1);
+    for (std::size_t p = 0; p < pieces_.pieces.size(); ++p) {
+      for (const std::int32_t f : pieces_.pieces[p].facets) {
+        piece_of_patch_[one_sided[f]] = static_cast<std::int32_t>(p);
+      }
+    }
+    add_pieces();
     add_caps();
     Coverage result{Eigen::VectorXd::Zero(mesh_.size()), {}};
     if (covers_.empty()) return result;
@@ -43,18 +56,42 @@ class CoverFinder {
   }
 
  private:
-  void add_cover(std::span<const Vec3> outline, const Vec3& normal) {
+  void add_cover(std::span<const Vec3> outline, const Vec3& normal, std::int32_t hollow) {
     Cover& cover = covers_.emplace_back(
-        Cover{std::vector<Vec3>(outline.begin(), outline.end()), normal, Box3()});
+        Cover{std::vector<Vec3>(outline.begin(), outline.end()), normal, hollow, Box3()});
     for (const Vec3& corner : outline) cover.box.extend(corner);
   }
 
-  void add_solids(const std::vector<std::int32_t>& one_sided) {
-    const SurfacePieces pieces = find_surface_pieces(mesh_, one_sided, thickness_);
-    for (const SurfacePiece& piece : pieces.pieces) {
-      if (!piece.is_solid()) continue;
-      for (const std::int32_t f : piece.facets) add_cover(pieces.outline(f), pieces.normal[f]);
+  void add_pieces() {
+    for (std::size_t p = 0; p < pieces_.pieces.size(); ++p) {
+      const SurfacePiece& piece = pieces_.pieces[p];
+      if (!piece.is_solid() && !piece.is_hollow()) continue;
+      const std::int32_t hollow = piece.is_hollow() ? static_cast<std::int32_t>(p) : -1;
+      for (const std::int32_t f : piece.facets) {
+        add_cover(pieces_.outline(f), pieces_.normal[f], hollow);
+      }
     }
+  }
+
+  /// Whether a patch is of a solid that stands in a hollow, so that the hollow's wall is before it
+  /// where they touch. Of a solid around the hollow the wall is behind.
+  [[nodiscard]] bool stands_in(std::int32_t patch, std::int32_t hollow) {
+    const std::int32_t own = piece_of_patch_[patch];
+    if (own < 0 || !pieces_.pieces[own].is_solid()) return false;
+    const auto [known, is_new] = stands_in_.try_emplace({own, hollow}, false);
+    if (!is_new) return known->second;
+    const std::vector<std::int32_t>& facets = pieces_.pieces[own].facets;
+    const std::size_t step = std::max<std::size_t>(1, facets.size() / kTriedFacets);
+    for (std::size_t k = 0; k < facets.size() && !known->second; k += step) {
+      const std::span<const Vec3> outline = pieces_.outline(facets[k]);
+      Vec3 point = Vec3::Zero();
+      for (const Vec3& corner : outline) point += corner;
+      point /= static_cast<double>(outline.size());
+      const double gap = kGap * (outline[1] - outline[0]).norm() + kGaps * thickness_;
+      known->second = winding_number(pieces_, pieces_.pieces[hollow],
+                                     point + gap * pieces_.normal[facets[k]]) != 0;
+    }
+    return known->second;
   }
 
   /// What stands on an outer plane covers the floor also where it has no face there.
@@ -87,11 +124,11 @@ class CoverFinder {
     // In triangles about the middle: convex, however many corners.
     for (const Blocker::Edge* edge : rim) {
       const std::array triangle{center, edge->end, edge->start};
-      add_cover(triangle, plane.normal);
+      add_cover(triangle, plane.normal, -1);
     }
   }
 
-  void cover_patch(std::int32_t i, double widest, Coverage& result) const {
+  void cover_patch(std::int32_t i, double widest, Coverage& result) {
     ConvexPolygon patch;
     Box3 box;
     for (int k = 0; k < mesh_.n_corners(i); ++k) {
@@ -109,6 +146,7 @@ class CoverFinder {
     for (; cover != covers_.end() && cover->box.min().x() <= box.max().x(); ++cover) {
       if (cover->normal.dot(mesh_.normal[i]) > -0.9 || !cover->box.intersects(box)) continue;
       if (!is_in_plane(i, *cover)) continue;
+      if (cover->hollow >= 0 && !stands_in(i, cover->hollow)) continue;
       is_touched = true;
       std::vector<ConvexPolygon> left;
       for (const ConvexPolygon& part : open) subtract(part, *cover, left);
@@ -163,7 +201,10 @@ class CoverFinder {
 
   const PatchMesh mesh_;
   double thickness_;
+  SurfacePieces pieces_;
+  std::vector<std::int32_t> piece_of_patch_;
   std::vector<Cover> covers_;
+  std::map<std::pair<std::int32_t, std::int32_t>, bool> stands_in_;
 };
 
 }  // namespace

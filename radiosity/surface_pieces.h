@@ -15,6 +15,8 @@ struct SurfacePiece {
   double volume = 0;  ///< enclosed, if closed, m³: > 0 where the facets face outwards; 0 if it is
                       ///< no more than the thickness makes
   [[nodiscard]] bool is_solid() const { return open_edges.empty() && volume > 0; }
+  /// Such as the walls of a room.
+  [[nodiscard]] bool is_hollow() const { return open_edges.empty() && volume < 0; }
 };
 
 /// A half-edge runs from a corner of a facet to the next, counter-clockwise about its normal, and
@@ -41,5 +43,9 @@ struct SurfacePieces {
 /// have matter between them and nothing else. `thickness` is how far off points may be, m.
 SurfacePieces find_surface_pieces(const PatchMesh& mesh, const std::vector<std::int32_t>& patches,
                                   double thickness);
+
+/// How often a closed piece winds about a point: 1 within a solid, -1 within a hollow, 0 outside.
+/// (The solid angle of its facets: van Oosterom & Strackee 1983)
+int winding_number(const SurfacePieces& pieces, const SurfacePiece& piece, const Vec3& point);
 
 }  // namespace radiosity
