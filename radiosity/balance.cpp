@@ -8,6 +8,8 @@ namespace {
 /// Steps of conjugate gradients in one round, and the relative residual that ends them sooner.
 constexpr int kMaxSteps = 100;
 constexpr double kSolved = 1e-6;
+/// Directions in which the scaled matrix, of eigenvalues in [0, 2], does less count as its kernel.
+constexpr double kSingular = 1e-8;
 /// Row sums need no further round when they are this many roundings of an entry from what is
 /// wanted.
 constexpr double kRoundings = 2;
@@ -32,7 +34,9 @@ Eigen::VectorXd solve_multipliers(const AdjustableExchange& exchange,
   for (int step = 0; step < kMaxSteps && square > kSolved * kSolved * start; ++step) {
     const Eigen::VectorXd image = apply(direction);
     const double curvature = direction.dot(image);
-    if (curvature <= 0) break;
+    // What two rows lack that share one entry alone cannot be mended; nor can it be told from
+    // rounding from here on.
+    if (curvature <= kSingular * direction.squaredNorm()) break;
     const double length = square / curvature;
     x += length * direction;
     residual -= length * image;
