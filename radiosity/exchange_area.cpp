@@ -119,7 +119,8 @@ double convex_exchange_area(std::span<const Vec3> polygon1, std::span<const Vec3
   const ConvexPolygon front2 = clip_to_half_space(polygon2, polygon1.front(), normal1, thickness);
   if (front2.empty()) return 0;
 
-  const Vec3 origin = polygon1.front();
+  // In the smaller one, whose corners would lose digits far from the origin.
+  const Vec3 origin = size1 <= size2 ? polygon1.front() : polygon2.front();
   const double scale = 1 / extent;
   const FacingPair pair{moved_and_scaled(front1, origin, scale),
                         moved_and_scaled(front2, origin, scale), normal1, normal2};

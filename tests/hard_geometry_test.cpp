@@ -258,6 +258,51 @@ TEST(HardGeometry, FarFromTheOrigin) {
   expect_same_factors(there, Solved(furnished_room(1, Vec3::Zero())));
 }
 
+/// A point at height 1 above the middle of a square of 2 x 2 r sees this share of its hemisphere in
+/// it: F = 4/π x/√(1+x²) atan(x/√(1+x²)) (Howell's catalogue, B-3, four times), where x = r.
+double seen_from_above(double r) {
+  const double share = r / std::sqrt(1 + r * r);
+  return 4 / kPi * share * std::atan(share);
+}
+
+TEST(HardGeometry, TinyBesideHugeWithoutObstacles) {
+  for (const double r : {1e2, 1e4, 1e6, 1e8}) {
+    SCOPED_TRACE(r);
+    const std::vector<Vec3> ground = {{-r, -r, 0}, {r, -r, 0}, {r, r, 0}, {-r, r, 0}};
+    constexpr double kHalf = 5e-4;  // of the panel's side: nearly a point
+    constexpr double kArea = 4 * kHalf * kHalf;
+    const std::vector<Vec3> above = {
+        {-kHalf, -kHalf, 1}, {-kHalf, kHalf, 1}, {kHalf, kHalf, 1}, {kHalf, -kHalf, 1}};
+    EXPECT_NEAR(exchange_area(above, ground) / kArea, seen_from_above(r), kKernel);
+    EXPECT_NEAR(exchange_area(ground, above) / kArea, seen_from_above(r), kKernel);
+    // Upright on the ground it sees half of it but for what ends at r.
+    const std::vector<Vec3> upright = {{-kHalf, 0, 0},
+                                       {-kHalf, 0, 2 * kHalf},
+                                       {kHalf, 0, 2 * kHalf},
+                                       {kHalf, 0, 0}};
+    EXPECT_NEAR(exchange_area(upright, ground) / kArea, 0.5, kHalf / r + kKernel);
+  }
+}
+
+TEST(HardGeometry, TinyObstacleAboveHugeGround) {
+  // A panel at height 1, and half a metre below it a screen under one half of it. What the panel
+  // sees of an endless ground is what the screen leaves.
+  constexpr double kLeft = 0.792373;
+  for (const double r : {1e4, 1e5, 1e6, 1e7}) {
+    for (const int n : {1, 2, 3, 10}) {
+      SCOPED_TRACE(std::to_string(r) + ", divided by " + std::to_string(n));
+      PatchMesh mesh;
+      add_grid(mesh, Vec3(-0.5, -0.5, 1), Vec3(0, 1, 0), Vec3(1, 0, 0), 1, 1);
+      test::make_two_sided(
+          mesh, add_grid(mesh, Vec3(-0.5, -0.5, 0.5), Vec3(0.5, 0, 0), Vec3(0, 1, 0), 1, 1));
+      add_grid(mesh, Vec3(-r, -r, 0), Vec3(2 * r, 0, 0), Vec3(0, 2 * r, 0), n, n);
+      const Solved solved(std::move(mesh));
+      expect_sane(solved);
+      EXPECT_NEAR(surface_form_factors(solved.mesh, *solved.transport)(0, 2), kLeft, kTolerance);
+    }
+  }
+}
+
 TEST(HardGeometry, SurfacesThatShareAPartOfAnEdge) {
   // A wall on the middle third of a floor's edge; and on the same floor in three pieces.
   PatchMesh whole;

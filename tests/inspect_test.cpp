@@ -243,6 +243,25 @@ TEST(Inspect, OverlapOfManyPolygonsIsCountedOnce) {
   EXPECT_EQ(finding.count, 16);
 }
 
+TEST(Inspect, TwoSidedPolygonsOverlapEitherWay) {
+  Scene scene = clean_scene();
+  add_surface(scene, "picture", kWhite, {{{0.2, 0.2, 0}, {0.2, 0.4, 0}, {0.4, 0.4, 0}, {0.4, 0.2, 0}}});
+  EXPECT_EQ(only(inspect(scene), Kind::coplanar_overlap).severity, Severity::note);
+  EXPECT_FALSE(meshing::overlap_finding(scene));
+  scene.surfaces.back().two_sided = true;
+  EXPECT_EQ(only(inspect(scene), Kind::coplanar_overlap).severity, Severity::serious);
+  EXPECT_TRUE(meshing::overlap_finding(scene));
+}
+
+TEST(Inspect, PrecisionTellsWhatLiesInOnePlane) {
+  Scene scene = clean_scene();
+  add_surface(scene, "rug", kWhite,
+              {{{0.2, 0.2, 1e-5}, {0.4, 0.2, 1e-5}, {0.4, 0.4, 1e-5}, {0.2, 0.4, 1e-5}}});
+  EXPECT_TRUE(inspect(scene).findings.empty()) << all_messages(inspect(scene));
+  scene.precision = 5e-6;
+  EXPECT_EQ(only(inspect(scene), Kind::coplanar_overlap).severity, Severity::serious);
+}
+
 TEST(Inspect, NonPlanarPolygonTellsTheWorst) {
   const Finding finding =
       only(inspect(one_surface({{{0, 0, 0}, {1, 0, 0}, {1, 1, 0.001}, {0, 1, 0}},
@@ -344,6 +363,10 @@ TEST(Inspect, Gap) {
   expect_contains(finding.message, "1e-05 m");
   EXPECT_EQ(only(inspect(apart(1e-9)), Kind::gap).severity, Severity::note);
   EXPECT_TRUE(inspect(apart(0)).findings.empty());
+  EXPECT_TRUE(inspect(apart(1e-15)).findings.empty());
+  Scene rounded = apart(1e-5);
+  rounded.precision = 5e-6;
+  EXPECT_TRUE(inspect(rounded).findings.empty()) << all_messages(inspect(rounded));
   EXPECT_TRUE(inspect(apart(0.01)).findings.empty());
 
   // The middle of an edge passes a corner.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -216,6 +217,37 @@ TEST(AsIs, WeldsEqualPositions) {
   const Scene zeros = make_scene({{{0.0, 0, 0}, {1, 0, 0}, {0, 1, 0}},  //
                                   {{-0.0, 0, 0}, {0, 1, 0}, {-1, 0, 0}}});
   EXPECT_EQ(make_patches(zeros).vertices.size(), 4U);
+}
+
+/// Six digits of a turned box put the corners of its faces off their planes.
+TEST(AsIs, RoundedQuadsStayQuadsIfThePrecisionIsKnown) {
+  const Eigen::AngleAxisd turn(0.7, Vec3(1, 2, 3).normalized());
+  Scene scene = make_scene(box(Vec3(1.23, 2.34, 3.45)));
+  for (Vec3& vertex : scene.vertices) {
+    vertex = turn * vertex;
+    for (double& x : vertex) x = 1e-5 * std::round(1e5 * x);
+  }
+  EXPECT_GT(make_patches(scene).size(), 6);
+  scene.precision = 0.5e-5;
+  EXPECT_EQ(make_patches(scene).size(), 6);
+  EXPECT_EQ(make_patches(scene).precision, 0.5e-5);
+}
+
+TEST(AsIs, PatchesKnowTheOutlinesOfTheirPolygons) {
+  for (const double max_edge : {10.0, 0.7}) {
+    const Scene scene = make_scene(l_room());
+    const PatchMesh mesh = make_patches(scene, {.max_edge = max_edge});
+    ASSERT_EQ(mesh.n_polygons(), scene.n_polygons());
+    const PatchMesh moved = radiosity::centered(mesh);
+    for (Index i = 0; i < scene.n_polygons(); ++i) {
+      ASSERT_EQ(mesh.outline(i).size(), scene.polygon(i).size());
+      for (std::size_t k = 0; k < mesh.outline(i).size(); ++k) {
+        const Vec3& corner = scene.vertices[scene.polygon(i)[k]];
+        EXPECT_EQ(mesh.outline(i)[k], corner);
+        EXPECT_EQ(moved.outline(i)[k], corner - radiosity::bounds(mesh).center());
+      }
+    }
+  }
 }
 
 TEST(AsIs, CornellPatchesOfTheNonPlanarWallAreHalved) {

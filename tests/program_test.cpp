@@ -430,6 +430,25 @@ TEST_F(Program, InspectSucceedsWithFindings) {
   EXPECT_NE(text.out.find(findings[0]["kind"].get<std::string>()), std::string::npos) << text.out;
 }
 
+TEST_F(Program, OverlapsInOnePlaneAreNamed) {
+  const std::string scene = RADIOSITY_TEST_DATA "/accuracy/overlapping-panels.json";
+  for (const Arguments& command :
+       std::vector<Arguments>{{"solve", scene, "--patches", "100", "--json"},
+                              {"form-factors", scene, "--patches", "100", "-o", result("F.h5")}}) {
+    // Refused, or the overlap named and the energy balanced.
+    const Outcome outcome = run(command);
+    EXPECT_LE(outcome.exit_code, 1) << outcome.err;
+    if (outcome.exit_code == 0 && command[0] == "solve") {
+      const Json energy = Json::parse(outcome.out)["energy"];
+      EXPECT_GE(energy["escaped"][0], -1e-6 * energy["emitted"][0].get<double>());
+    }
+    EXPECT_NE(outcome.err.find("'panels'"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("lies in the plane of surface 'walls'"), std::string::npos)
+        << outcome.err;
+    EXPECT_EQ(outcome.err.find("--method"), std::string::npos) << outcome.err;
+  }
+}
+
 TEST_F(Program, RenderWritesAPicture) {
   const Outcome outcome = run({"render", write_cube(0.5, 1), "--patches", "100", "-o",
                                result("a.png"), "--width", "40", "--height", "30"});
