@@ -345,7 +345,7 @@ void make_grid_boxes(Builder& builder, Random& random) {
   for (int x = 0; x < n; ++x) {
     for (int y = 0; y < n; ++y) {
       for (int z = 0; z < n; ++z) {
-        if (random.uniform() > share || n_boxes >= 16) continue;
+        if (random.uniform() > share || n_boxes >= 10) continue;
         const Vec3 low = corner + cell * Vec3(x, y, z);
         const Vec3 high = corner + cell * Vec3(x + 1, y + 1, z + 1);
         builder.add_box("box", low, high, division);
@@ -718,7 +718,7 @@ FamilyScene make_family_scene(Family family, std::uint64_t seed) {
 Variation random_variation(std::uint64_t seed) {
   Random random(seed);
   Variation v{.seed = seed};
-  v.is_turned = random.coin();
+  v.is_turned = random.integer(0, 2) == 0;
   if (random.integer(0, 2) == 0) v.scale = random.log_uniform(1e-3, 1e3);
   v.digits = std::array{Digits::all, Digits::six, Digits::single}[random.integer(0, 2)];
   const bool is_moved = random.integer(0, 2) == 0;
