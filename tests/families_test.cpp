@@ -10,6 +10,7 @@
 #include "meshing/patches.h"
 #include "support/family_checks.h"
 #include "support/oracle.h"
+#include "support/scene_variations.h"
 
 namespace {
 

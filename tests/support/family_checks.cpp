@@ -163,7 +163,8 @@ class SceneCheck {
   void check_pair(Index i, Index j, double factor, const std::vector<Vec3>& outline_i) {
     if (!is_in_front(i, j) || !is_in_front(j, i)) return;
     // Of patches that cross each other's planes only the exact value is reliable.
-    const double tolerance = crosses_plane(i, j) || crosses_plane(j, i) ? 1e-11 : kKernelError / 100;
+    const bool is_cut = crosses_plane(i, j) || crosses_plane(j, i);
+    const double tolerance = is_cut ? 1e-11 : kKernelError / 100;
     const double whole = exchange_area(outline_i, outline(j), tolerance) / mesh_.area[i];
     if (whole < kLeastFactor) return;
     // Patches that touch move relative to each other by what the digits leave open.
