@@ -10,6 +10,7 @@
 #include <string>
 
 #include "tests/support/family_checks.h"
+#include "tests/support/scene_variations.h"
 
 namespace {
 

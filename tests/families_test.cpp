@@ -10,6 +10,7 @@
 #include "meshing/patches.h"
 #include "support/family_checks.h"
 #include "support/oracle.h"
+#include "support/scene_variations.h"
 
 namespace {
 
@@ -95,13 +96,13 @@ std::string lines(const std::vector<std::string>& failures) {
 }
 
 TEST_P(Families, AgreeWithTheOracle) {
-  constexpr int kScenes = 16;
-  constexpr std::array<long, 4> kPatches{0, 100, 0, 300};
+  constexpr int kScenes = 20;
+  constexpr std::array<long, 4> kPatches{0, 80, 0, 160};
   Findings found;
   for (int k = 0; k < kScenes; ++k) {
     const std::uint64_t seed = kSeed + k;
     const FamilyScene scene = vary(make_family_scene(GetParam(), seed), random_variation(seed));
-    CheckOptions options{.tolerance = k % 2 == 0 ? 1e-2 : 1e-3, .n_surfaces = 12, .seed = seed};
+    CheckOptions options{.tolerance = k % 4 == 2 ? 1e-3 : 1e-2, .n_surfaces = 12, .seed = seed};
     if (const long n = kPatches[k % kPatches.size()]; n > 0) options.n_patches = n;
     found += check_scene(scene, options);
   }
@@ -119,7 +120,7 @@ TEST_P(Families, AgreeWithTheOracle) {
   if (GetParam() != Family::crossing) {
     EXPECT_EQ(found.n_refused, 0);
   }
-  if (HasFailure()) ADD_FAILURE() << lines(found.failures);
+  if (HasFailure()) GTEST_LOG_(INFO) << lines(found.failures);
 }
 
 /// Scenes without needles, which six digits deform.
@@ -130,7 +131,7 @@ FamilyScene regular_scene(Family family, std::uint64_t seed) {
 
 TEST_P(Families, HaveTheSameFactorsWithAnyDigits) {
   if (GetParam() == Family::crossing) GTEST_SKIP() << "digits deform needles";
-  constexpr int kScenes = 4;
+  constexpr int kScenes = 3;
   constexpr double kTolerance = 1e-4;
   for (std::uint64_t seed = kSeed; seed < kSeed + kScenes; ++seed) {
     const FamilyScene scene = regular_scene(GetParam(), seed);
@@ -156,7 +157,7 @@ TEST_P(Families, HaveTheSameFactorsHoweverDivided) {
     ASSERT_TRUE(whole);
     const FamilyScene shuffled =
         vary(scene, {.is_shuffled = true, .is_triangular = seed % 3 == 0, .seed = seed});
-    for (const long n_patches : {0L, 100L, 300L}) {
+    for (const long n_patches : {0L, 80L, 200L}) {
       const auto factors = surface_factors_of(
           shuffled, n_patches == 0 ? std::nullopt : std::optional(n_patches), kTolerance);
       ASSERT_TRUE(factors);

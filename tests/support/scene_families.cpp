@@ -2,54 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <functional>
-#include <map>
-#include <numeric>
-#include <random>
+
+#include "tests/support/scene_random.h"
 
 namespace radiosity::test {
 namespace {
-
-/// Numbers that do not depend on the standard library's distributions.
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : engine_(seed) {}
-  double uniform(double low = 0, double high = 1) {
-    return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1p-53;
-  }
-  /// low to high, both included.
-  int integer(int low, int high) {
-    return low + static_cast<int>(engine_() % static_cast<std::uint64_t>(high - low + 1));
-  }
-  bool coin() { return integer(0, 1) == 1; }
-  double log_uniform(double low, double high) { return low * std::pow(high / low, uniform()); }
-  Vec3 vector(double low, double high) {
-    const double x = uniform(low, high);
-    const double y = uniform(low, high);
-    return {x, y, uniform(low, high)};
-  }
-  Vec3 direction() {
-    for (;;) {
-      const Vec3 v = vector(-1, 1);
-      if (v.squaredNorm() <= 1 && v.squaredNorm() > 0.01) return v.normalized();
-    }
-  }
-  Eigen::Matrix3d rotation() {
-    const Vec3 axis = direction();
-    return Eigen::AngleAxisd(uniform(0, 2 * kPi), axis).toRotationMatrix();
-  }
-  template <class T>
-  void shuffle(std::vector<T>& items) {
-    for (std::size_t k = items.size(); k > 1; --k) {
-      std::swap(items[k - 1], items[engine_() % k]);
-    }
-  }
-
- private:
-  std::mt19937_64 engine_;
-};
 
 using Points = std::vector<Vec3>;
 enum class Division { one_surface, surface_per_face };
@@ -323,8 +281,8 @@ void make_stacks(Builder& builder, Random& random) {
   }
   if (has_room && random.coin()) {  // A wall from floor to ceiling or less.
     const double top = random.coin() ? high.z() : floor + 0.5;
-    builder.add_box("wall", {0.55, low.y() + 0.1, floor}, {0.6, random.coin() ? high.y() : 0.5, top},
-                    any_division(random));
+    const double end = random.coin() ? high.y() : 0.5;
+    builder.add_box("wall", {0.55, low.y() + 0.1, floor}, {0.6, end, top}, any_division(random));
   }
 }
 
@@ -334,8 +292,7 @@ void make_grid_boxes(Builder& builder, Random& random) {
   const bool has_margin = random.coin();
   const double half = cell * n / 2;
   const double margin = has_margin ? cell : 0;
-  const Vec3 corner = Vec3::Constant(-half);
-  builder.add_box("room", corner - Vec3::Constant(margin), corner + Vec3::Constant(n * cell + margin),
+  builder.add_box("room", Vec3::Constant(-half - margin), Vec3::Constant(half + margin),
                   any_division(random), Piece::hollow);
   builder.result.is_closed = true;
   const double share = random.uniform(0.15, 0.5);
@@ -345,9 +302,10 @@ void make_grid_boxes(Builder& builder, Random& random) {
   for (int x = 0; x < n; ++x) {
     for (int y = 0; y < n; ++y) {
       for (int z = 0; z < n; ++z) {
-        if (random.uniform() > share || n_boxes >= 16) continue;
-        const Vec3 low = corner + cell * Vec3(x, y, z);
-        const Vec3 high = corner + cell * Vec3(x + 1, y + 1, z + 1);
+        if (random.uniform() > share || n_boxes >= 10) continue;
+        const auto line = [&](int k) { return k == n ? half : -half + k * cell; };
+        const Vec3 low(line(x), line(y), line(z));
+        const Vec3 high(line(x + 1), line(y + 1), line(z + 1));
         builder.add_box("box", low, high, division);
         ++n_boxes;
       }
@@ -405,7 +363,8 @@ void make_prisms(Builder& builder, Random& random) {
       const Points plate =
           regular_polygon(n, random.uniform(0.2, 0.6), {0, 0, -0.4 + 0.3 * k}, random.uniform());
       const int kind = random.integer(0, 2);
-      builder.add_polygon(builder.add_surface("plate", kind == 2), kind == 1 ? reversed(plate) : plate);
+      builder.add_polygon(builder.add_surface("plate", kind == 2),
+                          kind == 1 ? reversed(plate) : plate);
       if (kind < 2) builder.result.is_closed = false;
       continue;
     }
@@ -460,7 +419,8 @@ void make_curved(Builder& builder, Random& random) {
   for (int k = 0; k < n; ++k) {
     std::vector<Points> triangles = sphere_triangles(random.integer(0, n == 1 ? 2 : 1));
     const double radius = random.uniform(0.15, 0.25);
-    const Vec3 center((k - 0.5 * (n - 1)) * 0.7, random.uniform(-0.2, 0.2), random.uniform(-0.1, 0.1));
+    const Vec3 center{(k - 0.5 * (n - 1)) * 0.7, random.uniform(-0.2, 0.2),
+                      random.uniform(-0.1, 0.1)};
     const double bumps = random.coin() ? 0 : random.uniform(0.1, 0.3);
     const Vec3 wave = 6 * random.direction();
     const double phase = random.uniform(0, 6);
@@ -543,8 +503,10 @@ void make_furniture(Builder& builder, Random& random) {
   for (int k = 0; k < n; ++k) {
     const Vec3 corner(-0.6 + 0.55 * k, random.uniform(-0.6, -0.3),
                       random.coin() ? low.z() : low.z() + 0.1);
-    builder.add_piece("table", table(random, corner, random.uniform(0.3, 0.5), random.uniform(0.2, 0.4)),
-                      Piece::solid, Division::one_surface);
+    const double width = random.uniform(0.3, 0.5);
+    const double height = random.uniform(0.2, 0.4);
+    builder.add_piece("table", table(random, corner, width, height), Piece::solid,
+                      Division::one_surface);
   }
 }
 
@@ -591,48 +553,6 @@ void make_canyon(Builder& builder, Random& random) {
                                                  : Division::surface_per_face);
     }
   }
-}
-
-/// Half a unit of the last of six digits of a coordinate as large as this.
-double six_digits_precision(double largest) {
-  return 0.5 * std::pow(10, std::floor(std::log10(largest)) - 5);
-}
-
-double single_precision(double largest) {
-  return std::ldexp(1.0, static_cast<int>(std::floor(std::log2(largest))) - 24);
-}
-
-double rounded(double x, Digits digits) {
-  switch (digits) {
-    case Digits::six: {
-      std::array<char, 32> text{};
-      std::snprintf(text.data(), text.size(), "%.6g", x);
-      return std::strtod(text.data(), nullptr);
-    }
-    case Digits::single:
-      return static_cast<double>(static_cast<float>(x));
-    case Digits::all:
-      break;
-  }
-  return x;
-}
-
-/// Tells the scene how far off its coordinates may be, where scenes know.
-template <class S>
-void set_precision(S& scene, double precision) {
-  if constexpr (requires { scene.precision; }) scene.precision = precision;
-}
-
-std::string describe(const Variation& v) {
-  std::string text;
-  if (v.is_turned) text += ", turned";
-  if (v.scale != 1) text += ", scaled by " + std::to_string(v.scale);
-  if (!v.shift.isZero()) text += ", moved by " + std::to_string(v.shift.norm());
-  if (v.digits == Digits::six) text += ", 6 digits";
-  if (v.digits == Digits::single) text += ", float32";
-  if (v.is_shuffled) text += ", shuffled";
-  if (v.is_triangular) text += ", triangles";
-  return text + ", variation " + std::to_string(v.seed);
 }
 
 }  // namespace
@@ -713,67 +633,6 @@ FamilyScene make_family_scene(Family family, std::uint64_t seed) {
   }
   builder.result.name = std::string(family_name(family)) + ", seed " + std::to_string(seed);
   return builder.result;
-}
-
-Variation random_variation(std::uint64_t seed) {
-  Random random(seed);
-  Variation v{.seed = seed};
-  v.is_turned = random.coin();
-  if (random.integer(0, 2) == 0) v.scale = random.log_uniform(1e-3, 1e3);
-  v.digits = std::array{Digits::all, Digits::six, Digits::single}[random.integer(0, 2)];
-  const bool is_moved = random.integer(0, 2) == 0;
-  if (is_moved && v.digits == Digits::all) {
-    // At most 1e6 m and as many sizes of the scene: beyond that it is no longer the same shape.
-    v.shift = random.log_uniform(1, 1e6) * std::min(1.0, v.scale) * random.direction();
-  }
-  v.is_shuffled = random.coin();
-  v.is_triangular = random.integer(0, 2) == 0;
-  return v;
-}
-
-FamilyScene vary(const FamilyScene& original, const Variation& variation) {
-  Random random(variation.seed);
-  FamilyScene result = original;
-  Scene& scene = result.scene;
-  const Eigen::Matrix3d rotation =
-      variation.is_turned ? random.rotation() : Eigen::Matrix3d::Identity();
-  double largest = 0;
-  for (Vec3& vertex : scene.vertices) {
-    vertex = variation.scale * (rotation * vertex) + variation.shift;
-    largest = std::max(largest, vertex.cwiseAbs().maxCoeff());
-    for (double& coordinate : vertex) coordinate = rounded(coordinate, variation.digits);
-  }
-  if (variation.digits == Digits::six) result.precision = six_digits_precision(largest);
-  if (variation.digits == Digits::single) result.precision = single_precision(largest);
-  set_precision(scene, result.precision);
-
-  std::vector<Index> order(original.scene.n_polygons());
-  std::iota(order.begin(), order.end(), 0);
-  if (variation.is_shuffled) random.shuffle(order);
-  scene.corners.clear();
-  scene.first_corner = {0};
-  scene.polygon_surface.clear();
-  result.pieces.clear();
-  const auto add = [&](const std::vector<std::int32_t>& corners, Index polygon) {
-    scene.add_polygon(corners, original.scene.polygon_surface[polygon]);
-    result.pieces.push_back(original.pieces[polygon]);
-  };
-  for (const Index polygon : order) {
-    const auto corners = original.scene.polygon(polygon);
-    std::vector<std::int32_t> turned(corners.begin(), corners.end());
-    if (variation.is_shuffled) {
-      std::rotate(turned.begin(), turned.begin() + random.integer(0, static_cast<int>(turned.size()) - 1),
-                  turned.end());
-    }
-    if (variation.is_triangular && turned.size() == 4) {
-      add({turned[0], turned[1], turned[2]}, polygon);
-      add({turned[0], turned[2], turned[3]}, polygon);
-    } else {
-      add(turned, polygon);
-    }
-  }
-  result.name += describe(variation);
-  return result;
 }
 
 }  // namespace radiosity::test

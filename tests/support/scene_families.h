@@ -43,36 +43,12 @@ enum class Family : std::uint8_t {
   canyon         ///< streets between buildings, open
 };
 inline constexpr std::array kFamilies{
-    Family::plates,       Family::storeys, Family::lamps,  Family::shelves,
-    Family::stacks,       Family::grid_boxes, Family::turned_boxes, Family::prisms,
-    Family::curved,       Family::furniture, Family::crossing, Family::canyon};
+    Family::plates, Family::storeys,    Family::lamps,        Family::shelves,
+    Family::stacks, Family::grid_boxes, Family::turned_boxes, Family::prisms,
+    Family::curved, Family::furniture,  Family::crossing,     Family::canyon};
 std::string_view family_name(Family family);
 
 /// A scene of some 1 m to 2 m, with coordinates up to 1 m but for rounding.
 FamilyScene make_family_scene(Family family, std::uint64_t seed);
-
-/// How coordinates are written.
-enum class Digits : std::uint8_t {
-  all,    ///< 17 decimal digits
-  six,    ///< 6, as "%.6g" does
-  single  ///< float32
-};
-
-/// The same scene, given in another way.
-struct Variation {
-  bool is_turned = false;
-  double scale = 1;
-  Vec3 shift = Vec3::Zero();  ///< m, after scaling
-  Digits digits = Digits::all;
-  bool is_shuffled = false;    ///< polygons in another order, starting at another corner
-  bool is_triangular = false;  ///< quads as two triangles
-  std::uint64_t seed = 0;      ///< of the rotation and the order
-};
-
-/// One of any kind. Coordinates far from the origin keep all digits: fewer would spoil the shape.
-Variation random_variation(std::uint64_t seed);
-
-/// The scene varied. Surfaces keep their order.
-FamilyScene vary(const FamilyScene& original, const Variation& variation);
 
 }  // namespace radiosity::test
