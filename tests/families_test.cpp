@@ -101,7 +101,9 @@ TEST_P(Families, AgreeWithTheOracle) {
   Findings found;
   for (int k = 0; k < kScenes; ++k) {
     const std::uint64_t seed = kSeed + k;
-    const FamilyScene scene = vary(make_family_scene(GetParam(), seed), random_variation(seed));
+    // Some stay parallel to the axes, where boxes around clusters touch the planes of others.
+    const Variation variation = k % 4 == 1 ? Variation{.seed = seed} : random_variation(seed);
+    const FamilyScene scene = vary(make_family_scene(GetParam(), seed), variation);
     CheckOptions options{.tolerance = k % 4 == 2 ? 1e-3 : 1e-2, .n_surfaces = 12, .seed = seed};
     if (const long n = kPatches[k % kPatches.size()]; n > 0) options.n_patches = n;
     found += check_scene(scene, options);
@@ -123,7 +125,7 @@ TEST_P(Families, AgreeWithTheOracle) {
   if (HasFailure()) GTEST_LOG_(INFO) << lines(found.failures);
 }
 
-/// Scenes without needles, which six digits deform.
+/// A scene with all digits, every other one turned.
 FamilyScene regular_scene(Family family, std::uint64_t seed) {
   Variation turned{.is_turned = seed % 2 == 0, .seed = seed};
   return vary(make_family_scene(family, seed), turned);
