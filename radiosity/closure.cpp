@@ -1,5 +1,6 @@
 #include "radiosity/closure.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace radiosity {
@@ -10,30 +11,37 @@ namespace {
 constexpr double kSigmas = 6;
 /// Relative deficits below this are rounding and kernel error.
 constexpr double kNegligible = 1e-6;
+/// Rows this share of the tolerance away from closed pass for closed, too: errors have long tails.
+constexpr double kShareOfTolerance = 0.1;
 
 /// Per row, whether the errors explain its distance from closed.
 Eigen::Array<bool, Eigen::Dynamic, 1> are_explained(const UncertainExchange& exchange,
                                                     const Eigen::VectorXd& row_sums,
-                                                    const Eigen::VectorXd& areas) {
+                                                    const Eigen::VectorXd& areas,
+                                                    double negligible = kNegligible) {
   return (areas - row_sums).array().abs() <= kSigmas * exchange.row_variances().array().sqrt() +
                                                  exchange.row_errors().array() +
-                                                 kNegligible * areas.array();
+                                                 negligible * areas.array();
 }
+
+double let_pass(double tolerance) { return std::max(kNegligible, kShareOfTolerance * tolerance); }
 
 }  // namespace
 
 bool is_closed_within_errors(const UncertainExchange& exchange, const Eigen::VectorXd& row_sums,
-                             const Eigen::VectorXd& areas) {
-  return exchange.size() > 0 && are_explained(exchange, row_sums, areas).all();
+                             const Eigen::VectorXd& areas, double tolerance) {
+  return exchange.size() > 0 &&
+         are_explained(exchange, row_sums, areas, let_pass(tolerance)).all();
 }
 
 ClosureCorrection correct_closure(UncertainExchange& exchange, const Eigen::VectorXd& row_sums,
-                                  const Eigen::VectorXd& areas, int n_rounds) {
+                                  const Eigen::VectorXd& areas, double tolerance, int n_rounds) {
   const auto explained = are_explained(exchange, row_sums, areas).eval();
+  const auto passing = are_explained(exchange, row_sums, areas, let_pass(tolerance)).eval();
   ClosureCorrection result{0, {row_sums, areas, Eigen::VectorXd::Ones(exchange.size())}};
   for (Index i = 0; i < exchange.size(); ++i) {
     if (explained[i]) continue;
-    ++result.n_open_rows;
+    result.n_open_rows += passing[i] ? 0 : 1;
     result.sums.mask[i] = 0;
   }
   exchange.freeze(result.sums.mask);

@@ -20,19 +20,21 @@ class UncertainExchange : public AdjustableExchange {
 
 /// What the closure correction did.
 struct ClosureCorrection {
-  Index n_open_rows = 0;  ///< rows too far from closed to be sampling error; left as they are
+  Index n_open_rows = 0;  ///< rows too far from closed to be an error; left as they are
   RowSums sums;           ///< wanted are the areas; the mask is 0 in open rows
 };
 
-/// Whether every row sum equals its area (m²) within what the entries' errors explain.
+/// Whether every row sum equals its area (m²) within what the entries' errors explain, or within a
+/// tenth of the relative error asked of the form factors, `tolerance`.
 bool is_closed_within_errors(const UncertainExchange& exchange, const Eigen::VectorXd& row_sums,
-                             const Eigen::VectorXd& areas);
+                             const Eigen::VectorXd& areas, double tolerance);
 
 /// Changes the uncertain entries so that each row sums to its area, m²: the symmetric change of
 /// least weighted squares Σ (ΔG_ij/σ_ij)². Certain entries and rows whose deficit no sampling error
-/// explains stay as they are. In at most `n_rounds` rounds (balance_rows). (van Leersum 1989,
-/// weighted)
+/// explains stay as they are; of these, the rows count as open that is_closed_within_errors() does
+/// not let pass. In at most `n_rounds` rounds (balance_rows). (van Leersum 1989, weighted)
 ClosureCorrection correct_closure(UncertainExchange& exchange, const Eigen::VectorXd& row_sums,
-                                  const Eigen::VectorXd& areas, int n_rounds = kBalanceRounds);
+                                  const Eigen::VectorXd& areas, double tolerance,
+                                  int n_rounds = kBalanceRounds);
 
 }  // namespace radiosity

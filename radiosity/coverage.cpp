@@ -161,12 +161,20 @@ class CoverFinder {
     if (result.share[i] < 1) result.open[i] = std::move(open);
   }
 
+  /// Whether one of the two lies in the plane of the other: the plane of a small one is not known
+  /// well far from it.
   [[nodiscard]] bool is_in_plane(Index i, const Cover& cover) const {
-    const double offset = cover.normal.dot(cover.outline[0]);
+    const auto is_on = [this](const Vec3& point, const Vec3& normal, const Vec3& on_plane) {
+      return std::abs(normal.dot(point - on_plane)) <= thickness_;
+    };
+    bool is_patch_on = true;
     for (int k = 0; k < mesh_.n_corners(i); ++k) {
-      if (std::abs(cover.normal.dot(mesh_.corner(i, k)) - offset) > thickness_) return false;
+      is_patch_on &= is_on(mesh_.corner(i, k), cover.normal, cover.outline[0]);
     }
-    return true;
+    return is_patch_on ||
+           std::all_of(cover.outline.begin(), cover.outline.end(), [&](const Vec3& corner) {
+             return is_on(corner, mesh_.normal[i], mesh_.centroid[i]);
+           });
   }
 
   /// Appends the parts of a polygon outside a cover.

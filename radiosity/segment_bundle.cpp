@@ -100,17 +100,17 @@ SegmentBundle::passing_of(const Vec3& start, const Vec3& end) const {
 
 double SegmentBundle::passing_tolerance(const Vec3& start, const Vec3& end) const {
   // Moving one end of a segment by the thickness changes its side by the thickness times the other
-  // end's distance from the edge's line.
+  // end's distance from the edge's line; either may be off.
   const Vec3 direction = (end - start).normalized();
-  double largest = 0;
+  double sum = 0;
   for (const End* points : {&source_, &target_}) {
     double least = 1e300;
     for (const Vec3& point : points->corners) {
       least = std::min(least, direction.cross(point - start).squaredNorm());
     }
-    largest = std::max(largest, least);
+    sum += std::sqrt(least);
   }
-  return thickness_ * std::sqrt(largest);
+  return thickness_ * sum;
 }
 
 SegmentBundle::Side SegmentBundle::side(const Range& height) const {
@@ -201,7 +201,7 @@ SegmentBundle::Outlook SegmentBundle::look(const Blocker& blocker, const Heights
   }
   hides_all &= outlook.divider == nullptr;
 
-  const double largest_tolerance = thickness_ * box_.diagonal().norm();
+  const double largest_tolerance = 2 * thickness_ * (box_.merged(blocker.box)).diagonal().norm();
   const std::size_t n_edges = shadow != nullptr ? shadow->edges.size() : 0;
   for (const Blocker::Edge& edge : blocker.edges) {
     const Side left = sides[edge.left];

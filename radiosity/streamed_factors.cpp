@@ -101,10 +101,10 @@ RowSums StreamedFactors::close(const Eigen::VectorXd& row_sums, const Eigen::Vec
   closure_.emplace(store_, options_.buffers);
   report_.closed =
       options_.closed == Closed::yes ||
-      (options_.closed == Closed::automatic && is_closed_within_errors(*closure_, row_sums, areas));
+      (options_.closed == Closed::automatic && is_closed_within_errors(*closure_, row_sums, areas, options_.tolerance));
   RowSums sums{row_sums, row_sums, Eigen::VectorXd::Ones(row_sums.size())};
   if (report_.closed) {
-    ClosureCorrection correction = correct_closure(*closure_, row_sums, areas, kClosureRounds);
+    ClosureCorrection correction = correct_closure(*closure_, row_sums, areas, options_.tolerance, kClosureRounds);
     report_.open_rows = correction.n_open_rows;
     sums = std::move(correction.sums);
     sums.wanted = (sums.mask.array() != 0).select(sums.wanted, sums.present);

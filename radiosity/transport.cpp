@@ -108,11 +108,11 @@ std::unique_ptr<Transport> make_transport(const PatchMesh& mesh, const Visibilit
   assembly.report.closed =
       options.closed == Closed::yes ||
       (options.closed == Closed::automatic &&
-       is_closed_within_errors(assembly.tiles, assembly.row_sums, open_area));
+       is_closed_within_errors(assembly.tiles, assembly.row_sums, open_area, options.tolerance));
   assembly.tiles.set_row_sums(assembly.row_sums);
   if (assembly.report.closed) {
     const ClosureCorrection correction =
-        correct_closure(assembly.tiles, assembly.row_sums, open_area);
+        correct_closure(assembly.tiles, assembly.row_sums, open_area, options.tolerance);
     assembly.tiles.unfreeze();
     assembly.tiles.set_row_sums(correction.sums.present);
     assembly.report.open_rows = correction.n_open_rows;
