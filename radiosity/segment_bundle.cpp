@@ -98,19 +98,23 @@ SegmentBundle::passing_of(const Vec3& start, const Vec3& end) const {
   return {*std::min_element(low, low + kLanes), *std::max_element(high, high + kLanes)};
 }
 
-double SegmentBundle::passing_tolerance(const Vec3& start, const Vec3& end) const {
+bool SegmentBundle::all_pass(const Vec3& start, const Vec3& end, double sign) const {
   // Moving one end of a segment by the thickness changes its side by the thickness times the other
   // end's distance from the edge's line; either may be off.
   const Vec3 direction = (end - start).normalized();
-  double sum = 0;
-  for (const End* points : {&source_, &target_}) {
-    double least = 1e300;
-    for (const Vec3& point : points->corners) {
-      least = std::min(least, direction.cross(point - start).squaredNorm());
-    }
-    sum += std::sqrt(least);
+  std::array<double, kMostCorners> distances;
+  for (std::size_t k = 0; k < target_.corners.size(); ++k) {
+    distances[k] = direction.cross(target_.corners[k] - start).norm();
   }
-  return thickness_ * sum;
+  for (const Vec3& x : source_.corners) {
+    const Vec3 lever = direction.cross(x - start);
+    const double distance = lever.norm();
+    for (std::size_t k = 0; k < target_.corners.size(); ++k) {
+      const double passing = -lever.dot(target_.corners[k] - start);
+      if (sign * passing < -thickness_ * (distance + distances[k])) return false;
+    }
+  }
+  return true;
 }
 
 SegmentBundle::Side SegmentBundle::side(const Range& height) const {
@@ -211,17 +215,17 @@ SegmentBundle::Outlook SegmentBundle::look(const Blocker& blocker, const Heights
     const Vec3& stop = left == Side::front ? edge.end : edge.start;
     Range passing = passing_of(start, stop);
     if (!from_source) passing = {-passing.high, -passing.low};
+    const double way = from_source ? 1 : -1;
     const bool may_miss = passing.high <= largest_tolerance;
     const bool may_hide = passing.low >= -largest_tolerance;
-    const double tolerance = may_miss || may_hide ? passing_tolerance(start, stop) : 0;
     const double least_length = kShortEdge * thickness_;
     const bool is_short = (stop - start).squaredNorm() <= least_length * least_length;
-    if (may_miss && !is_short && passing.high <= tolerance) {
+    if (may_miss && !is_short && (passing.high <= 0 || all_pass(start, stop, -way))) {
       if (shadow != nullptr) shadow->edges.resize(n_edges);
       outlook.blocking = Blocking::none;
       return outlook;
     }
-    if (may_hide && passing.low >= -tolerance) continue;
+    if (may_hide && (passing.low >= 0 || all_pass(start, stop, way))) continue;
     hides_all = false;
     if (shadow != nullptr) shadow->edges.push_back({start, stop});
   }

@@ -106,8 +106,9 @@ class SegmentBundle {
   /// Lowest and highest value, over all segments from source to target, of how far they pass on the
   /// edge's left, times their length, m².
   [[nodiscard]] Range passing_of(const Vec3& start, const Vec3& end) const;
-  /// What of `passing_of` an end that is off by the thickness may cause, m².
-  [[nodiscard]] double passing_tolerance(const Vec3& start, const Vec3& end) const;
+  /// Whether all segments pass on the edge's left (sign 1) or right (-1) but for what ends that are
+  /// off by the thickness may cause.
+  [[nodiscard]] bool all_pass(const Vec3& start, const Vec3& end, double sign) const;
 
   static constexpr std::size_t kLanes = 8;
   static constexpr std::size_t kMostLines =
