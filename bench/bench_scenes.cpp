@@ -94,8 +94,9 @@ class Builder {
   /// 20 x 4^level triangles; `radius` gives the distance from the centre in each direction.
   void add_ball(const Vec3& center, int level, const std::function<double(const Vec3&)>& radius) {
     const double g = (1 + std::sqrt(5.0)) / 2;
-    const std::vector<Vec3> v{{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0}, {0, -1, g}, {0, 1, g},
-                              {0, -1, -g}, {0, 1, -g}, {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}};
+    const std::vector<Vec3> v{{-1, g, 0}, {1, g, 0},   {-1, -g, 0}, {1, -g, 0},
+                              {0, -1, g}, {0, 1, g},   {0, -1, -g}, {0, 1, -g},
+                              {g, 0, -1}, {g, 0, 1},   {-g, 0, -1}, {-g, 0, 1}};
     constexpr int kFaces[20][3] = {{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11},
                                    {1, 5, 9}, {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
                                    {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8}, {3, 8, 9},
@@ -286,7 +287,8 @@ PatchMesh plates(long n_patches, int n_sides) {
 PatchMesh cluttered_room(std::uint64_t seed, long n_patches) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> uniform(0, 1);
-  const Vec3 half = Vec3(1.2, 1, 0.8) + 1.2 * Vec3(uniform(random), uniform(random), uniform(random));
+  const Vec3 more(uniform(random), uniform(random), uniform(random));
+  const Vec3 half = Vec3(1.2, 1, 0.8) + 1.2 * more;
   const auto n_most = static_cast<radiosity::Index>(60 + 134 * uniform(random));
   Builder builder;
   builder.add_box(half, half, Rotation::Identity(), Facing::inwards);

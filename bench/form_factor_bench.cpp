@@ -76,8 +76,9 @@ void print_run(const PatchMesh& mesh, const Transport& transport, double seconds
   double errors = 0;
   for (Index i = 0; i < mesh.size(); ++i) errors += mesh.area[i] * transport.row_error(i).sum();
   const double sum = transport.area().dot(report.row_sums);
-  fmt::print("raw row sums: mean gap {:.3g}, largest {:.3g}; closed: {}; sum of errors / sum G {:.3g}\n",
-             report.closure_mean, report.closure_max, report.closed, errors / sum);
+  fmt::print(
+      "raw row sums: mean gap {:.3g}, largest {:.3g}; closed: {}; sum of errors / sum G {:.3g}\n",
+      report.closure_mean, report.closure_max, report.closed, errors / sum);
 }
 
 /// What a run is worth, over all ordered pairs.

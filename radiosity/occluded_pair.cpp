@@ -31,7 +31,7 @@ constexpr std::size_t kMostQuarterings = 7;
 constexpr double kBudget = 2;
 constexpr double kErrorPower = 2.0 / 5;
 /// n rays have the error kRaySpread n^-⅔.
-constexpr double kRaySpread = 0.43;
+constexpr double kRaySpread = 0.36;
 constexpr double kRayPower = 3.0 / 2;
 /// Standard error of low rules on pieces that the shadows' events bound, for one shadow and for
 /// several; and how much dearer rules are that go on until they agree.
@@ -64,7 +64,9 @@ constexpr int kMostRays = SegmentSampler::kPacket * static_cast<int>(kMostPacket
 /// all and one by one, and of what is aimed at, since these may be small by chance.
 constexpr double kRuleError = 0.3;
 constexpr double kQuarterError = 0.2;
-constexpr double kChanceError = 0.1;
+constexpr double kChanceError = 0.05;
+/// The standard error of what points miss as a share of it.
+constexpr double kMissed = 0.5;
 
 std::array<ConvexPolygon, 2> halves(const ConvexPolygon& polygon, const HalfSpace& plane,
                                     double thickness) {
@@ -195,6 +197,22 @@ double packets_for(double error) {
 
 double square(double x) { return x * x; }
 
+/// What 16 points of a piece of the source may miss of blockers that hide the target from a spot
+/// smaller than their spacing only, as a share of what the piece sees.
+double missed_share(const ConvexPolygon& piece, const Vec3& normal,
+                    std::span<const Blocker* const> blockers) {
+  const double area = vector_area(piece.points()).norm();
+  const double spacing = bounding_disc(piece.points()).radius / 2;
+  double squares = 0;
+  for (const Blocker* blocker : blockers) {
+    // The height of the box's middle, which is above its lowest corner by half of its size at most.
+    const double height = normal.dot(blocker->box.center() - piece[0]);
+    const double spot = std::max(height, 0.0) + 0.5 * blocker->box.diagonal().norm();
+    if (spot < spacing) squares += square(kMissed * square(spot) / area);
+  }
+  return std::sqrt(squares);
+}
+
 }  // namespace
 
 double OccludedPairEstimator::allowed_share(double whole) const {
@@ -273,7 +291,9 @@ PairEstimate OccludedPairEstimator::estimate(const SampledPair& pair,
     if (kPacketCost * packets_for(error) <= kLookCost) {
       // Rays whatever the proofs would be: those that disagree leave nothing to prove.
       sampler.emplace(visibility_, pair, seed);
-      if (sampler->add_packet().is_partial) return weigh(sampler->add_packets({error, kMostRays}), *whole);
+      if (sampler->add_packet().is_partial) {
+        return weigh(sampler->add_packets({error, kMostRays}), *whole);
+      }
     }
   }
   const Blocking blocking = find_shadows(*view.source, *view.target, candidates, levels_[depth]);
@@ -388,8 +408,11 @@ PairEstimate OccludedPairEstimator::cut_shadows(const View& view, std::span<cons
   const VisibleShare share = quadrature_.integrate(shadowed, error, adapts);
   if (share.is_exact && share.value == 0) return {0, 0, Blocking::all, false, 0};
   if (share.is_exact) return {whole, 0, Blocking::none, false, 0};
-  // The kernel's own error counts, too: closing a row must not lean on entries that claim none.
-  const double sigma = std::hypot(share.error, kKernelErrors * options_.kernel_tolerance);
+  // The kernel's own error counts, too: closing a row must not lean on entries that claim none. And
+  // where shadows cross, events were passed over, which few points may miss altogether.
+  const double least = kKernelErrors * options_.kernel_tolerance;
+  const double sigma =
+      std::hypot(share.error, shadows.size() > 1 ? std::max(least, kChanceError * error) : least);
   return {share.value * whole, sigma * whole, Blocking::some, share.value > 0 && share.value < 1,
           0};
 }
@@ -484,7 +507,8 @@ void OccludedPairEstimator::add_parts(const View& view, const ConvexPolygon& pie
     squares += square(fine[k].visible - coarse.quarter_visible[k] -
                       share * (fine[k].whole - coarse.quarter_whole[k]));
   }
-  const double variance = square(kRuleError * change) + square(kQuarterError) * squares;
+  double variance = square(kRuleError * change) + square(kQuarterError) * squares;
+  variance += square(total.whole * missed_share(piece, view.source_normal, levels_[depth].blockers));
   const bool is_good = coarse.has_quarters && variance <= square(goal);
   if (is_good || depth + 1 >= last_depth) {
     total.variance += variance + square(kChanceError * goal);

@@ -15,9 +15,10 @@ namespace {
 // Embree computes in float. The scene is moved into [-1, 1]³ beforehand, so that these lengths
 // are relative to half the scene's diagonal.
 
-/// How close to its ends a segment is not blocked: a few roundings of a float coordinate near 1.
+/// How close to its ends a segment is not blocked, at least: a few roundings of a float coordinate
+/// near 1. More where the input is known to less: gaps below its precision are contact.
 constexpr double kEndGap = 2e-6;
-/// Patches whose corners are this close to the plane of a segment's end cannot block it.
+/// Patches whose corners are this close to the plane of a segment's end cannot block it; see above.
 constexpr double kCoplanar = 1e-6;
 /// Roundings of a segment's end and of a corner in its plane, added up.
 constexpr double kRounding = 5e-7;
@@ -69,7 +70,7 @@ struct Visibility::Implementation {
   std::vector<std::int32_t> patch_of_triangle;
   std::vector<std::int32_t> twin;
   std::vector<Plane> planes;                       // per patch, scaled coordinates
-  double end_gap = kEndGap;                        // at least the precision of the input
+  double end_gap = kEndGap;
   double coplanar = kCoplanar;
   bool is_large = false;  // so that packets are traced faster than their rays one by one
   std::vector<std::array<Vec3, 4>> patch_corners;  // per patch, scaled; a triangle's last is twice
@@ -97,6 +98,9 @@ Visibility::Implementation::Implementation(const PatchMesh& mesh) : twin(mesh.tw
   planes.reserve(mesh.size());
   patch_corners.reserve(mesh.size());
   for (std::int32_t i = 0; i < mesh.size(); ++i) add_patch(mesh, i);
+  const double thickness = plane_thickness(mesh) * scale;
+  end_gap = std::max(kEndGap, thickness);
+  coplanar = std::max(kCoplanar, thickness);
   is_large = mesh.size() > kLarge;
   build();
 }

@@ -19,9 +19,8 @@ struct SampledPair {
   std::int32_t j;
 };
 
-/// Quasi-random segments between the polygons of a pair: the additive recurrence with the
-/// generalised golden ratio of four dimensions (Roberts 2018), shifted at random by `seed`. Works on
-/// a packet at a time in single precision.
+/// Quasi-random segments between the polygons of a pair: Sobol's sequence in four dimensions, its
+/// digits shifted at random by `seed`. Works on a packet at a time in single precision.
 class SegmentSampler {
  public:
   static constexpr int kPacket = Visibility::kPacket;
@@ -59,7 +58,8 @@ class SegmentSampler {
   Fan fan_i_;
   Fan fan_j_;
   float scale_;  // of lengths, so that weights are near 1, 1/m
-  std::array<std::uint32_t, 4> state_{};  // fractions of 2³²
+  std::uint32_t n_drawn_ = 0;
+  std::array<std::uint32_t, 4> shift_{};  // fractions of 2³², by exclusive or
   Packet packet_;
 };
 
