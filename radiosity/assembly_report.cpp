@@ -1,5 +1,7 @@
 #include "radiosity/assembly_report.h"
 
+#include "radiosity/openings.h"
+
 namespace radiosity {
 
 AssemblyReport make_report(const Census& census, const Eigen::VectorXd& row_sums,
@@ -23,6 +25,22 @@ AssemblyReport make_report(const Census& census, const Eigen::VectorXd& row_sums
   report.closure_mean = gap.mean();
   report.closure_max = gap.maxCoeff();
   return report;
+}
+
+void find_backs(const PatchMesh& mesh, const Visibility& visibility,
+                const std::vector<std::int32_t>& order, const Eigen::VectorXd& row_sums,
+                const std::vector<Index>& open_rows, std::uint64_t seed, AssemblyReport& report) {
+  Eigen::VectorXd missing(mesh.size());
+  for (Index row = 0; row < mesh.size(); ++row) {
+    const std::int32_t i = order[row];
+    missing[i] = 1 - report.covered[i] - row_sums[row] / mesh.area[i];
+  }
+  report.backs = shares_on_backs(mesh, visibility, missing, seed);
+  report.open_rows = 0;
+  for (const Index row : open_rows) {
+    const std::int32_t i = order[row];
+    report.open_rows += report.backs[i] < missing[i] ? 1 : 0;
+  }
 }
 
 }  // namespace radiosity

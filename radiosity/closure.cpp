@@ -38,10 +38,10 @@ ClosureCorrection correct_closure(UncertainExchange& exchange, const Eigen::Vect
                                   const Eigen::VectorXd& areas, double tolerance, int n_rounds) {
   const auto explained = are_explained(exchange, row_sums, areas).eval();
   const auto passing = are_explained(exchange, row_sums, areas, let_pass(tolerance)).eval();
-  ClosureCorrection result{0, {row_sums, areas, Eigen::VectorXd::Ones(exchange.size())}};
+  ClosureCorrection result{{}, {row_sums, areas, Eigen::VectorXd::Ones(exchange.size())}};
   for (Index i = 0; i < exchange.size(); ++i) {
     if (explained[i]) continue;
-    result.n_open_rows += passing[i] ? 0 : 1;
+    if (!passing[i]) result.open_rows.push_back(i);
     result.sums.mask[i] = 0;
   }
   exchange.freeze(result.sums.mask);

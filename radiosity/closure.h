@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "radiosity/balance.h"
 
@@ -20,7 +21,7 @@ class UncertainExchange : public AdjustableExchange {
 
 /// What the closure correction did.
 struct ClosureCorrection {
-  Index n_open_rows = 0;  ///< rows too far from closed to be an error; left as they are
+  std::vector<Index> open_rows;  ///< rows too far from closed to be an error; left as they are
   RowSums sums;           ///< wanted are the areas; the mask is 0 in open rows
 };
 

@@ -48,9 +48,6 @@ class Filter {
     const SegmentBundle::Verdict verdict = bundle().test(blocker);
     if (verdict.blocking == Blocking::none) return false;
     if (verdict.blocking == Blocking::all) return true;
-    if (is_last_ && verdict.divides_source != nullptr && bundle().is_separated(blocker)) {
-      return false;
-    }
     kept_.push_back(k);
     return false;
   }

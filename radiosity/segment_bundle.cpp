@@ -297,30 +297,4 @@ bool SegmentBundle::is_end_outside(const Blocker& body) const {
   });
 }
 
-bool SegmentBundle::is_separated(const Blocker& blocker) const {
-  const auto are_beyond = [](std::span<const Vec3> points, const Vec3& normal, double least) {
-    return std::all_of(points.begin(), points.end(),
-                       [&](const Vec3& point) { return normal.dot(point) >= least; });
-  };
-  const auto separates = [&](const Vec3& normal, double offset) {
-    return are_beyond(blocker.corners, -normal, -offset - thickness_) &&
-           are_beyond(source_.corners, normal, offset - thickness_) &&
-           are_beyond(target_.corners, normal, offset - thickness_);
-  };
-  for (const Blocker::Edge& edge : blocker.edges) {
-    const Vec3 way = edge.end - edge.start;
-    for (const End* end : {&source_, &target_}) {
-      for (const Vec3& corner : end->corners) {
-        Vec3 normal = way.cross(corner - edge.start);
-        const double length = normal.norm();
-        if (length <= thickness_ * way.norm()) continue;
-        normal /= length;
-        const double offset = normal.dot(edge.start);
-        if (separates(normal, offset) || separates(-normal, -offset)) return true;
-      }
-    }
-  }
-  return false;
-}
-
 }  // namespace radiosity

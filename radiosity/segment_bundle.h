@@ -51,11 +51,6 @@ class SegmentBundle {
   /// blocker's shadow on the target is appended to `shadow`, where given.
   [[nodiscard]] Verdict test(const Blocker& blocker, Shadow* shadow = nullptr) const;
 
-  /// Whether a plane through an edge of the blocker and a corner of the source or the target has
-  /// the blocker on one side and all segments on the other: a proof that it blocks nothing, also
-  /// where its own planes divide them. Costs more than `test`.
-  [[nodiscard]] bool is_separated(const Blocker& blocker) const;
-
   /// Whether no segment meets the blocker, given that what is inside it may block, too: as for a
   /// body around others.
   [[nodiscard]] bool misses(const Blocker& blocker) const;

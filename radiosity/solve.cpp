@@ -84,13 +84,15 @@ Iterate iterate_with(Method method, const IrradianceSystem& system, SolveMonitor
 EnergyBalance energy_balance(const IrradianceSystem& system, const Eigen::MatrixXd& b,
                              const Eigen::MatrixXd& gathered) {
   const Eigen::VectorXd& area = system.transport->area();
-  // What lies on a solid's face and looks into it shines on that face alone.
-  const Eigen::VectorXd& shares = system.transport->report().covered;
-  const bool is_known = shares.size() == b.rows();
-  const Eigen::VectorXd covered =
-      is_known ? Eigen::VectorXd(area.cwiseProduct(shares)) : Eigen::VectorXd::Zero(b.rows());
+  // What lies on a solid's face and looks into it shines on that face alone, and backs take what
+  // they meet.
+  const AssemblyReport& report = system.transport->report();
+  Eigen::VectorXd taken = Eigen::VectorXd::Zero(b.rows());
+  for (const Eigen::VectorXd* shares : {&report.covered, &report.backs}) {
+    if (shares->size() == b.rows()) taken += area.cwiseProduct(*shares);
+  }
   const Eigen::VectorXd leak =
-      area.cwiseProduct(Eigen::VectorXd::Ones(b.rows()) - system.row_sums) - covered;
+      area.cwiseProduct(Eigen::VectorXd::Ones(b.rows()) - system.row_sums) - taken;
   EnergyBalance energy;
   energy.emitted = system.exitance.transpose() * area;
   energy.escaped = b.transpose() * leak;
@@ -98,7 +100,7 @@ EnergyBalance energy_balance(const IrradianceSystem& system, const Eigen::Matrix
   for (Index c = 0; c < b.cols(); ++c) {
     energy.absorbed[c] =
         (area.array() * (1 - system.rho(c).array()) * gathered.col(c).array()).sum() +
-        covered.dot(b.col(c));
+        taken.dot(b.col(c));
   }
   return energy;
 }

@@ -55,8 +55,8 @@ struct SolveOptions {
 /// Where the power goes, W, one value per column of the solution. emitted = absorbed + escaped.
 struct EnergyBalance {
   Eigen::VectorXd emitted;   ///< Σ A M_e
-  Eigen::VectorXd absorbed;  ///< Σ A (1 - ρ) H, and what covered patches shine on their covers
-  Eigen::VectorXd escaped;  ///< Σ A B (1 - covered - row sum): leaves the scene or meets a back
+  Eigen::VectorXd absorbed;  ///< Σ A (1 - ρ) H, and what backs and covers take
+  Eigen::VectorXd escaped;  ///< Σ A B (1 - covered - backs - row sum): leaves the scene
 };
 
 /// The radiosity of every patch, and what is known about its error. The energy norm of a field B is

@@ -77,7 +77,7 @@ StreamedFactors::StreamedFactors(const PatchMesh& mesh, const Visibility& visibi
                         coverage.share);
   const Eigen::VectorXd areas = areas_of_rows();
   const Eigen::VectorXd open = (1 - coverage.share.array())(store.layout().order);
-  RowSums sums = close(row_sums, areas.cwiseProduct(open));
+  RowSums sums = close(visibility, row_sums, areas.cwiseProduct(open));
   if (options.min_factor > 0) sums.mask.setOnes();
   balance_.emplace(*closure_, areas, options.min_factor, sums.mask);
   if (options.min_factor > 0) {
@@ -97,18 +97,23 @@ Eigen::VectorXd StreamedFactors::areas_of_rows() const {
 }
 
 /// Corrects closure. The wanted sums of rows that stay as they are become the present ones.
-RowSums StreamedFactors::close(const Eigen::VectorXd& row_sums, const Eigen::VectorXd& areas) {
+RowSums StreamedFactors::close(const Visibility& visibility, const Eigen::VectorXd& row_sums,
+                               const Eigen::VectorXd& areas) {
   closure_.emplace(store_, options_.buffers);
-  report_.closed =
-      options_.closed == Closed::yes ||
-      (options_.closed == Closed::automatic && is_closed_within_errors(*closure_, row_sums, areas, options_.tolerance));
+  report_.closed = options_.closed == Closed::yes ||
+                   (options_.closed == Closed::automatic &&
+                    is_closed_within_errors(*closure_, row_sums, areas, options_.tolerance));
   RowSums sums{row_sums, row_sums, Eigen::VectorXd::Ones(row_sums.size())};
+  std::vector<Index> open_rows;
   if (report_.closed) {
-    ClosureCorrection correction = correct_closure(*closure_, row_sums, areas, options_.tolerance, kClosureRounds);
-    report_.open_rows = correction.n_open_rows;
+    ClosureCorrection correction =
+        correct_closure(*closure_, row_sums, areas, options_.tolerance, kClosureRounds);
+    open_rows = std::move(correction.open_rows);
     sums = std::move(correction.sums);
     sums.wanted = (sums.mask.array() != 0).select(sums.wanted, sums.present);
   }
+  find_backs(mesh_, visibility, store_.layout().order, sums.present, open_rows, options_.seed,
+             report_);
   closure_->release_memory();
   return sums;
 }

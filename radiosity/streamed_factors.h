@@ -60,7 +60,8 @@ class StreamedFactors {
 
  private:
   [[nodiscard]] Eigen::VectorXd areas_of_rows() const;
-  RowSums close(const Eigen::VectorXd& row_sums, const Eigen::VectorXd& areas);
+  RowSums close(const Visibility& visibility, const Eigen::VectorXd& row_sums,
+                const Eigen::VectorXd& areas);
   void drop(RowSums& sums);
   void balance(RowSums& sums);
 

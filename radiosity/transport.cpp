@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "radiosity/assembly_report.h"
 #include "radiosity/closure.h"
 #include "radiosity/coverage.h"
 #include "radiosity/exchange_assembly.h"
@@ -110,13 +111,17 @@ std::unique_ptr<Transport> make_transport(const PatchMesh& mesh, const Visibilit
       (options.closed == Closed::automatic &&
        is_closed_within_errors(assembly.tiles, assembly.row_sums, open_area, options.tolerance));
   assembly.tiles.set_row_sums(assembly.row_sums);
+  Eigen::VectorXd row_sums = assembly.row_sums;
+  std::vector<Index> open_rows;
   if (assembly.report.closed) {
     const ClosureCorrection correction =
         correct_closure(assembly.tiles, assembly.row_sums, open_area, options.tolerance);
     assembly.tiles.unfreeze();
     assembly.tiles.set_row_sums(correction.sums.present);
-    assembly.report.open_rows = correction.n_open_rows;
+    open_rows = correction.open_rows;
+    row_sums = correction.sums.present;
   }
+  find_backs(mesh, visibility, assembly.order, row_sums, open_rows, options.seed, assembly.report);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   assembly.report.seconds = elapsed.count();
   return std::make_unique<DenseTransport>(std::move(assembly), area);
