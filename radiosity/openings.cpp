@@ -80,6 +80,7 @@ Eigen::VectorXd shares_on_backs(const PatchMesh& mesh, const Visibility& visibil
     all.sky += count.sky;
   }
   if (all.backs == 0) return result;
+  if (all.sky == 0) return missing;
   for (std::size_t k = 0; k < asked.size(); ++k) {
     const Count& count = counts[k].backs + counts[k].sky > 0 ? counts[k] : all;
     result[asked[k]] = missing[asked[k]] * static_cast<double>(count.backs) /

@@ -11,7 +11,8 @@ namespace radiosity {
 /// What of `missing`, the share of each patch's power that reaches no front (n_patches), meets the
 /// backs of one-sided surfaces, which absorb it; the rest leaves the scene. Told by some 2e5
 /// cosine-distributed rays, at least 16 a patch: if none of them leaves the scene, nothing does.
-/// Patches that miss less than 1e-4 are not asked: theirs leaves. Deterministic for a seed.
+/// Otherwise patches that miss less than 1e-4 are not asked: theirs leaves. Deterministic for a
+/// seed.
 Eigen::VectorXd shares_on_backs(const PatchMesh& mesh, const Visibility& visibility,
                                 const Eigen::VectorXd& missing, std::uint64_t seed);
 
