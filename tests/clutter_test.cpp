@@ -19,7 +19,7 @@ using namespace radiosity;
 /// Rooms of 76, 109 and 71 polygons.
 constexpr std::array<std::uint64_t, 3> kSeeds{1, 3, 4};
 /// Of the tolerance.
-constexpr double kReference = 1.0 / 30;
+constexpr double kReference = 0.1;
 
 /// How far off exchange areas are, over all ordered pairs of some rooms.
 struct Errors {
