@@ -64,7 +64,7 @@ constexpr int kMostRays = SegmentSampler::kPacket * static_cast<int>(kMostPacket
 /// all and one by one, and of what is aimed at, since these may be small by chance.
 constexpr double kRuleError = 0.3;
 constexpr double kQuarterError = 0.2;
-constexpr double kChanceError = 0.05;
+constexpr double kChanceError = 0.1;
 /// The standard error of what points miss as a share of it.
 constexpr double kMissed = 0.5;
 
@@ -197,6 +197,19 @@ double packets_for(double error) {
 
 double square(double x) { return x * x; }
 
+/// Whether a point is inside a blocker, or on its surface with nothing of the target beyond.
+bool is_inside(const Blocker& blocker, const Vec3& point, const ConvexPolygon& target,
+               double thickness) {
+  return std::all_of(blocker.faces.begin(), blocker.faces.end(), [&](const HalfSpace& face) {
+    const double height = face.normal.dot(point) - face.offset;
+    if (height < -thickness) return true;
+    if (height > thickness) return false;
+    return std::all_of(target.begin(), target.end(), [&](const Vec3& corner) {
+      return face.normal.dot(corner) - face.offset <= thickness;
+    });
+  });
+}
+
 /// What 16 points of a piece of the source may miss of blockers that hide the target from a spot
 /// smaller than their spacing only, as a share of what the piece sees.
 double missed_share(const ConvexPolygon& piece, const Vec3& normal,
@@ -312,6 +325,9 @@ Blocking OccludedPairEstimator::find_shadows(const ConvexPolygon& source,
   level.dividing.clear();
   level.source_divider = nullptr;
   level.target_divider = nullptr;
+  level.border = nullptr;
+  Box3 source_box;
+  for (const Vec3& corner : source) source_box.extend(corner);
   const PairHull hull(source, target, options_.thickness);
   std::optional<SegmentBundle> bundle;
   for (const Blocker* candidate : candidates) {
@@ -332,6 +348,9 @@ Blocking OccludedPairEstimator::find_shadows(const ConvexPolygon& source,
     if (verdict.divides_source != nullptr) level.dividing.push_back(n_kept);
     if (level.source_divider == nullptr) level.source_divider = verdict.divides_source;
     if (level.target_divider == nullptr) level.target_divider = verdict.divides_target;
+    const bool stands_on_source =
+        candidate->box.exteriorDistance(source_box) <= options_.thickness;
+    if (stands_on_source && level.border == nullptr) level.border = verdict.divides_source;
   }
   return level.blockers.empty() ? Blocking::none : Blocking::some;
 }
@@ -355,9 +374,10 @@ PairEstimate OccludedPairEstimator::estimate_unproved(const SampledPair& pair, c
                   halves(*view.target, *level.target_divider, options_.thickness), depth, seed);
   }
   if (is_large || level.target_divider != nullptr) return cast_rays(pair, whole, error, seed);
-  if (method == Method::cuts && level.source_divider != nullptr && may_divide) {
-    return divide(pair, view.from_i,
-                  halves(*view.source, *level.source_divider, options_.thickness), depth, seed);
+  const HalfSpace* divider = method == Method::cuts ? level.source_divider : level.border;
+  if (divider != nullptr && may_divide) {
+    return divide(pair, view.from_i, halves(*view.source, *divider, options_.thickness), depth,
+                  seed);
   }
   if (method == Method::cuts && level.dividing.empty()) {
     return cut_shadows(view, {level.shadows.data(), level.blockers.size()}, whole, error);
@@ -446,8 +466,11 @@ OccludedPairEstimator::PointSums OccludedPairEstimator::apply_rule(const View& v
       const SegmentBundle bundle(std::span(&point, 1), view.target->points(), options_.thickness);
       for (const std::size_t k : level.dividing) {
         level.shadows[k].clear();
-        const Blocking blocking = bundle.test(*level.blockers[k], &level.shadows[k]).blocking;
-        if (blocking == Blocking::all) return 0.0;
+        const auto verdict = bundle.test(*level.blockers[k], &level.shadows[k]);
+        if (verdict.blocking == Blocking::all) return 0.0;
+        if (verdict.divides_target == nullptr) continue;
+        // From inside a body only what else is inside can be seen, and that is next to nothing.
+        if (is_inside(*level.blockers[k], point, *view.target, options_.thickness)) return 0.0;
       }
     }
     return cutter_.visible_part(point, view.source_normal, *view.target, whole,

@@ -52,6 +52,8 @@ class OccludedPairEstimator {
     std::vector<std::size_t> dividing;  ///< blockers with a plane that divides the source
     const HalfSpace* source_divider = nullptr;  ///< a face's plane that cuts the polygon
     const HalfSpace* target_divider = nullptr;
+    /// As source_divider, of a blocker that stands on the source: what it covers ends there.
+    const HalfSpace* border = nullptr;
   };
   /// A pair as seen from its smaller polygon.
   struct View {

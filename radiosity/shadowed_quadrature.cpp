@@ -74,9 +74,9 @@ VisibleShare ShadowedQuadrature::integrate(const ShadowedPair& pair, double tole
     Sums sums = apply_rule(pair, piece, is_small ? 1 : 2);
     if (sums.any_visible && sums.any_hidden) {
       const double spread = is_small ? 1 : sums.high - sums.low;
-      const double error = !is_single ? kLowRuleErrorOfMany
-                           : is_small ? kOnePointError
-                                      : kLowRuleError;
+      const double error = !is_single || !is_divided_ ? kLowRuleErrorOfMany
+                           : is_small                 ? kOnePointError
+                                                      : kLowRuleError;
       sums.variance = square(error * spread * sums.whole);
     }
     total.add(sums);
@@ -86,7 +86,7 @@ VisibleShare ShadowedQuadrature::integrate(const ShadowedPair& pair, double tole
   result.value = total.visible / total.whole;
   result.error = std::sqrt(total.variance) / total.whole;
   result.is_exact =
-      is_single && pieces_.size() < kMostPieces && !(total.any_visible && total.any_hidden);
+      is_single && is_divided_ && !(total.any_visible && total.any_hidden);
   if (!total.any_hidden) result.value = 1;
   if (!total.any_visible) result.value = 0;
   return result;
@@ -102,6 +102,7 @@ void ShadowedQuadrature::Sums::add(const Sums& other) {
 
 void ShadowedQuadrature::divide_source(const ShadowedPair& pair) {
   pieces_.assign(1, pair.source);
+  is_divided_ = true;
   const auto divide = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
     divide_pieces((b - a).cross(c - a), a);
   };
@@ -132,9 +133,13 @@ void ShadowedQuadrature::divide_pieces(const Vec3& normal, const Vec3& on_plane)
   const double length = normal.norm();
   if (length == 0) return;
   const std::size_t n_pieces = pieces_.size();
+  is_divided_ &= n_pieces < kMostPieces;
   for (std::size_t k = 0; k < n_pieces && pieces_.size() < kMostPieces; ++k) {
     const ConvexPolygon& piece = pieces_[k];
-    if (piece.size() >= kMostCorners) continue;
+    if (piece.size() >= kMostCorners) {
+      is_divided_ = false;
+      continue;
+    }
     double low = 0;
     double high = 0;
     for (const Vec3& corner : piece) {

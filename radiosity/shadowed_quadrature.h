@@ -53,6 +53,7 @@ class ShadowedQuadrature {
                       Sums& sums);
 
   std::vector<ConvexPolygon> pieces_;
+  bool is_divided_ = true;  // at all events
   ShadowCutter cutter_;
 };
 

@@ -14,6 +14,8 @@ using Lanes = SegmentSampler::Lanes;
 /// (kPacket / n)^kEvenness. Measured over partly hidden pairs of a furnished room and of many boxes.
 constexpr double kEven = 0.6;
 constexpr double kEvenness = 0.15;
+/// What n samples leave open, as a share of 1 / n, where they agree but for some.
+constexpr double kOpen = 0.5;
 /// The error falls like n to minus this.
 constexpr double kPower = 0.65;
 /// Samples grow at most so much before the error is estimated anew.
@@ -241,7 +243,9 @@ VisibleFraction FractionSampler::Sums::evaluate() const {
   const double share = result.value;
   const double squares = (1 - 2 * share) * vv + share * share * ww;
   const double of_random = std::sqrt(std::max(squares, 0.0) * n_samples / (n_samples - 1)) / w;
-  result.error = kEven * std::pow(kPacket / n_samples, kEvenness) * of_random;
+  // Few samples may disagree by ones of little weight only, with as much open as if they agreed.
+  result.error = std::hypot(kEven * std::pow(kPacket / n_samples, kEvenness) * of_random,
+                            kOpen / (n_samples + 2));
   return result;
 }
 
