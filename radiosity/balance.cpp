@@ -8,14 +8,15 @@ namespace {
 /// Steps of conjugate gradients in one round, and the relative residual that ends them sooner.
 constexpr int kMaxSteps = 100;
 constexpr double kSolved = 1e-6;
-/// Directions in which the scaled matrix, of eigenvalues in [0, 2], does less count as its kernel.
-constexpr double kSingular = 1e-8;
+/// Added to the scaled matrix, of eigenvalues in [0, 2]: where two rows share their one entry and
+/// lack different amounts there is no solution, and this gives the nearest.
+constexpr double kRegular = 1e-9;
 /// Row sums need no further round when they are this many roundings of an entry from what is
 /// wanted.
 constexpr double kRoundings = 2;
 
-/// Solves (diag(W 1) + W) μ = d by conjugate gradients with diagonal scaling. The matrix is
-/// positive semidefinite; d is in its range or as near as rounding allows.
+/// Solves (diag(W 1) + W) μ = d by conjugate gradients with diagonal scaling, as nearly as a
+/// positive semidefinite matrix allows.
 Eigen::VectorXd solve_multipliers(const AdjustableExchange& exchange,
                                   const Eigen::VectorXd& deficit) {
   const Eigen::VectorXd total = exchange.weighted_sums(Eigen::VectorXd::Ones(exchange.size()));
@@ -24,7 +25,7 @@ Eigen::VectorXd solve_multipliers(const AdjustableExchange& exchange,
   const auto apply = [&](const Eigen::VectorXd& x) {
     const Eigen::VectorXd mu = scale.cwiseProduct(x);
     const Eigen::VectorXd s = exchange.weighted_sums(mu) + total.cwiseProduct(mu);
-    return Eigen::VectorXd(scale.cwiseProduct(s));
+    return Eigen::VectorXd(scale.cwiseProduct(s) + kRegular * x);
   };
   Eigen::VectorXd x = Eigen::VectorXd::Zero(deficit.size());
   Eigen::VectorXd residual = scale.cwiseProduct(deficit);
@@ -34,9 +35,7 @@ Eigen::VectorXd solve_multipliers(const AdjustableExchange& exchange,
   for (int step = 0; step < kMaxSteps && square > kSolved * kSolved * start; ++step) {
     const Eigen::VectorXd image = apply(direction);
     const double curvature = direction.dot(image);
-    // What two rows lack that share one entry alone cannot be mended; nor can it be told from
-    // rounding from here on.
-    if (curvature <= kSingular * direction.squaredNorm()) break;
+    if (curvature <= 0) break;
     const double length = square / curvature;
     x += length * direction;
     residual -= length * image;

@@ -22,7 +22,7 @@ constexpr double kGaps = 16;
 struct Cover {
   std::vector<Vec3> outline;  // convex, counter-clockwise about `normal`
   Vec3 normal;                // out of the solid
-  std::int32_t hollow;        // the piece, or -1: of a solid
+  std::int32_t piece;         // that it is of, or -1: the missing face of a body
   Box3 box;
 };
 
@@ -56,9 +56,9 @@ class CoverFinder {
   }
 
  private:
-  void add_cover(std::span<const Vec3> outline, const Vec3& normal, std::int32_t hollow) {
+  void add_cover(std::span<const Vec3> outline, const Vec3& normal, std::int32_t piece) {
     Cover& cover = covers_.emplace_back(
-        Cover{std::vector<Vec3>(outline.begin(), outline.end()), normal, hollow, Box3()});
+        Cover{std::vector<Vec3>(outline.begin(), outline.end()), normal, piece, Box3()});
     for (const Vec3& corner : outline) cover.box.extend(corner);
   }
 
@@ -66,21 +66,28 @@ class CoverFinder {
     for (std::size_t p = 0; p < pieces_.pieces.size(); ++p) {
       const SurfacePiece& piece = pieces_.pieces[p];
       if (!piece.is_solid() && !piece.is_hollow()) continue;
-      const std::int32_t hollow = piece.is_hollow() ? static_cast<std::int32_t>(p) : -1;
       for (const std::int32_t f : piece.facets) {
-        add_cover(pieces_.outline(f), pieces_.normal[f], hollow);
+        add_cover(pieces_.outline(f), pieces_.normal[f], static_cast<std::int32_t>(p));
       }
     }
   }
 
-  /// Whether a patch is of a solid that stands in a hollow, so that the hollow's wall is before it
-  /// where they touch. Of a solid around the hollow the wall is behind.
-  [[nodiscard]] bool stands_in(std::int32_t patch, std::int32_t hollow) {
+  /// Whether what is behind the cover is before the patch, and not the patch's own side: a solid
+  /// and a hollow that touch hide their faces from each other if the solid stands in the hollow,
+  /// but not if it is the shell around it.
+  [[nodiscard]] bool is_before(const Cover& cover, std::int32_t patch) {
     const std::int32_t own = piece_of_patch_[patch];
-    if (own < 0 || !pieces_.pieces[own].is_solid()) return false;
-    const auto [known, is_new] = stands_in_.try_emplace({own, hollow}, false);
+    const bool is_of_hollow = own >= 0 && pieces_.pieces[own].is_hollow();
+    if (pieces_.pieces[cover.piece].is_hollow()) {
+      return own >= 0 && pieces_.pieces[own].is_solid() && stands_in(own, cover.piece);
+    }
+    return !is_of_hollow || stands_in(cover.piece, own);
+  }
+
+  [[nodiscard]] bool stands_in(std::int32_t solid, std::int32_t hollow) {
+    const auto [known, is_new] = stands_in_.try_emplace({solid, hollow}, false);
     if (!is_new) return known->second;
-    const std::vector<std::int32_t>& facets = pieces_.pieces[own].facets;
+    const std::vector<std::int32_t>& facets = pieces_.pieces[solid].facets;
     const std::size_t step = std::max<std::size_t>(1, facets.size() / kTriedFacets);
     for (std::size_t k = 0; k < facets.size() && !known->second; k += step) {
       const std::span<const Vec3> outline = pieces_.outline(facets[k]);
@@ -146,7 +153,7 @@ class CoverFinder {
     for (; cover != covers_.end() && cover->box.min().x() <= box.max().x(); ++cover) {
       if (cover->normal.dot(mesh_.normal[i]) > -0.9 || !cover->box.intersects(box)) continue;
       if (!is_in_plane(i, *cover)) continue;
-      if (cover->hollow >= 0 && !stands_in(i, cover->hollow)) continue;
+      if (cover->piece >= 0 && !is_before(*cover, i)) continue;
       is_touched = true;
       std::vector<ConvexPolygon> left;
       for (const ConvexPolygon& part : open) subtract(part, *cover, left);

@@ -30,7 +30,7 @@ std::vector<Corner> clip(const std::vector<Corner>& face, const HalfSpace& plane
     const double height_a = plane.normal.dot(a.point) - plane.offset;
     const double height_b = plane.normal.dot(b.point) - plane.offset;
     if (height_a <= 0) result.push_back(a);
-    if (height_a <= 0 == height_b <= 0) continue;
+    if ((height_a <= 0) == (height_b <= 0)) continue;
     const Vec3 point = a.point + height_a / (height_a - height_b) * (b.point - a.point);
     result.push_back({point, height_a <= 0 ? number : a.edge});
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 #include "radiosity/disjoint_sets.h"
@@ -37,7 +38,7 @@ class Joiner {
   }
 
  private:
-  /// Numbers equal points alike.
+  /// Numbers points alike that are equal, or no further apart than the thickness.
   void weld() {
     const std::vector<Vec3>& corners = result_.corners;
     std::vector<std::int32_t> sorted(corners.size());
@@ -53,8 +54,42 @@ class Joiner {
     point_.resize(corners.size());
     for (std::size_t k = 0; k < sorted.size(); ++k) {
       const bool is_new = k == 0 || coordinates(sorted[k]) != coordinates(sorted[k - 1]);
-      point_[sorted[k]] = is_new ? sorted[k] : point_[sorted[k - 1]];
+      point_[sorted[k]] = is_new ? representative(sorted[k]) : point_[sorted[k - 1]];
     }
+  }
+
+  using Place = std::array<std::int64_t, 3>;
+
+  /// The first point found within the thickness, or the point itself.
+  std::int32_t representative(std::int32_t k) {
+    // Cells are so much larger that a point rarely lies near the border of one.
+    constexpr double kCell = 64;
+    const Vec3 place = result_.corners[k] / std::max(kCell * thickness_, 1e-300);
+    const Vec3 reach = Vec3::Constant(1 / kCell);
+    Place low;
+    Place high;
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] = static_cast<std::int64_t>(std::floor(place[axis] - reach[axis]));
+      high[axis] = static_cast<std::int64_t>(std::floor(place[axis] + reach[axis]));
+    }
+    for (std::int64_t x = low[0]; x <= high[0]; ++x) {
+      for (std::int64_t y = low[1]; y <= high[1]; ++y) {
+        for (std::int64_t z = low[2]; z <= high[2]; ++z) {
+          const auto cell = cells_.find(Place{x, y, z});
+          if (cell == cells_.end()) continue;
+          for (const std::int32_t other : cell->second) {
+            const double square = (result_.corners[other] - result_.corners[k]).squaredNorm();
+            if (square <= thickness_ * thickness_) return other;
+          }
+        }
+      }
+    }
+    Place own;
+    for (int axis = 0; axis < 3; ++axis) {
+      own[axis] = static_cast<std::int64_t>(std::floor(place[axis]));
+    }
+    cells_[own].push_back(k);
+    return k;
   }
 
   struct Edge {
@@ -157,6 +192,7 @@ class Joiner {
   double thickness_;
   SurfacePieces result_;
   std::vector<std::int32_t> point_;  // per corner: the first one in the same place
+  std::map<Place, std::vector<std::int32_t>> cells_;
 };
 
 }  // namespace
