@@ -61,11 +61,13 @@ class Filter {
       if (shaft_.misses(outer.box, outer.corners, thickness_)) return false;
       if (bundle().misses(outer)) return false;
       if (!node.inner.empty() && bundle().is_end_outside(outer) &&
-          bundle().test(node.inner[0]).blocking == Blocking::all) {
+          bundle().is_pierced(node.inner[0])) {
         return true;
       }
     }
-    if (is_last_ || node.box.diagonal().norm() >= least_size_) {
+    // What has bodies around and within may yet be missed, or hide, as a whole.
+    const bool opens = node.outer.empty() && node.box.diagonal().norm() >= least_size_;
+    if (is_last_ || opens) {
       open_.push_back(node.right);
       open_.push_back(node.left);
     } else {

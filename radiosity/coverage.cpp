@@ -49,9 +49,8 @@ class CoverFinder {
     std::sort(covers_.begin(), covers_.end(), [](const Cover& a, const Cover& b) {
       return a.box.min().x() < b.box.min().x();
     });
-    double widest = 0;
-    for (const Cover& cover : covers_) widest = std::max(widest, cover.box.sizes().x());
-    for (std::int32_t i = 0; i < mesh_.size(); ++i) cover_patch(i, widest, result);
+    for (const Cover& cover : covers_) widest_ = std::max(widest_, cover.box.sizes().x());
+    for (std::int32_t i = 0; i < mesh_.size(); ++i) cover_patch(i, result);
     return result;
   }
 
@@ -94,11 +93,35 @@ class CoverFinder {
       Vec3 point = Vec3::Zero();
       for (const Vec3& corner : outline) point += corner;
       point /= static_cast<double>(outline.size());
+      const Vec3& normal = pieces_.normal[facets[k]];
       const double gap = kGap * (outline[1] - outline[0]).norm() + kGaps * thickness_;
-      known->second = winding_number(pieces_, pieces_.pieces[hollow],
-                                     point + gap * pieces_.normal[facets[k]]) != 0;
+      known->second =
+          winding_number(pieces_, pieces_.pieces[hollow], point + gap * normal) != 0 &&
+          !is_back_to_back(point, normal);
     }
     return known->second;
+  }
+
+  /// Whether a point of a facet lies on one that faces the other way, as on walls without thickness
+  /// that have a polygon for either side.
+  [[nodiscard]] bool is_back_to_back(const Vec3& point, const Vec3& normal) const {
+    const double first = point.x() - widest_ - thickness_;
+    auto cover = std::lower_bound(covers_.begin(), covers_.end(), first,
+                                  [](const Cover& c, double x) { return c.box.min().x() < x; });
+    for (; cover != covers_.end() && cover->box.min().x() <= point.x() + thickness_; ++cover) {
+      if (cover->normal.dot(normal) < -0.9 && holds(*cover, point)) return true;
+    }
+    return false;
+  }
+
+  [[nodiscard]] bool holds(const Cover& cover, const Vec3& point) const {
+    if (std::abs(cover.normal.dot(point - cover.outline[0])) > thickness_) return false;
+    for (std::size_t k = 0; k < cover.outline.size(); ++k) {
+      const Vec3& a = cover.outline[k];
+      const Vec3& b = cover.outline[k + 1 < cover.outline.size() ? k + 1 : 0];
+      if (cover.normal.dot((b - a).cross(point - a)) < 0) return false;
+    }
+    return true;
   }
 
   /// What stands on an outer plane covers the floor also where it has no face there.
@@ -135,7 +158,7 @@ class CoverFinder {
     }
   }
 
-  void cover_patch(std::int32_t i, double widest, Coverage& result) {
+  void cover_patch(std::int32_t i, Coverage& result) {
     ConvexPolygon patch;
     Box3 box;
     for (int k = 0; k < mesh_.n_corners(i); ++k) {
@@ -147,7 +170,7 @@ class CoverFinder {
     // Covers may overlap each other, so each is taken away from what the others left.
     std::vector<ConvexPolygon> open{patch};
     bool is_touched = false;
-    const double first = box.min().x() - widest;
+    const double first = box.min().x() - widest_;
     auto cover = std::lower_bound(covers_.begin(), covers_.end(), first,
                                   [](const Cover& c, double x) { return c.box.min().x() < x; });
     for (; cover != covers_.end() && cover->box.min().x() <= box.max().x(); ++cover) {
@@ -219,6 +242,7 @@ class CoverFinder {
   SurfacePieces pieces_;
   std::vector<std::int32_t> piece_of_patch_;
   std::vector<Cover> covers_;
+  double widest_ = 0;  // of the covers' boxes, along x
   std::map<std::pair<std::int32_t, std::int32_t>, bool> stands_in_;
 };
 

@@ -303,6 +303,22 @@ class Assembler {
     if (work.is_diagonal) add(c, r);
   }
 
+  /// The candidates' blockers but for those that lie wholly behind one of the patches.
+  void find_blockers(std::int32_t i, std::int32_t j, const Candidates& candidates,
+                     TileWork& work) const {
+    const auto is_behind = [this](const Blocker& blocker, const HalfSpace& plane) {
+      const double most = plane.offset + table_.thickness();
+      return std::all_of(blocker.corners.begin(), blocker.corners.end(),
+                         [&](const Vec3& corner) { return plane.normal.dot(corner) <= most; });
+    };
+    work.blockers.clear();
+    for (const std::int32_t k : candidates) {
+      const Blocker& blocker = blockers_.blocker(k);
+      if (is_behind(blocker, table_.plane(i)) || is_behind(blocker, table_.plane(j))) continue;
+      work.blockers.push_back(&blocker);
+    }
+  }
+
   /// An entry that some candidate may block.
   [[nodiscard]] Entry occluded_entry(std::int32_t i, std::int32_t j, Blocking front_i,
                                      Blocking front_j, const Candidates& candidates,
@@ -317,8 +333,11 @@ class Assembler {
     };
     const ConvexPolygon polygon_i = part_in_front(i, j, front_j);
     const ConvexPolygon polygon_j = part_in_front(j, i, front_i);
-    work.blockers.clear();
-    for (const std::int32_t k : candidates) work.blockers.push_back(&blockers_.blocker(k));
+    find_blockers(i, j, candidates, work);
+    if (work.blockers.empty()) {
+      ++work.census.visible;
+      return {table_.unoccluded(i, j, front_i, front_j), 0, true};
+    }
     const PairEstimate estimate = work.estimator.estimate(
         {polygon_i, table_.plane(i), polygon_j, table_.plane(j), i, j}, work.blockers,
         [&] { return table_.unoccluded(i, j, front_i, front_j); }, pair_seed(options_.seed, i, j));
@@ -352,8 +371,7 @@ class Assembler {
   /// An entry of patches that solids cover in part.
   [[nodiscard]] Entry entry_in_parts(std::int32_t i, std::int32_t j, const Candidates& candidates,
                                      TileWork& work) const {
-    work.blockers.clear();
-    for (const std::int32_t k : candidates) work.blockers.push_back(&blockers_.blocker(k));
+    find_blockers(i, j, candidates, work);
     PairEstimate sum;
     double variance = 0;
     bool all_visible = true;

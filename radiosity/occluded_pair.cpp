@@ -58,6 +58,8 @@ constexpr std::size_t kMostDividing = 3;
 constexpr double kCoarse = 0.1;
 /// Rays at most, 10 ms of them.
 constexpr double kMostPackets = 4096;
+/// Rays see nothing within a gap at their ends; pairs closer than so many gaps go without them.
+constexpr double kLeastGaps = 64;
 constexpr int kMostRays = SegmentSampler::kPacket * static_cast<int>(kMostPackets);
 
 /// The standard error of a piece's four quarters as a share of how far they are off the piece in
@@ -228,8 +230,16 @@ double missed_share(const ConvexPolygon& piece, const Vec3& normal,
 
 }  // namespace
 
-double OccludedPairEstimator::allowed_share(double whole) const {
-  return kBudget * options_.tolerance * std::pow(options_.mean_area / whole, kErrorPower);
+double OccludedPairEstimator::allowed_share(const View& view, double whole) const {
+  // Small among all pairs, a pair may yet hold most of a small patch's row.
+  const double of_row = options_.tolerance * view.source_area / whole;
+  const double of_all =
+      kBudget * options_.tolerance * std::pow(options_.mean_area / whole, kErrorPower);
+  return std::min(of_row, of_all);
+}
+
+bool OccludedPairEstimator::suits_rays(const View& view) const {
+  return view.distance >= kLeastGaps * visibility_.end_gap();
 }
 
 OccludedPairEstimator::Method OccludedPairEstimator::choose_method(const View& view,
@@ -239,7 +249,7 @@ OccludedPairEstimator::Method OccludedPairEstimator::choose_method(const View& v
   const auto n_shadows = static_cast<double>(level.blockers.size());
   const auto n_dividing = static_cast<double>(level.dividing.size());
   const double point_cost = kPointCost + kShadowCost * n_shadows + kDividingCost * n_dividing;
-  const bool takes_rays = !view.is_near || error >= kCoarse;
+  const bool takes_rays = (!view.is_near || error >= kCoarse) && suits_rays(view);
   const double packets = packets_for(error);
   const double rays = takes_rays && packets <= kMostPackets ? kPacketCost * packets : kNever;
 
@@ -286,7 +296,7 @@ OccludedPairEstimator::View::View(const SampledPair& pair) {
   source_area = std::min(area_i, area_j);
   const Disc disc_source = bounding_disc(source->points());
   const Disc disc_target = bounding_disc(target->points());
-  const double distance = (disc_source.center - disc_target.center).norm();
+  distance = (disc_source.center - disc_target.center).norm();
   is_near = distance < kNear * (disc_source.radius + disc_target.radius);
 }
 
@@ -298,9 +308,9 @@ PairEstimate OccludedPairEstimator::estimate(const SampledPair& pair,
   const View view(pair);
   std::optional<double> whole;
   std::optional<FractionSampler> sampler;
-  if (!view.is_near) {
+  if (!view.is_near && suits_rays(view)) {
     whole = unoccluded();
-    const double error = allowed_share(*whole);
+    const double error = allowed_share(view, *whole);
     if (kPacketCost * packets_for(error) <= kLookCost) {
       // Rays whatever the proofs would be: those that disagree leave nothing to prove.
       sampler.emplace(visibility_, pair, seed);
@@ -313,7 +323,7 @@ PairEstimate OccludedPairEstimator::estimate(const SampledPair& pair,
   if (blocking == Blocking::all) return {0, 0, Blocking::all, false, 0};
   if (!whole) whole = unoccluded();
   if (blocking == Blocking::none) return {*whole, 0, Blocking::none, false, 0};
-  if (sampler) return weigh(sampler->add_packets({allowed_share(*whole), kMostRays}), *whole);
+  if (sampler) return weigh(sampler->add_packets({allowed_share(view, *whole), kMostRays}), *whole);
   return estimate_unproved(pair, view, *whole, seed, depth);
 }
 
@@ -359,7 +369,7 @@ PairEstimate OccludedPairEstimator::estimate_unproved(const SampledPair& pair, c
                                                       double whole, std::uint64_t seed,
                                                       std::size_t depth) {
   const Level& level = levels_[depth];
-  const double error = allowed_share(whole);
+  const double error = allowed_share(view, whole);
   const bool may_divide = depth < kMostDivisions;
   const Method method = choose_method(view, level, error);
   const bool is_source_large = view.source->size() > kMostCorners;

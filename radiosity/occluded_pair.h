@@ -63,6 +63,7 @@ class OccludedPairEstimator {
     const ConvexPolygon* target;
     Vec3 source_normal;
     double source_area;  ///< m²
+    double distance;  ///< of their middles, m
     bool is_near;
   };
   /// Sums over points of the source, per area of the kernel.
@@ -86,7 +87,8 @@ class OccludedPairEstimator {
                         std::span<const Blocker* const> candidates, Level& level) const;
   PairEstimate estimate_unproved(const SampledPair& pair, const View& view, double whole,
                                  std::uint64_t seed, std::size_t depth);
-  [[nodiscard]] double allowed_share(double whole) const;
+  [[nodiscard]] double allowed_share(const View& view, double whole) const;
+  [[nodiscard]] bool suits_rays(const View& view) const;
   [[nodiscard]] Method choose_method(const View& view, const Level& level, double error) const;
   PairEstimate divide(const SampledPair& pair, bool divides_i,
                       std::span<const ConvexPolygon> pieces, std::size_t depth, std::uint64_t seed);

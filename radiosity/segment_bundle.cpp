@@ -248,9 +248,11 @@ SegmentBundle::Verdict SegmentBundle::test(const Blocker& blocker, Shadow* shado
   if (is_out_of_reach(blocker)) return {Blocking::none};
   if (!blocker.outer.empty()) {
     if (misses(blocker.outer[0])) return {Blocking::none};
-    if (!blocker.inner.empty() && (blocker.is_flat() || is_end_outside(blocker.outer[0])) &&
-        test(blocker.inner[0]).blocking == Blocking::all) {
-      return {Blocking::all};
+    if (!blocker.inner.empty()) {
+      const bool hides = blocker.is_flat() ? test(blocker.inner[0]).blocking == Blocking::all
+                                           : is_end_outside(blocker.outer[0]) &&
+                                                 is_pierced(blocker.inner[0]);
+      if (hides) return {Blocking::all};
     }
   }
   Heights heights;
@@ -288,6 +290,36 @@ bool SegmentBundle::misses(const Blocker& blocker) const {
     return outlook.blocking == Blocking::none && !outlook.is_inside;
   };
   return is_missed_from(true) || is_missed_from(false);
+}
+
+bool SegmentBundle::is_pierced(const Blocker& body) const {
+  if (is_out_of_reach(body)) return false;
+  std::array<std::array<double, kMostCorners>, Blocker::kMostFaces> there;
+  const std::size_t n_faces = body.faces.size();
+  for (std::size_t f = 0; f < n_faces; ++f) {
+    for (std::size_t k = 0; k < target_.corners.size(); ++k) {
+      there[f][k] = body.faces[f].normal.dot(target_.corners[k]) - body.faces[f].offset;
+    }
+  }
+  std::array<double, Blocker::kMostFaces> here;
+  for (const Vec3& x : source_.corners) {
+    for (std::size_t f = 0; f < n_faces; ++f) {
+      here[f] = body.faces[f].normal.dot(x) - body.faces[f].offset;
+    }
+    for (std::size_t k = 0; k < target_.corners.size(); ++k) {
+      double first = 0;
+      double last = 1;
+      for (std::size_t f = 0; f < n_faces && first < last; ++f) {
+        const double a = here[f];
+        const double b = there[f][k];
+        if (a >= 0 && b >= 0) return false;
+        if (a > 0) first = std::max(first, a / (a - b));
+        if (b > 0) last = std::min(last, a / (a - b));
+      }
+      if (first >= last) return false;
+    }
+  }
+  return true;
 }
 
 bool SegmentBundle::is_end_outside(const Blocker& body) const {

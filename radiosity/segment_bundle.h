@@ -55,6 +55,10 @@ class SegmentBundle {
   /// body around others.
   [[nodiscard]] bool misses(const Blocker& blocker) const;
 
+  /// Whether all segments pass through the inside of a body, which is no polygon. The shadow that a
+  /// convex body throws from a point is convex, so that the segments between corners tell.
+  [[nodiscard]] bool is_pierced(const Blocker& body) const;
+
   /// Whether a face of the body has all of the source, or all of the target, in front of it.
   [[nodiscard]] bool is_end_outside(const Blocker& body) const;
 

@@ -332,6 +332,10 @@ std::optional<Hit> Visibility::Implementation::first_hit(const Vec3& origin, con
   return hit;
 }
 
+double Visibility::end_gap() const {
+  return implementation_->end_gap / implementation_->scale;
+}
+
 std::optional<Hit> Visibility::first_hit(const Vec3& origin, const Vec3& direction,
                                          std::int32_t source) const {
   return implementation_->first_hit(origin, direction, source, reject_own_ends);

@@ -59,6 +59,9 @@ class Visibility {
   /// First patch whose emitting side the ray meets, as if the others' backs were not there.
   [[nodiscard]] std::optional<Hit> first_front_hit(const Vec3& origin, const Vec3& direction) const;
 
+  /// How close to its ends a segment meets nothing, m.
+  [[nodiscard]] double end_gap() const;
+
   struct Implementation;  ///< private to visibility.cpp
 
  private:

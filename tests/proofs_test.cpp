@@ -153,6 +153,25 @@ TEST(Polytope, HoldsItsPointsAndTellsSegmentsApart) {
   }
 }
 
+TEST(Polytope, IsPiercedByAllSegmentsOrNot) {
+  std::mt19937_64 random(kSeed);
+  std::vector<Vec3> points;
+  for (int k = 0; k < 200; ++k) points.push_back(0.7 * test::random_unit(random));
+  const Blocker body = shrunk(enclosing_polytope(points).value(), Vec3::Zero(), 0.9);
+  int n_pierced = 0;
+  for (int k = 0; k < 20000; ++k) {
+    const std::vector<Vec3> a = random_set(random);
+    const std::vector<Vec3> b = random_set(random);
+    if (!SegmentBundle(a, b, kThickness).is_pierced(body)) continue;
+    ++n_pierced;
+    for (int ray = 0; ray < 8; ++ray) {
+      EXPECT_GT(length_inside(body, random_point(a, random), random_point(b, random)), 0)
+          << kSeed << ", " << k;
+    }
+  }
+  EXPECT_GT(n_pierced, 200);
+}
+
 TEST(SurfacePieces, SolidsThatTouchAtAnEdgeAreTold) {
   PatchMesh mesh;
   add_box(mesh, {0, 0, 0}, {1, 1, 1}, 1, Facing::outwards);
@@ -191,9 +210,11 @@ TEST(Coverage, WallsBackToBackCoverNothing) {
   add_box(mesh, {1, 0, 0}, {2, 1, 1}, 2, Facing::inwards);
   EXPECT_EQ(find_coverage(mesh, 1e-10).share.maxCoeff(), 0);
   EXPECT_EQ(make_blockers(mesh, 1e-10).blockers.size(), 1U);
-  // Nor does the wall of a room cover the outside of the same shell.
-  add_box(mesh, {0, 0, 0}, {1, 1, 1}, 2, Facing::outwards);
-  EXPECT_EQ(find_coverage(mesh, 1e-10).share.head(24).maxCoeff(), 0);
+  // Nor do the walls of a room and the shell around it cover each other.
+  PatchMesh shell;
+  add_box(shell, {0, 0, 0}, {1, 1, 1}, 2, Facing::inwards);
+  add_box(shell, {0, 0, 0}, {1, 1, 1}, 2, Facing::outwards);
+  EXPECT_EQ(find_coverage(shell, 1e-10).share.maxCoeff(), 0);
 }
 
 TEST(Blockers, AreAsManyHoweverTheSceneIsDivided) {
