@@ -11,6 +11,7 @@ namespace {
 /// Nodes smaller than this share of the larger cluster are not opened: their parts would hardly be
 /// told apart.
 constexpr double kOpenedSize = 0.5;
+constexpr double kSmall = 0.5;
 
 class Filter {
  public:
@@ -21,6 +22,7 @@ class Filter {
         thickness_(thickness),
         is_last_(a.is_leaf() && b.is_leaf()),
         least_size_(kOpenedSize * std::max(a.box.diagonal().norm(), b.box.diagonal().norm())),
+        small_(kSmall * std::min(a.box.diagonal().norm(), b.box.diagonal().norm())),
         shaft_(a.box, b.box) {}
 
   std::optional<Candidates> run(std::span<const std::int32_t> candidates) {
@@ -45,6 +47,11 @@ class Filter {
   bool test_leaf(std::int32_t k) {
     const Blocker& blocker = blockers_.blocker(k);
     if (shaft_.misses(blocker.box, blocker.corners, thickness_)) return false;
+    // What is small beside the clusters is in the way of few pairs and hides none of them all.
+    if (is_last_ && blocker.is_flat() && blocker.radius < small_) {
+      kept_.push_back(k);
+      return false;
+    }
     const SegmentBundle::Verdict verdict = bundle().test(blocker);
     if (verdict.blocking == Blocking::none) return false;
     if (verdict.blocking == Blocking::all) return true;
@@ -82,6 +89,7 @@ class Filter {
   double thickness_;
   bool is_last_;
   double least_size_;
+  double small_;
   BoxShaft shaft_;
   std::optional<SegmentBundle> bundle_;
   Candidates open_;

@@ -261,6 +261,11 @@ SegmentBundle::Verdict SegmentBundle::test(const Blocker& blocker, Shadow* shado
   const std::size_t n_faces = shadow != nullptr ? shadow->faces.size() : 0;
   const Outlook from_source = look(blocker, heights, true, shadow);
   if (from_source.blocking != Blocking::some) return {from_source.blocking};
+  // Seen from behind, a polygon shows the same edges.
+  const bool is_seen_alike = blocker.is_flat() && from_source.divider == nullptr &&
+                             side(heights.of_target[0]) != Side::both && source_.is_flat &&
+                             target_.is_flat;
+  if (is_seen_alike) return {Blocking::some};
   const Outlook from_target = look(blocker, heights, false, nullptr);
   if (from_target.blocking != Blocking::some) {
     if (shadow != nullptr) {
