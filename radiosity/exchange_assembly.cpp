@@ -27,6 +27,15 @@ constexpr double kKernelShare = 1e-4;
 /// Up to this many patches it is exact: time is no matter there.
 constexpr Index kExactPatches = 512;
 constexpr double kExactTolerance = 1e-11;
+/// Pairs that are tried, from so many patches on, to find what errors they may have; what the sum
+/// of standard errors then aims at, in tolerances: the sum of true errors is some 0.8 of it; and by
+/// how much a pair's may change.
+constexpr std::int32_t kFewestTried = 256;
+constexpr Index kMostTried = 4096;
+constexpr std::uint64_t kTrialSeed = 0x7a11;
+constexpr double kAim = 1;
+constexpr double kLeastBudget = 0.3;
+constexpr double kMostBudget = 3;
 /// Exchange area of a pair on average, where every patch sees half of the others, m².
 double mean_exchange_area(const PatchMesh& mesh) {
   const double area = std::accumulate(mesh.area.begin(), mesh.area.end(), 0.0);
@@ -46,14 +55,17 @@ class Assembler {
       : options_(options),
         visibility_(visibility),
         table_(mesh, kernel_tolerance(mesh.size(), options.tolerance)),
-        pair_options_{options.tolerance, mean_exchange_area(mesh), table_.thickness(),
-                      table_.tolerance()},
+        pair_options_{.tolerance = options.tolerance,
+                      .mean_area = mean_exchange_area(mesh),
+                      .thickness = table_.thickness(),
+                      .kernel_tolerance = table_.tolerance()},
         coverage_(coverage) {
     const PatchMesh local = centered(mesh);
     tree_ = make_cluster_tree(local, kLeafSize, table_.thickness());
     blockers_ = make_blockers(local, table_.thickness());
     find_strips();
     find_known();
+    find_budget();
   }
 
   /// Makes the tiles that `sink` has not.
@@ -97,6 +109,59 @@ class Assembler {
           std::all_of(tree_.order.begin() + cluster.begin, tree_.order.begin() + cluster.end,
                       [this](std::int32_t patch) { return options_.known.patch[patch] >= 0; });
     }
+  }
+
+  /// A cluster of one patch.
+  [[nodiscard]] Cluster alone(std::int32_t patch) const {
+    Cluster cluster;
+    for (const Vec3& corner : table_.polygon(patch)) {
+      cluster.outline.push_back(corner);
+      cluster.box.extend(corner);
+    }
+    cluster.plane = table_.plane(patch);
+    return cluster;
+  }
+
+  /// The standard error of a pair as it would be computed, m².
+  [[nodiscard]] double trial_error(std::int32_t i, std::int32_t j) const {
+    if (i == j || coverage_.is_covered(i) || coverage_.is_covered(j)) return 0;
+    const Blocking front_i = table_.in_front(i, j);
+    const Blocking front_j = table_.in_front(j, i);
+    if (front_i == Blocking::none || front_j == Blocking::none) return 0;
+    const auto candidates = possible_blockers(alone(i), alone(j), blockers_,
+                                              all_candidates(blockers_), table_.thickness());
+    if (!candidates || candidates->empty()) return 0;
+    TileWork work{0, 0, false, {}, OccludedPairEstimator(visibility_, pair_options_)};
+    return occluded_entry(i, j, front_i, front_j, *candidates, work).error;
+  }
+
+  /// Tries some pairs, to see by how much the errors of all together would miss what is asked: few
+  /// are partly hidden in one scene, many in another.
+  void find_budget() {
+    const auto n = static_cast<std::int32_t>(table_.size());
+    if (n < kFewestTried) return;
+    const Index n_tried = std::min<Index>(n, kMostTried);
+    std::vector<double> errors(n_tried);
+    parallel_for(n_tried, [&](std::ptrdiff_t k) {
+      const auto place = static_cast<std::int32_t>(k);
+      const auto pick = [&](std::int32_t which) {
+        return static_cast<std::int32_t>(pair_seed(kTrialSeed, place, which) %
+                                         static_cast<std::uint64_t>(n));
+      };
+      const std::int32_t a = pick(0);
+      const std::int32_t b = pick(1);
+      errors[k] = trial_error(std::min(a, b), std::max(a, b));
+    });
+    double sum = 0;
+    for (const double error : errors) sum += error;
+    const double mean = sum / static_cast<double>(n_tried);
+    if (mean <= 0) {
+      pair_options_.budget *= kMostBudget;
+      return;
+    }
+    // Of all pairs, seen or not, the mean exchange area is half of that.
+    const double asked = kAim * options_.tolerance * 0.5 * pair_options_.mean_area;
+    pair_options_.budget *= std::clamp(asked / mean, kLeastBudget, kMostBudget);
   }
 
   [[nodiscard]] bool is_strip(std::int32_t cluster) const {

@@ -27,8 +27,6 @@ constexpr std::size_t kMostQuarterings = 7;
 // G^(1 / (1 + p)); p = ⅔ for quasi-random rays, which give 3/5. Were all pairs partly hidden and all
 // of one size, each might have the tolerance as its relative error; few are, so that more will do.
 
-/// Relative error of a partly hidden pair of mean exchange area, in tolerances.
-constexpr double kBudget = 2;
 constexpr double kErrorPower = 2.0 / 5;
 /// n rays have the error kRaySpread n^-⅔.
 constexpr double kRaySpread = 0.36;
@@ -234,7 +232,7 @@ double OccludedPairEstimator::allowed_share(const View& view, double whole) cons
   // Small among all pairs, a pair may yet hold most of a small patch's row.
   const double of_row = options_.tolerance * view.source_area / whole;
   const double of_all =
-      kBudget * options_.tolerance * std::pow(options_.mean_area / whole, kErrorPower);
+      options_.budget * options_.tolerance * std::pow(options_.mean_area / whole, kErrorPower);
   return std::min(of_row, of_all);
 }
 

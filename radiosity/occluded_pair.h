@@ -26,6 +26,7 @@ struct PairEstimate {
 struct OccludedPairOptions {
   double tolerance = 1e-3;         ///< relative error of all exchange areas together aimed at
   double mean_area = 0;            ///< exchange area of a pair on average, m²
+  double budget = 2;               ///< relative error, in tolerances, of a pair of this size
   double thickness = 0;            ///< how far off a plane a point may be and count as on it, m
   double kernel_tolerance = 1e-9;  ///< relative error of the kernel where visibility is proved
 };
