@@ -27,6 +27,7 @@ PatchMesh halved(const PatchMesh& quads) {
   result.vertices = quads.vertices;
   result.surface_names = quads.surface_names;
   result.surface_two_sided = quads.surface_two_sided;
+  result.precision = quads.precision;
   for (radiosity::Index i = 0; i < quads.size(); ++i) {
     const auto& c = quads.corners[i];
     result.add_patch({c[0], c[1], c[2], -1}, quads.surface[i], quads.polygon[i]);
@@ -124,6 +125,11 @@ class Builder {
   }
 
   void round_to(int digits) {
+    double largest = 0;
+    for (const Vec3& vertex : scene_.vertices) {
+      largest = std::max(largest, vertex.cwiseAbs().maxCoeff());
+    }
+    scene_.precision = 0.5 * std::pow(10, std::floor(std::log10(largest)) + 1 - digits);
     for (Vec3& vertex : scene_.vertices) {
       for (double& x : vertex) {
         char text[40];
