@@ -51,7 +51,13 @@ class Builder {
   void add_polygon(const std::vector<Vec3>& corners, bool is_two_sided = false) {
     std::vector<std::int32_t> indices;
     for (const Vec3& corner : corners) indices.push_back(vertex(corner));
-    scene_.add_polygon(indices, is_two_sided ? 1 : 0);
+    scene_.add_polygon(indices, is_two_sided ? 1 : surface_);
+  }
+
+  /// What follows is of a surface of its own: those of one may meet two at an edge only.
+  void start_surface() {
+    surface_ = static_cast<std::int32_t>(scene_.surfaces.size());
+    scene_.surfaces.push_back({"one-sided " + std::to_string(surface_), 0, false});
   }
 
   /// A box seen from outside, or a room from inside; `n_faces` 5 leaves the bottom out.
@@ -155,6 +161,7 @@ class Builder {
   }
 
   radiosity::Scene scene_;
+  std::int32_t surface_ = 0;
   std::map<std::array<double, 3>, std::int32_t> index_;
 };
 
@@ -270,6 +277,7 @@ PatchMesh bumpy_mesh(long n_patches) {
 PatchMesh rooms(long n_patches, int n_rooms) {
   Builder builder;
   for (int k = 0; k < n_rooms; ++k) {
+    builder.start_surface();
     builder.add_box({4.0 * k + 2, 1.5, 1.25}, {2, 1.5, 1.25}, Rotation::Identity(),
                     Facing::inwards);
     builder.add_box({4.0 * k + 1.8, 1.4, 1.1}, {0.5, 0.3, 0.4}, about_z(0.4), Facing::outwards);
