@@ -28,6 +28,8 @@ constexpr std::size_t kMostQuarterings = 7;
 // of one size, each might have the tolerance as its relative error; few are, so that more will do.
 
 constexpr double kErrorPower = 2.0 / 5;
+/// Form factor that a pair may be off by, in tolerances: a few such may meet in a row.
+constexpr double kRowShare = 0.25;
 /// n rays have the error kRaySpread n^-⅔.
 constexpr double kRaySpread = 0.36;
 constexpr double kRayPower = 3.0 / 2;
@@ -49,6 +51,8 @@ constexpr double kDividingCost = 0.7;
 constexpr double kPointsOfBorder = 1.5;
 /// What other methods cost at least, proofs included: rays go first where they cost less.
 constexpr double kLookCost = 15;
+/// So few blockers cost less to look at than a packet.
+constexpr std::size_t kFewCandidates = 4;
 /// More shadows cannot be divided at their events.
 constexpr std::size_t kMostCuts = 12;
 constexpr std::size_t kMostDividing = 3;
@@ -230,7 +234,7 @@ double missed_share(const ConvexPolygon& piece, const Vec3& normal,
 
 double OccludedPairEstimator::allowed_share(const View& view, double whole) const {
   // Small among all pairs, a pair may yet hold most of a small patch's row.
-  const double of_row = options_.tolerance * view.source_area / whole;
+  const double of_row = kRowShare * options_.tolerance * view.source_area / whole;
   const double of_all =
       options_.budget * options_.tolerance * std::pow(options_.mean_area / whole, kErrorPower);
   return std::min(of_row, of_all);
@@ -306,7 +310,7 @@ PairEstimate OccludedPairEstimator::estimate(const SampledPair& pair,
   const View view(pair);
   std::optional<double> whole;
   std::optional<FractionSampler> sampler;
-  if (!view.is_near && suits_rays(view)) {
+  if (!view.is_near && candidates.size() > kFewCandidates && suits_rays(view)) {
     whole = unoccluded();
     const double error = allowed_share(view, *whole);
     if (kPacketCost * packets_for(error) <= kLookCost) {

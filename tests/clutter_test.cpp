@@ -42,7 +42,8 @@ double compare(const PatchMesh& mesh, const Transport& transport, const Transpor
     sum += mesh.area[i] * truth.sum();
     for (Index j = 0; j < mesh.size(); ++j) {
       if (error[j] == 0) {
-        EXPECT_LE(gap[j], 1e-6 * truth[j] + 1e-11) << i << " " << j;
+        // Ten times what the kernel promises: 1e-7, of near pairs of F < 1e-4 no less than of those.
+        EXPECT_LE(gap[j], 1e-6 * std::max(truth[j], 1e-4)) << i << " " << j;
         continue;
       }
       ++errors.n_uncertain;
