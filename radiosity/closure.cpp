@@ -11,33 +11,31 @@ namespace {
 constexpr double kSigmas = 6;
 /// Relative deficits below this are rounding and kernel error.
 constexpr double kNegligible = 1e-6;
-/// Rows this share of the tolerance away from closed pass for closed, too: errors have long tails.
-constexpr double kShareOfTolerance = 0.1;
+/// Rows so many times further from closed than that are still corrected: errors have long tails.
+constexpr double kTail = 3;
 
 /// Per row, whether the errors explain its distance from closed.
 Eigen::Array<bool, Eigen::Dynamic, 1> are_explained(const UncertainExchange& exchange,
                                                     const Eigen::VectorXd& row_sums,
                                                     const Eigen::VectorXd& areas,
                                                     double negligible = kNegligible) {
-  return (areas - row_sums).array().abs() <= kSigmas * exchange.row_variances().array().sqrt() +
-                                                 exchange.row_errors().array() +
-                                                 negligible * areas.array();
+  const Eigen::ArrayXd errors =
+      kSigmas * exchange.row_variances().array().sqrt() + exchange.row_errors().array();
+  return (areas - row_sums).array().abs() <= kTail * errors + negligible * areas.array();
 }
-
-double let_pass(double tolerance) { return std::max(kNegligible, kShareOfTolerance * tolerance); }
 
 }  // namespace
 
 bool is_closed_within_errors(const UncertainExchange& exchange, const Eigen::VectorXd& row_sums,
                              const Eigen::VectorXd& areas, double tolerance) {
   return exchange.size() > 0 &&
-         are_explained(exchange, row_sums, areas, let_pass(tolerance)).all();
+         are_explained(exchange, row_sums, areas, kNegligible + tolerance).all();
 }
 
 ClosureCorrection correct_closure(UncertainExchange& exchange, const Eigen::VectorXd& row_sums,
                                   const Eigen::VectorXd& areas, double tolerance, int n_rounds) {
   const auto explained = are_explained(exchange, row_sums, areas).eval();
-  const auto passing = are_explained(exchange, row_sums, areas, let_pass(tolerance)).eval();
+  const auto passing = are_explained(exchange, row_sums, areas, kNegligible + tolerance).eval();
   ClosureCorrection result{{}, {row_sums, areas, Eigen::VectorXd::Ones(exchange.size())}};
   for (Index i = 0; i < exchange.size(); ++i) {
     if (explained[i]) continue;

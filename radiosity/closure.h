@@ -25,8 +25,8 @@ struct ClosureCorrection {
   RowSums sums;           ///< wanted are the areas; the mask is 0 in open rows
 };
 
-/// Whether every row sum equals its area (m²) within what the entries' errors explain, or within a
-/// tenth of the relative error asked of the form factors, `tolerance`.
+/// Whether every row sum equals its area (m²) within what the entries' errors explain and the
+/// relative error that was asked of the form factors, `tolerance`.
 bool is_closed_within_errors(const UncertainExchange& exchange, const Eigen::VectorXd& row_sums,
                              const Eigen::VectorXd& areas, double tolerance);
 

@@ -34,6 +34,9 @@ constexpr double kHighRuleError = 0.3;
 constexpr double kChanceError = 0.1;
 /// Divisions of a piece at most.
 constexpr int kMostDivisions = 6;
+/// Points for a pair at most at a tolerance of 1e-3, more in proportion to its inverse root: what
+/// does not settle by then has the error that it has.
+constexpr double kMostPoints = 4000;
 
 double square(double x) { return x * x; }
 
@@ -58,6 +61,7 @@ void for_each_point(const ConvexPolygon& polygon, int order, const Visit& visit)
 VisibleShare ShadowedQuadrature::integrate(const ShadowedPair& pair, double tolerance,
                                            bool adapts) {
   divide_source(pair);
+  points_left_ = static_cast<long>(kMostPoints * std::max(1.0, std::sqrt(1e-3 / tolerance)));
   const double area = vector_area(pair.source.points()).norm();
   const bool is_single = pair.shadows.size() == 1;
   Sums total;
@@ -160,6 +164,7 @@ ShadowedQuadrature::Sums ShadowedQuadrature::apply_rule(const ShadowedPair& pair
                                                         const ConvexPolygon& piece, int order) {
   Sums sums;
   for_each_point(piece, order, [&](const Vec3& point, double weight) {
+    --points_left_;
     const double whole = facing_point_to_polygon(point, pair.source_normal, pair.target.points());
     if (!(whole > 0)) return;  // in the target's plane but for rounding
     const double visible =
@@ -187,7 +192,7 @@ void ShadowedQuadrature::add_adaptively(const ShadowedPair& pair, const ConvexPo
     error = std::abs(change);
     if (error <= goal) break;
   }
-  if (error <= goal || depth == 0) {
+  if (error <= goal || depth == 0 || points_left_ <= 0) {
     if (best.any_visible && best.any_hidden) {
       best.variance = square(kHighRuleError * error) + square(kChanceError * goal);
     }

@@ -55,6 +55,7 @@ class ShadowedQuadrature {
   std::vector<ConvexPolygon> pieces_;
   bool is_divided_ = true;  // at all events
   ShadowCutter cutter_;
+  long points_left_ = 0;  // before a pair has to do with what it has
 };
 
 }  // namespace radiosity
