@@ -71,6 +71,8 @@ constexpr double kQuarterError = 0.2;
 constexpr double kChanceError = 0.1;
 /// The standard error of what points miss as a share of it.
 constexpr double kMissed = 0.5;
+/// The same of what their rule misses of the unobstructed kernel.
+constexpr double kPeakError = 0.3;
 
 std::array<ConvexPolygon, 2> halves(const ConvexPolygon& polygon, const HalfSpace& plane,
                                     double thickness) {
@@ -463,8 +465,9 @@ PairEstimate OccludedPairEstimator::sample_points(const View& view, double whole
   add_parts(view, *view.source, coarse, error * coarse.whole, depth, last_depth, sums);
   if (sums.whole <= 0) return {};
   const double share = sums.visible / sums.whole;
-  const double sigma =
-      std::hypot(std::sqrt(sums.variance) / sums.whole, kKernelErrors * options_.kernel_tolerance);
+  const double missed = kPeakError * (sums.whole - whole) / whole;
+  const double sigma = std::hypot(std::sqrt(sums.variance) / sums.whole, missed,
+                                  kKernelErrors * options_.kernel_tolerance);
   return {share * whole, sigma * whole, Blocking::some, share > 0 && share < 1, 0};
 }
 
@@ -543,6 +546,8 @@ void OccludedPairEstimator::add_parts(const View& view, const ConvexPolygon& pie
                       share * (fine[k].whole - coarse.quarter_whole[k]));
   }
   double variance = square(kRuleError * change) + square(kQuarterError) * squares;
+  // Where the kernel peaks between the points, what is seen there is not known.
+  variance += square(kPeakError * (total.whole - coarse.whole));
   variance += square(total.whole * missed_share(piece, view.source_normal, levels_[depth].blockers));
   const bool is_good = coarse.has_quarters && variance <= square(goal);
   if (is_good || depth + 1 >= last_depth) {
