@@ -73,6 +73,11 @@ constexpr double kChanceError = 0.1;
 constexpr double kMissed = 0.5;
 /// The same of what their rule misses of the unobstructed kernel.
 constexpr double kPeakError = 0.3;
+/// The standard error of what happens between the twenty points of a piece and its quarters, such as
+/// a strip along its border from which alone the target is seen, as a share of all.
+constexpr double kUnseen = 0.005;
+/// Points for a pair at most: what does not settle by then has the error that it has.
+constexpr int kMostPoints = 300;
 
 std::array<ConvexPolygon, 2> halves(const ConvexPolygon& polygon, const HalfSpace& plane,
                                     double thickness) {
@@ -460,6 +465,7 @@ PairEstimate OccludedPairEstimator::sample_points(const View& view, double whole
                                                   std::size_t depth) {
   const std::size_t last_depth = depth + kMostQuarterings;
   if (levels_.size() <= last_depth + 1) levels_.resize(last_depth + 2);
+  points_left_ = kMostPoints;
   const PointSums coarse = apply_rule(view, *view.source, levels_[depth]);
   PointSums sums;
   add_parts(view, *view.source, coarse, error * coarse.whole, depth, last_depth, sums);
@@ -496,6 +502,7 @@ OccludedPairEstimator::PointSums OccludedPairEstimator::apply_rule(const View& v
   std::size_t n_points = 0;
   for_each_quadrature_point(piece.points(), kOrder, [&](const Vec3& point, double weight) {
     const std::size_t corner = kCornerOfPoint[n_points++ % 4];
+    --points_left_;
     const double whole =
         facing_point_to_polygon(point, view.source_normal, view.target->points());
     if (!(whole > 0)) return;  // in the target's plane but for rounding
@@ -548,9 +555,10 @@ void OccludedPairEstimator::add_parts(const View& view, const ConvexPolygon& pie
   double variance = square(kRuleError * change) + square(kQuarterError) * squares;
   // Where the kernel peaks between the points, what is seen there is not known.
   variance += square(kPeakError * (total.whole - coarse.whole));
+  variance += square(kUnseen * total.whole);
   variance += square(total.whole * missed_share(piece, view.source_normal, levels_[depth].blockers));
   const bool is_good = coarse.has_quarters && variance <= square(goal);
-  if (is_good || depth + 1 >= last_depth) {
+  if (is_good || depth + 1 >= last_depth || points_left_ <= 0) {
     total.variance += variance + square(kChanceError * goal);
     sums.add(total);
     return;

@@ -111,6 +111,7 @@ class OccludedPairEstimator {
   std::deque<Level> levels_;
   ShadowedQuadrature quadrature_;
   ShadowCutter cutter_;
+  int points_left_ = 0;  // before a pair has to do with what it has
 };
 
 }  // namespace radiosity
