@@ -36,6 +36,7 @@ constexpr std::uint64_t kTrialSeed = 0x7a11;
 constexpr double kAim = 1;
 constexpr double kLeastBudget = 0.3;
 constexpr double kMostBudget = 3;
+constexpr double kClutter = 0.15;
 /// Exchange area of a pair on average, where every patch sees half of the others, m².
 double mean_exchange_area(const PatchMesh& mesh) {
   const double area = std::accumulate(mesh.area.begin(), mesh.area.end(), 0.0);
@@ -155,12 +156,10 @@ class Assembler {
     double sum = 0;
     for (const double error : errors) sum += error;
     const double mean = sum / static_cast<double>(n_tried);
-    if (mean <= 0) {
-      pair_options_.budget *= kMostBudget;
-      return;
-    }
     // Of all pairs, seen or not, the mean exchange area is half of that.
     const double asked = kAim * options_.tolerance * 0.5 * pair_options_.mean_area;
+    // Where little is partly hidden it costs little, and errors stay as small as they come.
+    if (mean < kClutter * asked) return;
     pair_options_.budget *= std::clamp(asked / mean, kLeastBudget, kMostBudget);
   }
 
