@@ -48,10 +48,9 @@ class Builder {
   Builder(const PatchMesh& mesh, double thickness) : mesh_(mesh), thickness_(thickness) {}
 
   BlockerSet build() {
-    const BlockingPatches blocking = find_blocking_patches(mesh_, thickness_);
     std::vector<std::int32_t> one_sided;
     std::vector<std::int32_t> loose;
-    for (const std::int32_t i : blocking.patches) {
+    for (const std::int32_t i : find_blocking_patches(mesh_, thickness_)) {
       (mesh_.twin[i] < 0 ? one_sided : loose).push_back(i);
     }
     const SurfacePieces pieces = find_surface_pieces(mesh_, one_sided, thickness_);

@@ -126,9 +126,8 @@ class CoverFinder {
 
   /// What stands on an outer plane covers the floor also where it has no face there.
   void add_caps() {
-    const BlockingPatches blocking = find_blocking_patches(mesh_, thickness_);
     std::vector<std::int32_t> one_sided;
-    for (const std::int32_t i : blocking.patches) {
+    for (const std::int32_t i : find_blocking_patches(mesh_, thickness_)) {
       if (mesh_.twin[i] < 0) one_sided.push_back(i);
     }
     const SurfacePieces pieces = find_surface_pieces(mesh_, one_sided, thickness_);

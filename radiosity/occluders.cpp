@@ -394,19 +394,14 @@ bool is_within(const Occluder& inner, const Occluder& outer, double thickness) {
 
 }  // namespace
 
-BlockingPatches find_blocking_patches(const PatchMesh& mesh, double thickness) {
-  BlockingPatches result;
-  result.is_outer.assign(mesh.size(), false);
+std::vector<std::int32_t> find_blocking_patches(const PatchMesh& mesh, double thickness) {
+  std::vector<std::int32_t> patches;
   OuterPlanes outer(mesh, thickness);
   for (std::int32_t i = 0; i < mesh.size(); ++i) {
-    if (mesh.twin[i] >= 0 && mesh.twin[i] < i) {
-      result.is_outer[i] = result.is_outer[mesh.twin[i]];
-      continue;
-    }
-    result.is_outer[i] = outer.holds(i);
-    if (!result.is_outer[i]) result.patches.push_back(i);
+    const bool is_back_of_earlier = mesh.twin[i] >= 0 && mesh.twin[i] < i;
+    if (!is_back_of_earlier && !outer.holds(i)) patches.push_back(i);
   }
-  return result;
+  return patches;
 }
 
 std::vector<Occluder> make_occluders(const PatchMesh& mesh,

@@ -15,16 +15,10 @@ struct Occluder {
   Box3 box;
 };
 
-/// Which patches block something, in sets of those that may be merged with each other.
-struct BlockingPatches {
-  std::vector<bool> is_outer;  ///< per patch: in a plane that has the whole scene on one side
-  /// The others, one of each pair of twins.
-  std::vector<std::int32_t> patches;
-};
-
-/// Patches in a plane that has the whole scene on one side (a wall of a convex room) block nothing.
+/// The patches that block something, one of each pair of twins: those in a plane that has the whole
+/// scene on one side (a wall of a convex room) don't.
 /// `thickness` is how far off a plane points may be and still count as on it, m.
-BlockingPatches find_blocking_patches(const PatchMesh& mesh, double thickness);
+std::vector<std::int32_t> find_blocking_patches(const PatchMesh& mesh, double thickness);
 
 /// The patches merged into few convex polygons that cover exactly the same set, so that visibility
 /// can be reasoned about at low cost. The patches of one input polygon are merged first, so that
