@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "radiosity/seen_polygon.h"
+
 namespace radiosity {
 namespace {
 
@@ -113,8 +115,10 @@ SegmentSampler::Fan::Fan(const ConvexPolygon& polygon, const HalfSpace& other) {
   }
 }
 
-SegmentSampler::SegmentSampler(const SampledPair& pair, std::uint64_t seed)
-    : fan_i_(pair.polygon_i, pair.plane_j),
+SegmentSampler::SegmentSampler(const SampledPair& pair, std::uint64_t seed, Sampling sampling)
+    : pair_(pair),
+      sampling_(sampling),
+      fan_i_(pair.polygon_i, pair.plane_j),
       fan_j_(pair.polygon_j, pair.plane_i),
       scale_(static_cast<float>(1 / (pair.polygon_i[1] - pair.polygon_j[0]).norm())) {
   for (std::size_t k = 0; k < shift_.size(); k += 2) {
@@ -178,6 +182,34 @@ __attribute__((target_clones("arch=x86-64-v3", "default"))) void SegmentSampler:
   }
 }
 
+void SegmentSampler::aim(const std::array<Lanes, 4>& at) {
+  const bool from_i = vector_area(pair_.polygon_i.points()).squaredNorm() <=
+                      vector_area(pair_.polygon_j.points()).squaredNorm();
+  const ConvexPolygon& target = from_i ? pair_.polygon_j : pair_.polygon_i;
+  const Vec3& normal = from_i ? pair_.plane_i.normal : pair_.plane_j.normal;
+  const HalfSpace& plane = from_i ? pair_.plane_j : pair_.plane_i;
+  auto& from = from_i ? packet_.segments.from : packet_.segments.to;
+  auto& to = from_i ? packet_.segments.to : packet_.segments.from;
+  alignas(64) Lanes heights;
+  place(from_i ? fan_i_ : fan_j_, at[0], at[1], from, heights);
+  for (int k = 0; k < kPacket; ++k) {
+    const Vec3 point(from[0][k], from[1][k], from[2][k]);
+    const SeenPolygon seen(point, target);
+    const Vec3 way = seen.direction(at[2][k], at[3][k]);
+    double farthest = 0;
+    for (const Vec3& corner : target) {
+      farthest = std::max(farthest, (corner - point).squaredNorm());
+    }
+    const double fall = plane.normal.dot(way);
+    const double distance = (plane.offset - plane.normal.dot(point)) / fall;
+    const bool is_met = fall < 0 && distance >= 0;
+    const Vec3 end = point + (is_met ? std::min(distance, std::sqrt(farthest)) : 0) * way;
+    for (int axis = 0; axis < 3; ++axis) to[axis][k] = static_cast<float>(end[axis]);
+    const double weight = is_met ? normal.dot(way) * seen.solid_angle() : 0;
+    packet_.weight[k] = static_cast<float>(std::max(weight, 0.0));
+  }
+}
+
 const SegmentSampler::Packet& SegmentSampler::next() {
   // A packet's points differ in the last four bits of their number alone.
   alignas(64) std::array<Lanes, 4> at;
@@ -192,6 +224,10 @@ const SegmentSampler::Packet& SegmentSampler::next() {
     }
   }
   n_drawn_ += kPacket;
+  if (sampling_ == Sampling::directions) {
+    aim(at);
+    return packet_;
+  }
   alignas(64) Lanes height_of_i;
   alignas(64) Lanes height_of_j;
   place(fan_i_, at[0], at[1], packet_.segments.from, height_of_i);
@@ -271,8 +307,9 @@ VisibleFraction FractionSampler::add_packets(const RayEffort& effort) {
 }
 
 VisibleFraction sample_visible_fraction(const Visibility& visibility, const SampledPair& pair,
-                                        const RayEffort& effort, std::uint64_t seed) {
-  FractionSampler sampler(visibility, pair, seed);
+                                        const RayEffort& effort, std::uint64_t seed,
+                                        Sampling sampling) {
+  FractionSampler sampler(visibility, pair, seed, sampling);
   sampler.add_packet();
   return sampler.add_packets(effort);
 }

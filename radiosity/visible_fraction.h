@@ -19,17 +19,23 @@ struct SampledPair {
   std::int32_t j;
 };
 
+/// What quasi-random segments are even in.
+enum class Sampling {
+  areas,       ///< of both polygons: cheap, in single precision
+  directions,  ///< from points of the smaller polygon: no peaks where polygons are close or touch
+};
+
 /// Quasi-random segments between the polygons of a pair: Sobol's sequence in four dimensions, its
-/// digits shifted at random by `seed`. Works on a packet at a time in single precision.
+/// digits shifted at random by `seed`. Works on a packet at a time.
 class SegmentSampler {
  public:
   static constexpr int kPacket = Visibility::kPacket;
   using Lanes = SegmentPacket::Lanes;
 
   /// The polygons may not change while segments are drawn.
-  SegmentSampler(const SampledPair& pair, std::uint64_t seed);
+  SegmentSampler(const SampledPair& pair, std::uint64_t seed, Sampling sampling = Sampling::areas);
 
-  /// Segments and their kernels cosθ_i cosθ_j / r², up to a constant.
+  /// Segments and their weights: the kernel cosθ_i cosθ_j / r² over their density, up to a constant.
   struct Packet {
     SegmentPacket segments;
     alignas(64) Lanes weight;
@@ -54,7 +60,10 @@ class SegmentSampler {
   static void place(const Fan& fan, const Lanes& u, const Lanes& v, std::array<Lanes, 3>& points,
                     Lanes& heights);
   static void weigh(const Lanes& height_i, const Lanes& height_j, float scale, Packet& packet);
+  void aim(const std::array<Lanes, 4>& at);
 
+  const SampledPair& pair_;
+  Sampling sampling_;
   Fan fan_i_;
   Fan fan_j_;
   float scale_;  // of lengths, so that weights are near 1, 1/m
@@ -81,8 +90,9 @@ struct RayEffort {
 /// quasi-random points, shifted at random by `seed` (which should depend on the pair).
 class FractionSampler {
  public:
-  FractionSampler(const Visibility& visibility, const SampledPair& pair, std::uint64_t seed)
-      : visibility_(visibility), pair_(pair), sampler_(pair, seed) {}
+  FractionSampler(const Visibility& visibility, const SampledPair& pair, std::uint64_t seed,
+                  Sampling sampling = Sampling::areas)
+      : visibility_(visibility), pair_(pair), sampler_(pair, seed, sampling) {}
 
   /// What one packet more gives, together with those before.
   VisibleFraction add_packet();
@@ -109,7 +119,8 @@ class FractionSampler {
 
 /// The same in one go: a packet first, then as many as it takes.
 VisibleFraction sample_visible_fraction(const Visibility& visibility, const SampledPair& pair,
-                                        const RayEffort& effort, std::uint64_t seed);
+                                        const RayEffort& effort, std::uint64_t seed,
+                                        Sampling sampling = Sampling::areas);
 
 /// A seed for a pair from the run's seed. (SplitMix64, Steele et al. 2014)
 std::uint64_t pair_seed(std::uint64_t seed, std::int32_t i, std::int32_t j);
