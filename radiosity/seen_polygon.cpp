@@ -6,16 +6,17 @@
 namespace radiosity {
 
 SeenPolygon::SeenPolygon(const Vec3& point, const ConvexPolygon& polygon) {
-  std::array<Vec3, ConvexPolygon::kCapacity> way;
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const Vec3 to_corner = polygon[k] - point;
-    const double length = to_corner.norm();
-    way[k] = length > 0 ? Vec3(to_corner / length) : Vec3::Zero();
-  }
-  a_ = way[0];
+  // A corner at the point itself is seen nowhere.
+  const auto towards = [&](std::size_t k) {
+    const Vec3 way = polygon[k] - point;
+    const double length = way.norm();
+    return length > 0 ? Vec3(way / length) : Vec3(Vec3::Zero());
+  };
+  a_ = towards(0);
+  Vec3 c = towards(1);
   for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
-    const Vec3& b = way[k];
-    const Vec3& c = way[k + 1];
+    const Vec3 b = c;
+    c = towards(k + 1);
     const Vec3 normal_b = a_.cross(b);
     const Vec3 normal_c = a_.cross(c);
     const double lengths = normal_b.norm() * normal_c.norm();

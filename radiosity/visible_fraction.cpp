@@ -17,7 +17,7 @@ using Lanes = SegmentSampler::Lanes;
 constexpr double kEven = 0.6;
 constexpr double kEvenness = 0.15;
 /// What n samples leave open, as a share of 1 / n, where they agree but for some.
-constexpr double kOpen = 0.5;
+constexpr double kOpen = 1;
 /// The error falls like n to minus this.
 constexpr double kPower = 0.65;
 /// Samples grow at most so much before the error is estimated anew.
@@ -276,10 +276,15 @@ VisibleFraction FractionSampler::Sums::evaluate() const {
     return result;
   }
   result.value = v / w;
-  const double share = result.value;
-  const double squares = (1 - 2 * share) * vv + share * share * ww;
-  const double of_random = std::sqrt(std::max(squares, 0.0) * n_samples / (n_samples - 1)) / w;
-  // Few samples may disagree by ones of little weight only, with as much open as if they agreed.
+  // Few samples may disagree by chance, or by ones of little weight only: one more of either kind
+  // is taken into account (Agresti & Coull 1998), and as much left open as if they agreed.
+  const double mean = w / n_samples;
+  const double all = w + 2 * mean;
+  const double share = (v + mean) / all;
+  const double squares =
+      (1 - 2 * share) * (vv + mean * mean) + share * share * (ww + 2 * mean * mean);
+  const double of_random =
+      std::sqrt(std::max(squares, 0.0) * (n_samples + 2) / (n_samples + 1)) / all;
   result.error = std::hypot(kEven * std::pow(kPacket / n_samples, kEvenness) * of_random,
                             kOpen / (n_samples + 2));
   return result;
