@@ -266,8 +266,8 @@ OccludedPairEstimator::Method OccludedPairEstimator::choose_method(const View& v
                             kDividingCost * n_dividing;
   const double packets = packets_for(error);
   const double packet_cost = view.is_near ? kNearPacketCost : kPacketCost;
-  const double rays =
-      suits_rays(view) && packets <= kMostPackets ? packet_cost * packets : kNever;
+  const bool takes_rays = suits_rays(view);
+  const double rays = takes_rays && packets <= kMostPackets ? packet_cost * packets : kNever;
 
   double cuts = kNever;
   if (level.dividing.size() <= kMostDividing && level.blockers.size() <= kMostCuts) {
@@ -282,10 +282,14 @@ OccludedPairEstimator::Method OccludedPairEstimator::choose_method(const View& v
     cuts = kPointsOfBorder * static_cast<double>(n_borders) * point_cost *
            (adapts ? kAdaptive : 1) * (level.blockers.size() > 1 ? kCrossing : 1);
   }
-  const double points =
-      kPointsOfFirst * std::max({1.0, kFirstPoints / error, square(kUnseen / error)}) * point_cost;
-  if (rays <= std::min(cuts, points)) return Method::rays;
-  return cuts <= points ? Method::cuts : Method::points;
+  const double n_points =
+      kPointsOfFirst * std::max({1.0, kFirstPoints / error, square(kUnseen / error)});
+  const double points = n_points <= kMostPoints ? n_points * point_cost : kNever;
+  const double least = std::min({rays, cuts, points});
+  // Where nothing gets as far as asked, rays get farthest.
+  if (least == kNever) return takes_rays ? Method::rays : Method::points;
+  if (rays == least) return Method::rays;
+  return cuts == least ? Method::cuts : Method::points;
 }
 
 void OccludedPairEstimator::PointSums::add(const PointSums& other) {

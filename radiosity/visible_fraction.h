@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "radiosity/convex_polygon.h"
 #include "radiosity/shaft.h"
@@ -109,12 +110,30 @@ class FractionSampler {
     void add(const SegmentSampler::Lanes& weight, std::uint32_t blocked);
     [[nodiscard]] VisibleFraction evaluate() const;
   };
+  /// The samples in a row of blocks of equal size, whose disagreement tells how much is gained by
+  /// their evenness.
+  class Blocks {
+   public:
+    void add(double packet_w, double packet_v);
+    /// Standard error of the ratio of all, if there are enough.
+    [[nodiscard]] std::optional<double> error(double share, double w) const;
+
+   private:
+    static constexpr std::size_t kMost = 16;
+    std::array<double, kMost> w_{};
+    std::array<double, kMost> v_{};
+    std::size_t n_full_ = 0;
+    int packets_of_block_ = 1;
+    int packets_of_last_ = 0;
+  };
   void sample();
+  [[nodiscard]] VisibleFraction evaluate() const;
 
   const Visibility& visibility_;
   const SampledPair& pair_;
   SegmentSampler sampler_;
   Sums sums_;
+  Blocks blocks_;
 };
 
 /// The same in one go: a packet first, then as many as it takes.
