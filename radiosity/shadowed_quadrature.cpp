@@ -89,7 +89,7 @@ VisibleShare ShadowedQuadrature::integrate(const ShadowedPair& pair, double tole
       const double spread = is_small ? 1 : sums.high - sums.low;
       const double error = !is_single || !is_divided_ ? kLowRuleErrorOfMany
                            : is_small                 ? kOnePointError
-                                                      : kLowRuleError;
+                                                      : kLowRuleError * (1 + 4 * spread * spread);
       sums.variance = square(std::max(error * spread, kLeastLowRule) * sums.whole);
     }
     if (!is_divided_) sums.variance += square(kUnseen * sums.whole);
