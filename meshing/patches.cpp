@@ -6,6 +6,8 @@
 #include <limits>
 #include <string>
 
+#include "meshing/contact_cuts.h"
+#include "meshing/contact_lines.h"
 #include "meshing/patch_builder.h"
 #include "meshing/text.h"
 #include "radiosity/error.h"
@@ -86,6 +88,12 @@ class PatchMaker {
   PatchMaker(const Scene& scene, const radiosity::Progress& progress)
       : scene_(scene), progress_(progress), topology_(make_topology(scene, progress)) {}
 
+  [[nodiscard]] PatchMesh as_is() const { return with_limit({.coarse = kInfinity}); }
+  /// Cut along contact lines, as are those that follow.
+  [[nodiscard]] PatchMesh cut_with_limit(const EdgeLimit& limit);
+  [[nodiscard]] PatchMesh cut_with_about(double n_patches);
+
+ private:
   [[nodiscard]] PatchMesh with_limit(const EdgeLimit& limit) const {
     const EdgeDivision division = divide(limit);
     const PatchCount count = count_patches(scene_, topology_, division);
@@ -98,9 +106,10 @@ class PatchMaker {
     return build_patches(scene_, topology_, division, progress_);
   }
 
-  [[nodiscard]] PatchMesh with_about(double n_patches) const;
-
- private:
+  [[nodiscard]] PatchMesh cut(const PatchMesh& mesh) const {
+    return cut_along_contacts(mesh, lines_, static_cast<Index>(topology_.polygons.vertices.size()),
+                              progress_);
+  }
   [[nodiscard]] EdgeDivision divide(const EdgeLimit& limit) const {
     return divide_edges(topology_.polygons, topology_.edges, topology_.kinds, limit);
   }
@@ -112,6 +121,7 @@ class PatchMaker {
   const Scene& scene_;
   const radiosity::Progress& progress_;
   Topology topology_;
+  std::vector<std::vector<Segment>> lines_;  // per polygon
 };
 
 /// The limit whose expected count is nearest to n_patches, if polygons that are filled get
@@ -147,8 +157,15 @@ EdgeLimit PatchMaker::limit_for(double n_patches, double fill_factor) const {
   return n_patches - expected(few) <= expected(many) - n_patches ? few : many;
 }
 
-PatchMesh PatchMaker::with_about(double n_patches) const {
-  PatchMesh best = with_limit({.coarse = kInfinity});
+PatchMesh PatchMaker::cut_with_limit(const EdgeLimit& limit) {
+  lines_ = polygon_contact_lines(as_is());
+  return cut(with_limit(limit));
+}
+
+PatchMesh PatchMaker::cut_with_about(double n_patches) {
+  PatchMesh best = as_is();
+  lines_ = polygon_contact_lines(best);
+  best = cut(best);
   const auto error = [&](const PatchMesh& m) {
     return std::abs(static_cast<double>(m.size()) - n_patches);
   };
@@ -156,14 +173,19 @@ PatchMesh PatchMaker::with_about(double n_patches) const {
   constexpr double kCloseEnough = 0.02;
   constexpr int kAttempts = 4;
   double fill_factor = 1;
+  double n_cut = 0;  // how many more there are for being cut
   for (int k = 0; k < kAttempts; ++k) {
-    const EdgeLimit limit = limit_for(n_patches, fill_factor);
+    const EdgeLimit limit = limit_for(std::max(1.0, n_patches - n_cut), fill_factor);
     const PatchCount expected = count(limit);
-    PatchMesh mesh = with_limit(limit);
-    const double filled = static_cast<double>(mesh.size()) - expected.certain;
+    const PatchMesh whole = with_limit(limit);
+    PatchMesh mesh = cut(whole);
+    n_cut = static_cast<double>(mesh.size() - whole.size());
+    if (expected.estimated > 0) {
+      fill_factor = (static_cast<double>(whole.size()) - expected.certain) / expected.estimated;
+    }
     if (error(mesh) < error(best)) best = std::move(mesh);
-    if (error(best) <= kCloseEnough * n_patches || expected.estimated == 0) break;
-    fill_factor = filled / expected.estimated;
+    if (error(best) <= kCloseEnough * n_patches) break;
+    if (expected.estimated == 0 && n_cut == 0) break;
   }
   return best;
 }
@@ -186,9 +208,10 @@ PatchMesh make_patches(const Scene& scene, const PatchOptions& options) {
   assert(!(options.max_edge && options.n_patches));
   assert(!options.max_edge || *options.max_edge > 0);
   assert(!options.n_patches || *options.n_patches > 0);
-  const PatchMaker maker(scene, options.progress);
-  if (options.n_patches) return maker.with_about(static_cast<double>(*options.n_patches));
-  return maker.with_limit({.coarse = options.max_edge.value_or(kInfinity)});
+  PatchMaker maker(scene, options.progress);
+  if (options.n_patches) return maker.cut_with_about(static_cast<double>(*options.n_patches));
+  if (options.max_edge) return maker.cut_with_limit({.coarse = *options.max_edge});
+  return maker.as_is();
 }
 
 }  // namespace meshing
