@@ -442,7 +442,8 @@ PairEstimate OccludedPairEstimator::divide(const SampledPair& pair, bool divides
 
 PairEstimate OccludedPairEstimator::cut_shadows(const View& view, std::span<const Shadow> shadows,
                                                 double whole, double error) {
-  const ShadowedPair shadowed{*view.source, view.source_normal, *view.target, shadows};
+  const ShadowedPair shadowed{*view.source, view.source_normal, *view.target, shadows,
+                              options_.thickness};
   const bool adapts = view.is_near || error < (shadows.size() == 1 ? kLowRule : kLowRuleOfMany);
   const VisibleShare share = quadrature_.integrate(shadowed, error, adapts);
   if (share.is_exact && share.value == 0) return {0, 0, Blocking::all, false, 0};
