@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "meshing/box_tree.h"
+#include "radiosity/box_tree.h"
 #include "meshing/halfedge.h"
 #include "meshing/triangulate.h"
 
@@ -15,6 +15,7 @@ namespace meshing {
 namespace {
 
 using radiosity::Box3;
+using radiosity::BoxTree;
 using radiosity::Index;
 using radiosity::PatchMesh;
 using radiosity::Vec3;

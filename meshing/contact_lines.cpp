@@ -4,13 +4,14 @@
 #include <cmath>
 #include <optional>
 
-#include "meshing/box_tree.h"
+#include "radiosity/box_tree.h"
 #include "radiosity/parallel.h"
 
 namespace meshing {
 namespace {
 
 using radiosity::Box3;
+using radiosity::BoxTree;
 using radiosity::Index;
 using radiosity::PatchMesh;
 using radiosity::Vec3;

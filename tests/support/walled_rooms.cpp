@@ -21,7 +21,7 @@ class RoomMaker {
     scene.bands.kind = Bands::Kind::grey;
     scene.closed = false;
     room_.height = uniform(1.4, 2.2);
-    is_of_boards_ = pick(3) == 0;
+    is_of_boards_ = seed_ % 3 == 0;
     lacks_ = hut_ == Hut::sealed ? Lack::nothing : static_cast<Lack>(1 + pick(3));
     add_plan();
 
@@ -114,14 +114,14 @@ class RoomMaker {
 
   void turn() {
     room_.rotation.setIdentity();
-    if (pick(2) == 0) return;
+    if (seed_ % 2 == 0) return;
     const Vec3 axis(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
     room_.rotation = Eigen::AngleAxisd(uniform(0, kPi), axis.normalized()).toRotationMatrix();
     for (Vec3& vertex : room_.scene.vertices) vertex = room_.rotation * vertex;
   }
 
   void round() {
-    const int kind = pick(3);
+    const int kind = static_cast<int>(seed_ / 2 % 3);
     if (kind == 0) return;
     constexpr double kLastPlace = 1e-5;
     for (Vec3& vertex : room_.scene.vertices) {
