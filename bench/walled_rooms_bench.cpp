@@ -65,6 +65,18 @@ Dark test_sealed(std::uint64_t seed, long n_patches) {
   const PatchMesh mesh = meshing::make_patches(room.scene, {.n_patches = n_patches});
   const Solution solution = solve_patches(room.scene, mesh, false);
   if (std::getenv("PAIRS")) {
+    double total = 0;
+    for (double a : mesh.area) total += a;
+    const PatchMesh as_is = meshing::make_patches(room.scene);
+    double total0 = 0;
+    for (double a : as_is.area) total0 += a;
+    fmt::print("area {} {} crossed {}\n", total, total0, meshing::crossed_patches(mesh).size());
+    const auto lines = meshing::polygon_contact_lines(as_is);
+    for (const auto& l : lines[0]) {
+      const Vec3 a = room.rotation.transpose() * l[0];
+      const Vec3 b = room.rotation.transpose() * l[1];
+      fmt::print("line {} {} - {} {}\n", a.x(), a.y(), b.x(), b.y());
+    }
     const Visibility visibility(mesh);
     const auto transport =
         make_transport(mesh, visibility, {.tolerance = 1e-3, .closed = Closed::no});
@@ -100,6 +112,7 @@ Dark test_sealed(std::uint64_t seed, long n_patches) {
 
 bool test_room(std::uint64_t seed, long n_patches) {
   const Dark dark = test_sealed(seed, n_patches);
+  if (std::getenv("SEALED")) { fmt::print("{} {} {}\n", seed, dark.n_patches, dark.brightest); return dark.brightest == 0; }
   const WalledRoom room = test::make_walled_room(seed, Hut::open);
   const PatchMesh mesh = meshing::make_patches(room.scene, {.n_patches = n_patches});
   const auto crossed = meshing::crossed_patches(mesh).size();

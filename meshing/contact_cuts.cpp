@@ -197,10 +197,16 @@ void ContactCutter::cut_polygon(std::int32_t polygon) {
       if (const auto point = crossing(segments[k], segments[other])) catch_point(*point, polygon);
     });
   }
-  for (std::size_t k = 0; k < segments.size(); ++k) {
-    for (const std::int32_t patch : patches_near(boxes[k], polygon)) {
-      const std::vector<std::int32_t> cells = cells_of_[patch];
-      for (const std::int32_t cell : cells) cut_cell(cell, segments[k]);
+  // Once more where moved corners have brought patches over lines that had passed them by.
+  constexpr int kMostRounds = 4;
+  std::size_t n_cells = 0;
+  for (int round = 0; round < kMostRounds && n_cells != cells_.size(); ++round) {
+    n_cells = cells_.size();
+    for (std::size_t k = 0; k < segments.size(); ++k) {
+      for (const std::int32_t patch : patches_near(boxes[k], polygon)) {
+        const std::vector<std::int32_t> cells = cells_of_[patch];
+        for (const std::int32_t cell : cells) cut_cell(cell, segments[k]);
+      }
     }
   }
 }
@@ -402,7 +408,10 @@ void ContactCutter::cut_cell(std::int32_t cell, const Segment& segment) {
     }
     if (std::min(leaves, length) - std::max(enters, 0.0) <= std::max(2 * tolerance_, kLeastWidth * size)) return;
     if (!crossed) {
-      split_cell(cell, on_line.front(), on_line.back());
+      const std::size_t from = on_line.front();
+      const std::size_t to = on_line.back();
+      // Next to each other in a loop that rounding has left not quite convex.
+      if (to - from > 1 && from + n - to > 1) split_cell(cell, from, to);
       return;
     }
     const std::int32_t a = loop[*crossed];

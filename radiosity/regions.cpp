@@ -13,8 +13,8 @@
 namespace radiosity {
 namespace {
 
-/// Distance, in thicknesses, at which edges touch: each may be off by two.
-constexpr double kReach = 4;
+/// Distance, in thicknesses, at which edges touch: each may be off by one.
+constexpr double kReach = 2;
 /// Sine of the angle of planes that count as parallel, but for what their sizes and the thickness
 /// make of it.
 constexpr double kParallel = 1e-6;
@@ -303,7 +303,7 @@ class RegionFinder {
     const double t1 = u.dot(p + std::min(1.0, at + half) * d);
     const double overlap =
         std::min(length, std::max(t0, t1)) - std::max(0.0, std::min(t0, t1));
-    return overlap > kLongTouch * std::min(length, d.norm());
+    return overlap > std::max(4 * reach_, kLongTouch * std::min(length, d.norm()));
   }
 
   [[nodiscard]] Spoke spoke(std::int32_t patch, int edge, const Vec3& u, const Vec3& zero,
