@@ -2,8 +2,7 @@
 /// [FIRST_SEED [N_PATCHES]]]: huts whose walls stand on, abut and cross each other (20 from seed 1,
 /// about 700 patches), each sealed and with an opening. Prints the most light within the sealed
 /// one, which is to be 0, and the share of the patches of the open one within two standard errors
-/// of patches divided into four. Returns 1 unless all are dark and 95 % of the patches within in nine rooms
-/// of ten.
+/// of patches divided into four. Returns 1 unless both hold in nine rooms of ten.
 
 #include <fmt/format.h>
 
@@ -26,6 +25,8 @@ using test::Hut;
 using test::WalledRoom;
 
 constexpr double kCoverage = 0.95;
+/// Of what the lamp emits: sums of four, and the iteration.
+constexpr double kRounding = 1e-9 * 100;
 
 Solution solve_patches(const Scene& scene, const PatchMesh& mesh, bool estimates) {
   const Visibility visibility(mesh);
@@ -64,47 +65,10 @@ Dark test_sealed(std::uint64_t seed, long n_patches) {
   const WalledRoom room = test::make_walled_room(seed, Hut::sealed);
   const PatchMesh mesh = meshing::make_patches(room.scene, {.n_patches = n_patches});
   const Solution solution = solve_patches(room.scene, mesh, false);
-  if (std::getenv("PAIRS")) {
-    double total = 0;
-    for (double a : mesh.area) total += a;
-    const PatchMesh as_is = meshing::make_patches(room.scene);
-    double total0 = 0;
-    for (double a : as_is.area) total0 += a;
-    fmt::print("area {} {} crossed {}\n", total, total0, meshing::crossed_patches(mesh).size());
-    const auto lines = meshing::polygon_contact_lines(as_is);
-    for (const auto& l : lines[0]) {
-      const Vec3 a = room.rotation.transpose() * l[0];
-      const Vec3 b = room.rotation.transpose() * l[1];
-      fmt::print("line {} {} - {} {}\n", a.x(), a.y(), b.x(), b.y());
-    }
-    const Visibility visibility(mesh);
-    const auto transport =
-        make_transport(mesh, visibility, {.tolerance = 1e-3, .closed = Closed::no});
-    for (Index i = 0; i < mesh.size(); ++i) {
-      if (!room.looks_inside(mesh, i)) continue;
-      const Eigen::VectorXd row = transport->row(i);
-      for (Index j = 0; j < mesh.size(); ++j) {
-        if (row[j] == 0 || room.looks_inside(mesh, j)) continue;
-        fmt::print("{} -> {} {}\n", i, j, row[j]);
-        for (Index p : {i, j}) {
-          fmt::print("   {} {} n {} {} {}: ", p, mesh.surface_names[mesh.surface[p]], (room.rotation.transpose()*mesh.normal[p]).x(), (room.rotation.transpose()*mesh.normal[p]).y(), (room.rotation.transpose()*mesh.normal[p]).z());
-          for (int k = 0; k < mesh.n_corners(p); ++k) {
-            const Vec3 x = room.rotation.transpose() * mesh.corner(p, k);
-            fmt::print(" ({:.6f} {:.6f} {:.6f})", x.x(), x.y(), x.z());
-          }
-          fmt::print("\n");
-        }
-      }
-    }
-  }
   Dark dark;
   for (Index i = 0; i < mesh.size(); ++i) {
     if (!room.looks_inside(mesh, i)) continue;
     ++dark.n_patches;
-    if (solution.irradiance(i, 0) > 0 && std::getenv("WHERE")) {
-      const Vec3 x = room.rotation.transpose() * mesh.centroid[i];
-      fmt::print("  {} {} at {} {} {} area {}: {}\n", i, mesh.surface_names[mesh.surface[i]], x.x(), x.y(), x.z(), mesh.area[i], solution.irradiance(i, 0));
-    }
     dark.brightest = std::max(dark.brightest, solution.irradiance(i, 0));
   }
   return dark;
@@ -112,7 +76,6 @@ Dark test_sealed(std::uint64_t seed, long n_patches) {
 
 bool test_room(std::uint64_t seed, long n_patches) {
   const Dark dark = test_sealed(seed, n_patches);
-  if (std::getenv("SEALED")) { fmt::print("{} {} {}\n", seed, dark.n_patches, dark.brightest); return dark.brightest == 0; }
   const WalledRoom room = test::make_walled_room(seed, Hut::open);
   const PatchMesh mesh = meshing::make_patches(room.scene, {.n_patches = n_patches});
   const auto crossed = meshing::crossed_patches(mesh).size();
@@ -128,7 +91,7 @@ bool test_room(std::uint64_t seed, long n_patches) {
   for (Index i = 0; i < mesh.size(); ++i) {
     errors.push_back(std::abs(solution.radiosity(i, 0) - truth(i, 0)));
     intervals.push_back(2 * solution.radiosity_error(i, 0));
-    if (errors.back() <= intervals.back()) ++n_within;
+    if (errors.back() <= intervals.back() + kRounding) ++n_within;
   }
   const double share = static_cast<double>(n_within) / static_cast<double>(mesh.size());
   fmt::print("{:5} {:8.1e} {:6} {:8.2e} {:6} {:8} {:8.1e} {:8.1f} {:10.2e} {:10.2e} {:8.1f}\n", seed,

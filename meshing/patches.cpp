@@ -91,7 +91,7 @@ class PatchMaker {
   [[nodiscard]] PatchMesh as_is() const { return with_limit({.coarse = kInfinity}); }
   /// Cut along contact lines, as are those that follow.
   [[nodiscard]] PatchMesh cut_with_limit(const EdgeLimit& limit);
-  [[nodiscard]] PatchMesh cut_with_about(double n_patches);
+  [[nodiscard]] PatchMesh cut_with_about(double n_patches, double least_edge);
 
  private:
   [[nodiscard]] PatchMesh with_limit(const EdgeLimit& limit) const {
@@ -162,7 +162,7 @@ PatchMesh PatchMaker::cut_with_limit(const EdgeLimit& limit) {
   return cut(with_limit(limit));
 }
 
-PatchMesh PatchMaker::cut_with_about(double n_patches) {
+PatchMesh PatchMaker::cut_with_about(double n_patches, double least_edge) {
   PatchMesh best = as_is();
   lines_ = polygon_contact_lines(best);
   best = cut(best);
@@ -175,7 +175,8 @@ PatchMesh PatchMaker::cut_with_about(double n_patches) {
   double fill_factor = 1;
   double n_cut = 0;  // how many more there are for being cut
   for (int k = 0; k < kAttempts; ++k) {
-    const EdgeLimit limit = limit_for(std::max(1.0, n_patches - n_cut), fill_factor);
+    EdgeLimit limit = limit_for(std::max(1.0, n_patches - n_cut), fill_factor);
+    if (limit.fine < least_edge) limit = {.coarse = std::max(limit.coarse, least_edge)};
     const PatchCount expected = count(limit);
     const PatchMesh whole = with_limit(limit);
     PatchMesh mesh = cut(whole);
@@ -184,10 +185,27 @@ PatchMesh PatchMaker::cut_with_about(double n_patches) {
       fill_factor = (static_cast<double>(whole.size()) - expected.certain) / expected.estimated;
     }
     if (error(mesh) < error(best)) best = std::move(mesh);
-    if (error(best) <= kCloseEnough * n_patches) break;
+    if (error(best) <= kCloseEnough * n_patches || limit.coarse == least_edge) break;
     if (expected.estimated == 0 && n_cut == 0) break;
   }
   return best;
+}
+
+/// The median of the polygons' longest edges, m.
+double usual_length(const Scene& scene) {
+  std::vector<double> lengths;
+  for (Index i = 0; i < scene.n_polygons(); ++i) {
+    const std::span<const std::int32_t> polygon = scene.polygon(i);
+    double longest = 0;
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+      const Vec3& next = scene.vertices[polygon[(k + 1) % polygon.size()]];
+      longest = std::max(longest, (next - scene.vertices[polygon[k]]).norm());
+    }
+    lengths.push_back(longest);
+  }
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  return *middle;
 }
 
 }  // namespace
@@ -199,8 +217,14 @@ PatchOptions make_patch_options(const PatchChoice& choice, const radiosity::Scen
   if (choice.adaptive) {
     options.n_patches = std::min(options.n_patches.value_or(kDefaultPatches), kDefaultPatches);
   }
-  const bool nothing_said = !choice.max_edge && !choice.n_patches && !choice.as_is;
-  if (nothing_said && scene.n_polygons() < kDefaultPatches) options.n_patches = kDefaultPatches;
+  const bool nothing_said = !options.max_edge && !options.n_patches && !choice.as_is;
+  if (!nothing_said) return options;
+  const long n_polygons = scene.n_polygons();
+  options.n_patches = std::max(kDefaultPatches, n_polygons + kDefaultBeyondPolygons);
+  if (n_polygons >= kDefaultPatches) {
+    constexpr double kLarge = 2;
+    options.least_edge = kLarge * usual_length(scene);
+  }
   return options;
 }
 
@@ -209,9 +233,23 @@ PatchMesh make_patches(const Scene& scene, const PatchOptions& options) {
   assert(!options.max_edge || *options.max_edge > 0);
   assert(!options.n_patches || *options.n_patches > 0);
   PatchMaker maker(scene, options.progress);
-  if (options.n_patches) return maker.cut_with_about(static_cast<double>(*options.n_patches));
+  if (options.n_patches) {
+    return maker.cut_with_about(static_cast<double>(*options.n_patches),
+                                options.least_edge.value_or(0));
+  }
   if (options.max_edge) return maker.cut_with_limit({.coarse = *options.max_edge});
   return maker.as_is();
+}
+
+std::optional<std::string> uncut_warning(const PatchMesh& mesh) {
+  const std::vector<Index> crossed = crossed_patches(mesh);
+  if (crossed.empty()) return std::nullopt;
+  const Index first = crossed[0];
+  return std::to_string(crossed.size()) + " of " + std::to_string(mesh.size()) +
+         " patches could not be cut where others stand on them or pass through them, one of "
+         "surface '" +
+         mesh.surface_names[mesh.surface[first]] + "' at " + place(mesh.centroid[first]) +
+         ": light may leak there";
 }
 
 }  // namespace meshing
