@@ -78,9 +78,10 @@ void add_compute_options(CLI::App& command, ComputeOptions& options) {
   auto* n_patches = command
                         .add_option("--patches", options.n_patches,
                                     fmt::format("Divide into about N patches of about equal size; "
-                                                "without any of these three options {}, or the "
-                                                "polygons as they are if there are more",
-                                                meshing::kDefaultPatches))
+                                                "without any of these three options {}, or {} more "
+                                                "than polygons, of which small ones stay whole",
+                                                meshing::kDefaultPatches,
+                                                meshing::kDefaultBeyondPolygons))
                         ->check(check_positive)
                         ->type_name("N")
                         ->group(patches);

@@ -30,7 +30,8 @@ double polygon_area(const Scene& scene, Index i) {
 
 /// A number of patches that will be reached, known before the patches are made.
 Index least_patches(const Scene& scene, const meshing::PatchOptions& options) {
-  Index least = std::max<Index>(scene.n_polygons(), options.n_patches.value_or(0));
+  Index least = scene.n_polygons();
+  if (!options.least_edge) least = std::max<Index>(least, options.n_patches.value_or(0));
   if (options.max_edge) {
     double area = 0;
     for (Index i = 0; i < scene.n_polygons(); ++i) area += polygon_area(scene, i);
@@ -53,6 +54,9 @@ PatchMesh make_affordable_patches(const Scene& scene, const ComputeOptions& comp
   checks.expected(least_patches(scene, options), scene.n_polygons());
   warn_of_findings(scene, terminal);
   PatchMesh mesh = meshing::make_patches(scene, options);
+  if (!compute.as_is) {
+    if (const auto uncut = meshing::uncut_warning(mesh)) terminal.warn(*uncut);
+  }
   checks.made(mesh.size(), scene.n_polygons());
   return mesh;
 }

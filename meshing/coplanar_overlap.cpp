@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "meshing/box_tree.h"
+#include "radiosity/box_tree.h"
 #include "meshing/findings.h"
 #include "meshing/text.h"
 #include "meshing/triangulate.h"
@@ -10,6 +10,7 @@ namespace meshing {
 namespace {
 
 using radiosity::Box3;
+using radiosity::BoxTree;
 using radiosity::Index;
 using radiosity::Vec3;
 

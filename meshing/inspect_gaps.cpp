@@ -3,7 +3,7 @@
 #include <set>
 #include <utility>
 
-#include "meshing/box_tree.h"
+#include "radiosity/box_tree.h"
 #include "meshing/findings.h"
 #include "meshing/text.h"
 
@@ -11,6 +11,7 @@ namespace meshing {
 namespace {
 
 using radiosity::Box3;
+using radiosity::BoxTree;
 using radiosity::Index;
 using radiosity::Vec3;
 

@@ -6,6 +6,8 @@
 #include <limits>
 #include <string>
 
+#include "meshing/contact_cuts.h"
+#include "meshing/contact_lines.h"
 #include "meshing/patch_builder.h"
 #include "meshing/text.h"
 #include "radiosity/error.h"
@@ -86,6 +88,12 @@ class PatchMaker {
   PatchMaker(const Scene& scene, const radiosity::Progress& progress)
       : scene_(scene), progress_(progress), topology_(make_topology(scene, progress)) {}
 
+  [[nodiscard]] PatchMesh as_is() const { return with_limit({.coarse = kInfinity}); }
+  /// Cut along contact lines, as are those that follow.
+  [[nodiscard]] PatchMesh cut_with_limit(const EdgeLimit& limit);
+  [[nodiscard]] PatchMesh cut_with_about(double n_patches, double least_edge);
+
+ private:
   [[nodiscard]] PatchMesh with_limit(const EdgeLimit& limit) const {
     const EdgeDivision division = divide(limit);
     const PatchCount count = count_patches(scene_, topology_, division);
@@ -98,9 +106,10 @@ class PatchMaker {
     return build_patches(scene_, topology_, division, progress_);
   }
 
-  [[nodiscard]] PatchMesh with_about(double n_patches) const;
-
- private:
+  [[nodiscard]] PatchMesh cut(const PatchMesh& mesh) const {
+    return cut_along_contacts(mesh, lines_, static_cast<Index>(topology_.polygons.vertices.size()),
+                              progress_);
+  }
   [[nodiscard]] EdgeDivision divide(const EdgeLimit& limit) const {
     return divide_edges(topology_.polygons, topology_.edges, topology_.kinds, limit);
   }
@@ -112,6 +121,7 @@ class PatchMaker {
   const Scene& scene_;
   const radiosity::Progress& progress_;
   Topology topology_;
+  std::vector<std::vector<Segment>> lines_;  // per polygon
 };
 
 /// The limit whose expected count is nearest to n_patches, if polygons that are filled get
@@ -147,8 +157,15 @@ EdgeLimit PatchMaker::limit_for(double n_patches, double fill_factor) const {
   return n_patches - expected(few) <= expected(many) - n_patches ? few : many;
 }
 
-PatchMesh PatchMaker::with_about(double n_patches) const {
-  PatchMesh best = with_limit({.coarse = kInfinity});
+PatchMesh PatchMaker::cut_with_limit(const EdgeLimit& limit) {
+  lines_ = polygon_contact_lines(as_is());
+  return cut(with_limit(limit));
+}
+
+PatchMesh PatchMaker::cut_with_about(double n_patches, double least_edge) {
+  PatchMesh best = as_is();
+  lines_ = polygon_contact_lines(best);
+  best = cut(best);
   const auto error = [&](const PatchMesh& m) {
     return std::abs(static_cast<double>(m.size()) - n_patches);
   };
@@ -156,16 +173,39 @@ PatchMesh PatchMaker::with_about(double n_patches) const {
   constexpr double kCloseEnough = 0.02;
   constexpr int kAttempts = 4;
   double fill_factor = 1;
+  double n_cut = 0;  // how many more there are for being cut
   for (int k = 0; k < kAttempts; ++k) {
-    const EdgeLimit limit = limit_for(n_patches, fill_factor);
+    EdgeLimit limit = limit_for(std::max(1.0, n_patches - n_cut), fill_factor);
+    if (limit.fine < least_edge) limit = {.coarse = std::max(limit.coarse, least_edge)};
     const PatchCount expected = count(limit);
-    PatchMesh mesh = with_limit(limit);
-    const double filled = static_cast<double>(mesh.size()) - expected.certain;
+    const PatchMesh whole = with_limit(limit);
+    PatchMesh mesh = cut(whole);
+    n_cut = static_cast<double>(mesh.size() - whole.size());
+    if (expected.estimated > 0) {
+      fill_factor = (static_cast<double>(whole.size()) - expected.certain) / expected.estimated;
+    }
     if (error(mesh) < error(best)) best = std::move(mesh);
-    if (error(best) <= kCloseEnough * n_patches || expected.estimated == 0) break;
-    fill_factor = filled / expected.estimated;
+    if (error(best) <= kCloseEnough * n_patches || limit.coarse == least_edge) break;
+    if (expected.estimated == 0 && n_cut == 0) break;
   }
   return best;
+}
+
+/// The median of the polygons' longest edges, m.
+double usual_length(const Scene& scene) {
+  std::vector<double> lengths;
+  for (Index i = 0; i < scene.n_polygons(); ++i) {
+    const std::span<const std::int32_t> polygon = scene.polygon(i);
+    double longest = 0;
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+      const Vec3& next = scene.vertices[polygon[(k + 1) % polygon.size()]];
+      longest = std::max(longest, (next - scene.vertices[polygon[k]]).norm());
+    }
+    lengths.push_back(longest);
+  }
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  return *middle;
 }
 
 }  // namespace
@@ -177,8 +217,14 @@ PatchOptions make_patch_options(const PatchChoice& choice, const radiosity::Scen
   if (choice.adaptive) {
     options.n_patches = std::min(options.n_patches.value_or(kDefaultPatches), kDefaultPatches);
   }
-  const bool nothing_said = !choice.max_edge && !choice.n_patches && !choice.as_is;
-  if (nothing_said && scene.n_polygons() < kDefaultPatches) options.n_patches = kDefaultPatches;
+  const bool nothing_said = !options.max_edge && !options.n_patches && !choice.as_is;
+  if (!nothing_said) return options;
+  const long n_polygons = scene.n_polygons();
+  options.n_patches = std::max(kDefaultPatches, n_polygons + kDefaultBeyondPolygons);
+  if (n_polygons >= kDefaultPatches) {
+    constexpr double kLarge = 2;
+    options.least_edge = kLarge * usual_length(scene);
+  }
   return options;
 }
 
@@ -186,9 +232,24 @@ PatchMesh make_patches(const Scene& scene, const PatchOptions& options) {
   assert(!(options.max_edge && options.n_patches));
   assert(!options.max_edge || *options.max_edge > 0);
   assert(!options.n_patches || *options.n_patches > 0);
-  const PatchMaker maker(scene, options.progress);
-  if (options.n_patches) return maker.with_about(static_cast<double>(*options.n_patches));
-  return maker.with_limit({.coarse = options.max_edge.value_or(kInfinity)});
+  PatchMaker maker(scene, options.progress);
+  if (options.n_patches) {
+    return maker.cut_with_about(static_cast<double>(*options.n_patches),
+                                options.least_edge.value_or(0));
+  }
+  if (options.max_edge) return maker.cut_with_limit({.coarse = *options.max_edge});
+  return maker.as_is();
+}
+
+std::optional<std::string> uncut_warning(const PatchMesh& mesh) {
+  const std::vector<Index> crossed = crossed_patches(mesh);
+  if (crossed.empty()) return std::nullopt;
+  const Index first = crossed[0];
+  return std::to_string(crossed.size()) + " of " + std::to_string(mesh.size()) +
+         " patches could not be cut where others stand on them or pass through them, one of "
+         "surface '" +
+         mesh.surface_names[mesh.surface[first]] + "' at " + place(mesh.centroid[first]) +
+         ": light may leak there";
 }
 
 }  // namespace meshing

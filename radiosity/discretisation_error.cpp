@@ -37,11 +37,35 @@ Solution solve_coarser(const AggregatedTransport& coarser, const Solution& solut
                options);
 }
 
-/// Number of patches alone in their group.
-Index count_lone(const PatchGroups& groups) {
+/// Patches alone in their group.
+std::vector<Index> find_lone(const PatchGroups& groups) {
   std::vector<std::int32_t> size(groups.n_groups, 0);
   for (const std::int32_t g : groups.group_of) ++size[g];
-  return std::count(size.begin(), size.end(), 1);
+  std::vector<Index> lone;
+  for (std::size_t i = 0; i < groups.group_of.size(); ++i) {
+    if (size[groups.group_of[i]] == 1) lone.push_back(static_cast<Index>(i));
+  }
+  return lone;
+}
+
+/// Reflected light, but no less than kDarkShare of its mean.
+Eigen::VectorXd light_scale(const Eigen::VectorXd& area, const Eigen::VectorXd& reflected) {
+  return reflected.cwiseMax(kDarkShare * area.dot(reflected) / area.sum());
+}
+
+/// Gives patches alone in their group, which coarser patches tell nothing about, no smaller a
+/// square of the error than the others have on average, relative to their light.
+void assume_for_lone(const std::vector<Index>& lone, const Eigen::VectorXd& area,
+                     const Eigen::MatrixXd& reflected, Eigen::MatrixXd& squared) {
+  Eigen::VectorXd others = area;
+  for (const Index i : lone) others[i] = 0;
+  if (!(others.sum() > 0)) return;
+  for (Index c = 0; c < squared.cols(); ++c) {
+    const Eigen::VectorXd light = light_scale(area, reflected.col(c)).cwiseAbs2();
+    if (!(light.minCoeff() > 0)) continue;
+    const double relative = others.dot(squared.col(c).cwiseQuotient(light)) / others.sum();
+    for (const Index i : lone) squared(i, c) = std::max(squared(i, c), relative * light[i]);
+  }
 }
 
 /// Root mean square over the area of the errors relative to the reflected light, largest over the
@@ -52,8 +76,7 @@ double relative_error(const Eigen::VectorXd& area, const Eigen::MatrixXd& reflec
   for (Index c = 0; c < error.cols(); ++c) {
     const double mean = area.dot(reflected.col(c)) / area.sum();
     if (!(mean > 0)) continue;
-    const Eigen::VectorXd relative =
-        error.col(c).cwiseQuotient(reflected.col(c).cwiseMax(kDarkShare * mean));
+    const Eigen::VectorXd relative = error.col(c).cwiseQuotient(light_scale(area, reflected.col(c)));
     largest = std::max(largest, std::sqrt(area.dot(relative.cwiseAbs2()) / area.sum()));
   }
   return largest;
@@ -98,10 +121,12 @@ DiscretisationError discretisation_error(const PatchMesh& mesh, const Transport&
   // A patch's own change may happen to be small.
   const Eigen::MatrixXd squared = result.change.cwiseAbs2();
   const Eigen::MatrixXd around = coarsest.spread(coarsest.means(squared));
-  result.error = ((squared + around) / (2 * (ratio - 1) * (ratio - 1)) +
-                  uneven_light_error(mesh, transport, solution, quiet).cwiseAbs2())
-                     .cwiseSqrt();
-  result.n_unknown = count_lone(groups);
+  Eigen::MatrixXd left = (squared + around) / (2 * (ratio - 1) * (ratio - 1));
+  const std::vector<Index> lone = find_lone(groups);
+  assume_for_lone(lone, area, reflected, left);
+  result.error =
+      (left + uneven_light_error(mesh, transport, solution, quiet).cwiseAbs2()).cwiseSqrt();
+  result.n_unknown = static_cast<Index>(lone.size());
   // Where no light arrives at all there is none to be wrong about.
   result.error = (solution.irradiance.array() == 0).select(0, result.error);
   result.relative = relative_error(area, reflected, result.error);

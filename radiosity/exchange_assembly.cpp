@@ -14,6 +14,7 @@
 #include "radiosity/occluded_pair.h"
 #include "radiosity/pair_kernel.h"
 #include "radiosity/parallel.h"
+#include "radiosity/regions.h"
 
 namespace radiosity {
 namespace {
@@ -65,6 +66,8 @@ class Assembler {
     const PatchMesh local = centered(mesh);
     tree_ = make_cluster_tree(local, kLeafSize, table_.thickness());
     blockers_ = make_blockers(local, table_.thickness());
+    region_ = find_regions(mesh, visibility, table_.thickness());
+    find_regions_of_clusters();
     find_strips();
     find_known();
     find_budget();
@@ -101,6 +104,22 @@ class Assembler {
     }
   }
 
+  /// The region that all patches of a cluster look into, -1 if there are several.
+  void find_regions_of_clusters() {
+    for (const Cluster& cluster : tree_.clusters) {
+      std::int32_t region = region_[tree_.order[cluster.begin]];
+      for (Index k = cluster.begin + 1; k < cluster.end && region >= 0; ++k) {
+        if (region_[tree_.order[k]] != region) region = -1;
+      }
+      region_of_cluster_.push_back(region);
+    }
+  }
+
+  [[nodiscard]] bool are_apart(std::int32_t a, std::int32_t b) const {
+    return region_of_cluster_[a] >= 0 && region_of_cluster_[b] >= 0 &&
+           region_of_cluster_[a] != region_of_cluster_[b];
+  }
+
   /// Marks the clusters of which an earlier operator had all patches.
   void find_known() {
     is_known_.assign(tree_.clusters.size(), false);
@@ -127,6 +146,7 @@ class Assembler {
   /// The standard error of a pair as it would be computed, m².
   [[nodiscard]] double trial_error(std::int32_t i, std::int32_t j) const {
     if (i == j || coverage_.is_covered(i) || coverage_.is_covered(j)) return 0;
+    if (region_[i] != region_[j]) return 0;
     const Blocking front_i = table_.in_front(i, j);
     const Blocking front_j = table_.in_front(j, i);
     if (front_i == Blocking::none || front_j == Blocking::none) return 0;
@@ -172,6 +192,7 @@ class Assembler {
   /// blocks everything.
   [[nodiscard]] Candidates filter(std::int32_t a, std::int32_t b, const Candidates& candidates,
                                   bool& is_hidden) const {
+    is_hidden = is_hidden || are_apart(a, b);
     if (is_hidden || (is_known_[a] && is_known_[b])) return {};
     const auto kept = possible_blockers(tree_.clusters[a], tree_.clusters[b], blockers_, candidates,
                                         table_.thickness());
@@ -322,6 +343,10 @@ class Assembler {
     const Blocking front_j = table_.in_front(j, i);
     if (front_j == Blocking::none) return;
     ++work.census.facing;
+    if (region_[i] != region_[j]) {
+      ++work.census.hidden;
+      return;
+    }
     if (const auto known = known_entry(i, j)) {
       ++work.census.known;
       store(row - work.first_row, column - work.first_column, *known, work);
@@ -470,6 +495,8 @@ class Assembler {
   ClusterTree tree_;
   BlockerSet blockers_;
   const Coverage& coverage_;
+  std::vector<std::int32_t> region_;             // per patch
+  std::vector<std::int32_t> region_of_cluster_;
   std::vector<std::int32_t> strips_;            // clusters
   std::vector<std::int32_t> strip_of_cluster_;  // per cluster, or -1
   std::vector<bool> is_known_;                  // per cluster

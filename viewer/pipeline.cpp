@@ -191,6 +191,9 @@ void run_pipeline(const std::string& path, std::shared_ptr<const Scene> scene, c
                                                  .as_is = settings.as_is,
                                                  .adaptive = settings.adaptive},
                                                 *model.scene, progress)));
+  if (!settings.as_is) {
+    if (const auto uncut = meshing::uncut_warning(*model.mesh)) events.warned(*uncut);
+  }
   model.visibility = std::make_shared<radiosity::Visibility>(*model.mesh);
   events.opened(model);
   preview(model, mix, events, progress);

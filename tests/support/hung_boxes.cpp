@@ -177,6 +177,9 @@ PatchMesh divided_into_four(const PatchMesh& mesh) {
   PatchMesh result;
   result.surface_names = mesh.surface_names;
   result.surface_two_sided = mesh.surface_two_sided;
+  result.precision = mesh.precision;
+  result.polygon_corners = mesh.polygon_corners;
+  result.first_polygon_corner = mesh.first_polygon_corner;
   const auto add = [&](const std::array<Vec3, 4>& corner, int n, Index parent) {
     std::array<std::int32_t, 4> corners = {-1, -1, -1, -1};
     for (int k = 0; k < n; ++k) {
@@ -201,6 +204,18 @@ PatchMesh divided_into_four(const PatchMesh& mesh) {
       const Vec3 middle = (p[0] + p[1] + p[2] + p[3]) / 4;
       for (int k = 0; k < 4; ++k) add({p[k], m[k], middle, m[(k + 3) % 4]}, 4, i);
     }
+  }
+  for (Index i = 0; i < result.size(); ++i) {
+    const std::int32_t back = mesh.twin[i / 4];
+    if (back < 0) continue;
+    const auto distance = [&](std::int32_t part) {
+      return (result.centroid[part] - result.centroid[i]).squaredNorm();
+    };
+    std::int32_t nearest = 4 * back;
+    for (std::int32_t k = 4 * back + 1; k < 4 * back + 4; ++k) {
+      if (distance(k) < distance(nearest)) nearest = k;
+    }
+    result.twin[i] = nearest;
   }
   return result;
 }

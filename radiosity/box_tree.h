@@ -5,24 +5,24 @@
 
 #include "radiosity/geometry.h"
 
-namespace meshing {
+namespace radiosity {
 
 /// Finds which of many boxes meet a given one, in a time that grows with the logarithm of their
 /// number: a binary tree of boxes, split at the median.
 class BoxTree {
  public:
-  explicit BoxTree(std::vector<radiosity::Box3> boxes);
+  explicit BoxTree(std::vector<Box3> boxes);
 
   /// Calls visit(i) for every box i that shares a point with `box`, in an order that depends on
   /// the boxes only.
   template <typename Visit>
-  void for_each_meeting(const radiosity::Box3& box, const Visit& visit) const {
+  void for_each_meeting(const Box3& box, const Visit& visit) const {
     if (!nodes_.empty()) descend(0, box, visit);
   }
 
  private:
   struct Node {
-    radiosity::Box3 box;
+    Box3 box;
     std::int32_t begin, end;  // into order_
     std::int32_t right;       // the left child follows its parent; -1 in a leaf
   };
@@ -30,7 +30,7 @@ class BoxTree {
   void build(std::int32_t begin, std::int32_t end);
 
   template <typename Visit>
-  void descend(std::int32_t n, const radiosity::Box3& box, const Visit& visit) const {
+  void descend(std::int32_t n, const Box3& box, const Visit& visit) const {
     const Node& node = nodes_[n];
     if (!node.box.intersects(box)) return;
     if (node.right < 0) {
@@ -43,9 +43,9 @@ class BoxTree {
     descend(node.right, box, visit);
   }
 
-  std::vector<radiosity::Box3> boxes_;
+  std::vector<Box3> boxes_;
   std::vector<std::int32_t> order_;
   std::vector<Node> nodes_;
 };
 
-}  // namespace meshing
+}  // namespace radiosity

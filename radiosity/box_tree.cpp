@@ -1,12 +1,12 @@
-#include "meshing/box_tree.h"
+#include "radiosity/box_tree.h"
 
 #include <algorithm>
 #include <numeric>
 #include <utility>
 
-namespace meshing {
+namespace radiosity {
 
-BoxTree::BoxTree(std::vector<radiosity::Box3> boxes)
+BoxTree::BoxTree(std::vector<Box3> boxes)
     : boxes_(std::move(boxes)), order_(boxes_.size()) {
   std::iota(order_.begin(), order_.end(), 0);
   if (!order_.empty()) build(0, static_cast<std::int32_t>(order_.size()));
@@ -14,8 +14,8 @@ BoxTree::BoxTree(std::vector<radiosity::Box3> boxes)
 
 void BoxTree::build(std::int32_t begin, std::int32_t end) {
   constexpr std::int32_t kLeafSize = 4;
-  radiosity::Box3 box;
-  radiosity::Box3 centers;
+  Box3 box;
+  Box3 centers;
   for (std::int32_t k = begin; k < end; ++k) {
     box.extend(boxes_[order_[k]]);
     centers.extend(boxes_[order_[k]].center());
@@ -38,4 +38,4 @@ void BoxTree::build(std::int32_t begin, std::int32_t end) {
   build(middle, end);
 }
 
-}  // namespace meshing
+}  // namespace radiosity

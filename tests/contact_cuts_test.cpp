@@ -1,0 +1,209 @@
+#include "meshing/contact_cuts.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <random>
+
+#include "meshing/patches.h"
+#include "radiosity/discretisation_error.h"
+#include "radiosity/radiometry.h"
+#include "radiosity/regions.h"
+#include "radiosity/solve.h"
+#include "radiosity/transport.h"
+#include "tests/support/hung_boxes.h"
+#include "tests/support/walled_rooms.h"
+
+namespace {
+
+using namespace radiosity;
+using meshing::make_patches;
+using test::Hut;
+using test::WalledRoom;
+
+double total_area(const PatchMesh& mesh) {
+  return std::accumulate(mesh.area.begin(), mesh.area.end(), 0.0);
+}
+
+/// Number of corners of patches that lie within an edge of another patch of the same polygon.
+int count_t_vertices(const PatchMesh& mesh) {
+  int count = 0;
+  for (Index i = 0; i < mesh.size(); ++i) {
+    for (Index j = 0; j < mesh.size(); ++j) {
+      if (mesh.polygon[i] != mesh.polygon[j]) continue;
+      for (int k = 0; k < mesh.n_corners(i); ++k) {
+        const Vec3& a = mesh.corner(i, k);
+        const Vec3 ab = mesh.corner(i, (k + 1) % mesh.n_corners(i)) - a;
+        for (int c = 0; c < mesh.n_corners(j); ++c) {
+          const Vec3 d = mesh.corner(j, c) - a;
+          const double t = d.dot(ab) / ab.squaredNorm();
+          if (t > 1e-9 && t < 1 - 1e-9 && (d - t * ab).norm() < 1e-9) ++count;
+        }
+      }
+    }
+  }
+  return count;
+}
+
+Solution solve_patches(const Scene& scene, const PatchMesh& mesh) {
+  const Visibility visibility(mesh);
+  const auto transport =
+      make_transport(mesh, visibility, {.tolerance = 1e-3, .closed = Closed::no});
+  const Solution solution = solve(*transport, exitance(scene, mesh), reflectance(scene, mesh));
+  return with_discretisation_error(solution, discretisation_error(mesh, *transport, solution));
+}
+
+/// Kinds by seed: sheets and boards (every third), turned (odd ones), all digits, 5 decimals and
+/// single precision. bench/walled_rooms_bench does more.
+class WalledRooms : public testing::TestWithParam<std::uint64_t> {};
+INSTANTIATE_TEST_SUITE_P(Seeds, WalledRooms, testing::Values(1, 2, 3, 4, 6, 7, 11));
+
+TEST_P(WalledRooms, AreCutAndConform) {
+  const WalledRoom room = test::make_walled_room(GetParam(), Hut::sealed);
+  const PatchMesh as_is = make_patches(room.scene);
+  EXPECT_FALSE(meshing::crossed_patches(as_is).empty());
+  for (const long n : {100, 400}) {
+    const PatchMesh mesh = make_patches(room.scene, {.n_patches = n});
+    EXPECT_TRUE(meshing::crossed_patches(mesh).empty()) << n;
+    EXPECT_NEAR(total_area(mesh), total_area(as_is), 1e-9 * total_area(as_is));
+    EXPECT_EQ(count_t_vertices(mesh), 0) << n;
+    EXPECT_GT(*std::min_element(mesh.area.begin(), mesh.area.end()), 0);
+    for (Index i = 0; i < mesh.size(); ++i) {
+      EXPECT_EQ(mesh.twin[i] >= 0, room.scene.surfaces[mesh.surface[i]].two_sided);
+      if (mesh.twin[i] >= 0) {
+        EXPECT_EQ(mesh.twin[mesh.twin[i]], i);
+      }
+    }
+  }
+  const PatchMesh asked = make_patches(room.scene, {.n_patches = 700});
+  EXPECT_NEAR(static_cast<double>(asked.size()), 700, 0.05 * 700);
+  EXPECT_EQ(make_patches(room.scene, {.n_patches = 700}).corners, asked.corners);
+}
+
+TEST_P(WalledRooms, AreDarkWithin) {
+  const WalledRoom room = test::make_walled_room(GetParam(), Hut::sealed);
+  const PatchMesh mesh = make_patches(room.scene, {.n_patches = 300});
+  const Solution solution = solve_patches(room.scene, mesh);
+  Index n_inside = 0;
+  for (Index i = 0; i < mesh.size(); ++i) {
+    if (!room.looks_inside(mesh, i)) continue;
+    ++n_inside;
+    EXPECT_EQ(solution.irradiance(i, 0), 0) << mesh.surface_names[mesh.surface[i]];
+    EXPECT_EQ(solution.radiosity_error(i, 0), 0);
+  }
+  EXPECT_GT(n_inside, 10);
+  EXPECT_GT(solution.irradiance.mean(), 1);
+}
+
+TEST_P(WalledRooms, ErrorsCoverFinerPatchesWhereTheyAreOpen) {
+  const WalledRoom room = test::make_walled_room(GetParam(), Hut::open);
+  const PatchMesh mesh = make_patches(room.scene, {.n_patches = 200});
+  const Solution solution = solve_patches(room.scene, mesh);
+  const PatchMesh finer = test::divided_into_four(mesh);
+  const Eigen::MatrixXd truth =
+      test::means_of_four(finer, solve_patches(room.scene, finer).radiosity);
+  const double rounding = 1e-9 * solution.radiosity.maxCoeff();
+  Index n_within = 0;
+  Index n_bright = 0;
+  for (Index i = 0; i < mesh.size(); ++i) {
+    const double error = std::abs(solution.radiosity(i, 0) - truth(i, 0));
+    n_within += error <= 2 * solution.radiosity_error(i, 0) + rounding ? 1 : 0;
+    n_bright += room.looks_inside(mesh, i) && truth(i, 0) > 0 ? 1 : 0;
+  }
+  EXPECT_GE(static_cast<double>(n_within), 0.95 * static_cast<double>(mesh.size()));
+  EXPECT_GT(n_bright, 0);
+}
+
+/// Straight lines between regions would disprove them.
+TEST_P(WalledRooms, RegionsDoNotSeeEachOther) {
+  for (const Hut hut : {Hut::sealed, Hut::open}) {
+    const WalledRoom room = test::make_walled_room(GetParam(), hut);
+    const PatchMesh mesh = make_patches(room.scene, {.n_patches = 300});
+    const Visibility visibility(mesh);
+    const std::vector<std::int32_t> region =
+        find_regions(mesh, visibility, plane_thickness(mesh));
+    std::mt19937_64 random(GetParam());
+    std::normal_distribution<double> normal;
+    for (Index i = 0; i < mesh.size(); ++i) {
+      for (int k = 0; k < 100; ++k) {
+        Vec3 direction(normal(random), normal(random), normal(random));
+        if (direction.dot(mesh.normal[i]) < 0) direction = -direction;
+        const auto hit = visibility.first_hit(mesh.centroid[i], direction, static_cast<int>(i));
+        if (hit && hit->front) {
+          EXPECT_EQ(region[hit->patch], region[i]) << i;
+        }
+      }
+    }
+  }
+}
+
+/// A room of 12 triangles with a mesh of many in it: the large ones are divided, no others.
+TEST(DefaultPatches, AreSmallBesideManyPolygons) {
+  Scene scene;
+  scene.materials.emplace_back();
+  scene.surfaces = {{"walls", 0, false}, {"bumps", 0, false}};
+  const auto add = [&](const std::array<Vec3, 3>& corners, std::int32_t surface) {
+    const auto first = static_cast<std::int32_t>(scene.vertices.size());
+    scene.vertices.insert(scene.vertices.end(), corners.begin(), corners.end());
+    scene.add_polygon(std::array<std::int32_t, 3>{first, first + 1, first + 2}, surface);
+  };
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vec3 u = 4 * Vec3::Unit((axis + 1) % 3);
+    const Vec3 v = 4 * Vec3::Unit((axis + 2) % 3);
+    const Vec3 w = 4 * Vec3::Unit(axis);
+    add({Vec3::Zero(), u, u + v}, 0);
+    add({Vec3::Zero(), u + v, v}, 0);
+    add({w, w + u + v, w + u}, 0);
+    add({w, w + v, w + u + v}, 0);
+  }
+  constexpr int kSide = 32;
+  for (int i = 0; i < kSide; ++i) {
+    for (int j = 0; j < kSide; ++j) {
+      const auto at = [](int x, int y) {
+        return Vec3(1.5 + x / 32.0, 1.5 + y / 32.0, 1 + 0.01 * std::sin(x) * std::cos(y));
+      };
+      add({at(i, j), at(i + 1, j), at(i + 1, j + 1)}, 1);
+      add({at(i, j), at(i + 1, j + 1), at(i, j + 1)}, 1);
+    }
+  }
+  ASSERT_GE(scene.n_polygons(), meshing::kDefaultPatches);
+  const PatchMesh mesh = make_patches(scene, meshing::make_patch_options({}, scene));
+  const auto n_of = [&](std::int32_t s) {
+    return std::count(mesh.surface.begin(), mesh.surface.end(), s);
+  };
+  EXPECT_EQ(n_of(1), 2 * kSide * kSide);
+  EXPECT_NEAR(static_cast<double>(n_of(0)), meshing::kDefaultBeyondPolygons,
+              0.1 * meshing::kDefaultBeyondPolygons);
+
+  // Polygons that are all alike stay as they are.
+  Scene bumps = scene;
+  bumps.polygon_surface.erase(bumps.polygon_surface.begin(), bumps.polygon_surface.begin() + 12);
+  bumps.corners.erase(bumps.corners.begin(), bumps.corners.begin() + 36);
+  bumps.first_corner.resize(bumps.polygon_surface.size() + 1);
+  EXPECT_EQ(make_patches(bumps, meshing::make_patch_options({}, bumps)).size(),
+            bumps.n_polygons());
+}
+
+/// What is too thin to be cut off is told.
+TEST(ContactCuts, TellWhatTheyCannotCut) {
+  Scene scene;
+  scene.materials.emplace_back();
+  scene.surfaces = {{"floor", 0, false}, {"wall", 0, true}};
+  const auto add = [&](const std::array<Vec3, 4>& corners, std::int32_t surface) {
+    const auto first = static_cast<std::int32_t>(scene.vertices.size());
+    scene.vertices.insert(scene.vertices.end(), corners.begin(), corners.end());
+    scene.add_polygon(std::array<std::int32_t, 4>{first, first + 1, first + 2, first + 3}, surface);
+  };
+  add({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0)}, 0);
+  add({Vec3(0.5, 0, 0), Vec3(0.5, 1, 0), Vec3(0.5, 1, 1), Vec3(0.5, 0, 1)}, 1);
+  EXPECT_TRUE(meshing::uncut_warning(make_patches(scene)).has_value());
+  EXPECT_FALSE(meshing::uncut_warning(make_patches(scene, {.n_patches = 20})).has_value());
+  EXPECT_NE(meshing::uncut_warning(make_patches(scene))->find("floor"), std::string::npos);
+}
+
+}  // namespace
