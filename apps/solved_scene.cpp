@@ -237,8 +237,10 @@ TerminalProgress::Style terminal_style(const CommonOptions& common) {
 
 Scene read_scene_warning(const CommonOptions& common, const Progress& progress,
                          TerminalProgress& terminal) {
-  Scene scene = io::read_scene(
-      common.scene, {.unit = common.unit, .precision = common.precision, .progress = progress});
+  Scene scene = io::read_scene(common.scene, {.unit = common.unit,
+                                              .precision = common.precision,
+                                              .strict = common.strict,
+                                              .progress = progress});
   for (const std::string& warning : scene.warnings) terminal.warn(warning);
   return scene;
 }

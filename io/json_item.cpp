@@ -24,24 +24,40 @@ std::string description(const Json& value) {
   if (value.is_object()) return "an object";
   if (value.is_array()) return fmt::format("a list of {}", value.size());
   if (value.is_null()) return "null";
+  if (value.is_string()) return in_quotes(value.get_ref<const std::string&>());
   return fmt::format("{}", value.dump());
 }
 
-/// Notices keys that stand twice in one object, of which the parser would keep the last.
-class DuplicateKeys {
+/// What comes out of a parser may be copied and printed by functions that recurse.
+constexpr int kDeepest = 500;
+/// Keys of an object are looked for one after the other.
+constexpr std::size_t kMostKeys = 10'000;
+
+/// Notices keys that stand twice in one object, of which the parser would keep the last; refuses
+/// what is nested too deep or has too many keys.
+class JsonCheck {
  public:
-  bool operator()(Json::parse_event_t event, const Json& parsed) {
+  explicit JsonCheck(const std::filesystem::path& path) : path_(path) {}
+
+  bool operator()(int depth, Json::parse_event_t event, const Json& parsed) {
+    if (depth > kDeepest) {
+      fail(path_, fmt::format("has more than {} lists and objects inside each other", kDeepest));
+    }
     if (event == Json::parse_event_t::object_start) keys_.emplace_back();
     if (event == Json::parse_event_t::object_end) keys_.pop_back();
     if (event == Json::parse_event_t::key) {
       const auto& key = parsed.get_ref<const std::string&>();
       if (!keys_.back().insert(key).second && first_.empty()) first_ = key;
+      if (keys_.back().size() > kMostKeys) {
+        fail(path_, fmt::format("has an object of more than {} keys", kMostKeys));
+      }
     }
     return true;
   }
   [[nodiscard]] const std::string& first() const { return first_; }
 
  private:
+  std::filesystem::path path_;
   std::vector<std::set<std::string>> keys_;  // of the objects that are open
   std::string first_;
 };
@@ -57,24 +73,33 @@ class DuplicateKeys {
   throw radiosity::SceneError(fmt::format("{}:{}: {}", path.string(), line, text));
 }
 
+template <typename Input>
+Json parse_checked(const std::filesystem::path& path, Input& input, JsonCheck& check) {
+  try {
+    return Json::parse(input, [&](int depth, Json::parse_event_t event, const Json& parsed) {
+      return check(depth, event, parsed);
+    });
+  } catch (const Json::exception& error) {
+    fail_at_line(path, error.what());
+  }
+}
+
 }  // namespace
 
 Json parse_json(const std::filesystem::path& path) {
   input_size(path);
   std::ifstream file(path, std::ios::binary);
-  DuplicateKeys duplicates;
-  Json json;
-  try {
-    json = Json::parse(file, [&](int /*depth*/, Json::parse_event_t event, Json& parsed) {
-      return duplicates(event, parsed);
-    });
-  } catch (const Json::exception& error) {
-    fail_at_line(path, error.what());
-  }
-  if (!duplicates.first().empty()) {
-    fail(path, fmt::format("key \"{}\" stands twice in one object", duplicates.first()));
+  JsonCheck check(path);
+  Json json = parse_checked(path, file, check);
+  if (!check.first().empty()) {
+    fail(path, fmt::format("key {} stands twice in one object", in_quotes(check.first())));
   }
   return json;
+}
+
+Json parse_json_text(const std::filesystem::path& path, std::string_view text) {
+  JsonCheck check(path);
+  return parse_checked(path, text, check);
 }
 
 std::optional<Vec3> as_point(const Json& value) {
@@ -101,9 +126,9 @@ void JsonItem::check_keys(std::span<const std::string_view> known) const {
     });
     // Further than half its letters, a word is no misspelling of the other.
     if (2 * edit_distance(key, *nearest) <= std::max(key.size(), nearest->size())) {
-      fail(fmt::format("unknown key \"{}\", did you mean \"{}\"?", key, *nearest));
+      fail(fmt::format("unknown key {}, did you mean \"{}\"?", in_quotes(key), *nearest));
     }
-    fail(fmt::format("unknown key \"{}\", nearest is \"{}\"; known are {}", key, *nearest,
+    fail(fmt::format("unknown key {}, nearest is \"{}\"; known are {}", in_quotes(key), *nearest,
                      fmt::join(known, ", ")));
   }
 }

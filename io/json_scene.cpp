@@ -116,7 +116,7 @@ std::optional<double> given_precision(const JsonItem& root) {
 
 }  // namespace
 
-Scene read_json_scene(const std::filesystem::path& path, const ReadOptions& options) {
+FileScene read_json_scene(const std::filesystem::path& path, const ReadOptions& options) {
   const Json json = parse_json(path);
   const JsonItem root(json, path);
   root.check_keys(keys::kScene);
@@ -124,18 +124,19 @@ Scene read_json_scene(const std::filesystem::path& path, const ReadOptions& opti
     if (const auto item = root.find(key)) (void)item->text();
   }
   const double unit = scene_unit(root, options);
-  Scene scene;
+  FileScene file;
+  Scene& scene = file.scene;
   scene.source = path.string();
   if (const auto bands = root.find("bands")) scene.bands = read_bands(*bands);
   if (const auto materials = root.find("materials")) {
     scene.materials = read_materials(*materials, scene.bands, path.parent_path());
   }
-  add_surfaces(root.at("surfaces"), path.parent_path(), unit, options.progress, scene);
+  add_surfaces(root.at("surfaces"), path.parent_path(), unit, options.progress, file);
   if (const auto precision = given_precision(root)) scene.precision = unit * *precision;
   if (const auto camera = root.find("camera")) scene.camera = read_camera(*camera, unit);
   if (const auto closed = root.find("closed")) scene.closed = closed->boolean();
   if (scene.n_polygons() == 0) fail(path, "has no polygons");
-  return scene;
+  return file;
 }
 
 }  // namespace io

@@ -17,9 +17,12 @@ namespace io {
 /// Throws SceneError "room.obj: message".
 [[noreturn]] void fail(const std::filesystem::path& path, const std::string& message);
 
-/// Size of a file, bytes, > 0. Throws SceneError if there is no such file, if it is a folder, not
-/// readable or empty.
+/// Size of a file, bytes, > 0. Throws SceneError if there is no such file, if it is no regular one
+/// (a folder, a pipe, a device: reading could wait for ever), not readable or empty.
 std::uint64_t input_size(const std::filesystem::path& path);
+
+/// `word` in quotes for a message, cut where it is long.
+std::string in_quotes(std::string_view word);
 
 /// The number that `word` spells, the whole of it; a leading + is allowed. Empty if it spells none
 /// or one that T cannot hold.
@@ -49,10 +52,12 @@ class Words {
   std::string_view rest_;
 };
 
-/// Reads a text file line by line and knows where it is. Lines may end in \n or \r\n.
+/// Reads a text file line by line and knows where it is. Lines may end in \n or \r\n. A byte order
+/// mark of UTF-8 at the start is skipped; text in UTF-16 is refused.
 class LineReader {
  public:
-  enum class Continuation { none, backslash };  ///< whether \ at the end joins the next line
+  /// Whether \ at the end joins the next line; not that of a comment, which ends with its line.
+  enum class Continuation { none, backslash };
 
   /// Throws SceneError if the file cannot be read. `progress` must outlive the reader.
   LineReader(const std::filesystem::path& path, const radiosity::Progress& progress,

@@ -25,6 +25,7 @@ struct SolveSettings {
   std::uint64_t seed = 0;                        ///< of the visibility samples
   std::optional<std::string> unit = {};          ///< of the file's coordinates
   std::optional<double> precision = {};          ///< of these, m; absent: as said or found
+  bool strict = false;                           ///< refuse files with faults that can be mended
 };
 
 /// Rows of form factors, from memory or from a file.
