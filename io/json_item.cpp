@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "io/line_reader.h"
+#include "io/printable.h"
 #include "radiosity/error.h"
 
 namespace io {
@@ -24,7 +25,8 @@ std::string description(const Json& value) {
   if (value.is_object()) return "an object";
   if (value.is_array()) return fmt::format("a list of {}", value.size());
   if (value.is_null()) return "null";
-  return fmt::format("{}", value.dump());
+  if (value.is_string()) return in_quotes(value.get_ref<const std::string&>());
+  return value.dump();
 }
 
 /// Notices keys that stand twice in one object, of which the parser would keep the last.
@@ -57,6 +59,13 @@ class DuplicateKeys {
   throw radiosity::SceneError(fmt::format("{}:{}: {}", path.string(), line, text));
 }
 
+bool begins_object(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  char first = '\0';
+  for (file >> first; file && static_cast<unsigned char>(first) >= 0x80;) file >> first;
+  return first == '{';
+}
+
 }  // namespace
 
 Json parse_json(const std::filesystem::path& path) {
@@ -69,11 +78,14 @@ Json parse_json(const std::filesystem::path& path) {
       return duplicates(event, parsed);
     });
   } catch (const Json::exception& error) {
+    // The parser's message has what it read last, which in another kind of file is not ours to tell.
+    if (!begins_object(path)) fail(path, "is no scene in JSON: it does not begin with {");
     fail_at_line(path, error.what());
   }
   if (!duplicates.first().empty()) {
     fail(path, fmt::format("key \"{}\" stands twice in one object", duplicates.first()));
   }
+  if (json.is_string()) fail(path, "is no scene in JSON: it holds a text only");
   return json;
 }
 

@@ -203,6 +203,8 @@ void add_mesh(const JsonItem& item, const Surface& given, const std::filesystem:
     item.at("mesh").fail("is a scene, expected a mesh file: .obj, .off, .ply, .stl, .gltf, .glb");
   }
   const Scene mesh = read_mesh(folder / file, progress);
+  scene.files.push_back(folder / file);
+  scene.files.insert(scene.files.end(), mesh.files.begin(), mesh.files.end());
   const auto surfaces = add_mesh_surfaces(item, given, mesh, file, scene);
   const auto first_vertex = static_cast<std::int64_t>(scene.vertices.size());
   add_vertices(item, mesh, mesh_unit(item, file, unit), unit, scene);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "io/printable.h"
 #include "radiosity/error.h"
 
 namespace io {
@@ -99,12 +100,16 @@ void LineReader::fail(const std::string& message) const {
       fmt::format("{}:{}: {}", path_.string(), first_line_number_, message));
 }
 
+std::string LineReader::shown(std::string_view word) const {
+  return is_recognised_ ? in_quotes(word) : fmt::format("a word of {} bytes", word.size());
+}
+
 double LineReader::number(Words& words, std::string_view what) const {
   const std::string_view word = words.next();
   if (word.empty()) fail(fmt::format("line ends where {} is expected", what));
   const auto value = parse_number<double>(word);
-  if (!value) fail(fmt::format("expected a number for {}, found \"{}\"", what, word));
-  if (!std::isfinite(*value)) fail(fmt::format("{} is not finite: \"{}\"", what, word));
+  if (!value) fail(fmt::format("expected a number for {}, found {}", what, shown(word)));
+  if (!std::isfinite(*value)) fail(fmt::format("{} is not finite: {}", what, shown(word)));
   return *value;
 }
 
@@ -112,7 +117,7 @@ std::int64_t LineReader::integer(Words& words, std::string_view what) const {
   const std::string_view word = words.next();
   if (word.empty()) fail(fmt::format("line ends where {} is expected", what));
   const auto value = parse_number<std::int64_t>(word);
-  if (!value) fail(fmt::format("expected an integer for {}, found \"{}\"", what, word));
+  if (!value) fail(fmt::format("expected an integer for {}, found {}", what, shown(word)));
   return *value;
 }
 

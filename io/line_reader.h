@@ -73,6 +73,12 @@ class LineReader {
   /// Throws SceneError "room.obj:41: message".
   [[noreturn]] void fail(const std::string& message) const;
 
+  /// To be called once the file has shown that it is of the kind that is read.
+  void recognise() { is_recognised_ = true; }
+  /// A word of the file as messages tell it: in quotes and cut. Of a file that was not recognised
+  /// only its length, since it may be anything, a file of passwords, say.
+  [[nodiscard]] std::string shown(std::string_view word) const;
+
   /// The next word as a finite number, an integer, or three words as a point. `what` names it in
   /// the SceneError that is thrown if it is none.
   double number(Words& words, std::string_view what) const;
@@ -91,6 +97,7 @@ class LineReader {
   std::ifstream file_;
   std::string line_;
   std::string joined_;
+  bool is_recognised_ = false;
   long line_number_ = 0;        // physical lines read
   long first_line_number_ = 0;  // where the current, perhaps joined, line starts
 };

@@ -17,6 +17,22 @@ constexpr std::array<std::string_view, 22> kIgnored = {
     "Ka",    "Ks",   "Ns",   "Ni", "d",  "Tr", "Tf", "illum", "sharpness", "bump",  "disp",
     "decal", "refl", "norm", "Pr", "Pm", "Ps", "Pc", "Pcr",   "Km",        "aniso", "anisor"};
 
+constexpr std::array<std::string_view, 6> kPictures = {"bump", "disp", "decal",
+                                                       "refl", "norm", "map"};
+
+/// What `map_Kd -s 1 1 1 wood.png` may mean: names have blanks in them, too.
+void add_pictures(const std::filesystem::path& path, Words words, MtlFile& file) {
+  for (auto rest = words.rest(); !rest.empty(); rest = words.rest()) {
+    file.pictures.push_back(path.parent_path() / rest);
+    words.next();
+  }
+}
+
+bool is_picture(std::string_view keyword) {
+  return std::find(kPictures.begin(), kPictures.end(), keyword.substr(0, keyword.find('_'))) !=
+         kPictures.end();
+}
+
 bool is_ignored(std::string_view keyword) {
   return keyword.starts_with("map_") ||
          std::find(kIgnored.begin(), kIgnored.end(), keyword) != kIgnored.end();
@@ -67,6 +83,7 @@ MtlFile read_mtl(const std::filesystem::path& path, const radiosity::Progress& p
     const auto keyword = words.next();
     if (keyword.empty() || keyword[0] == '#') continue;
     if (keyword == "newmtl") {
+      lines.recognise();
       const std::string name(words.rest());
       if (name.empty()) lines.fail("newmtl without a name");
       if (!names.insert(name).second) {
@@ -75,9 +92,11 @@ MtlFile read_mtl(const std::filesystem::path& path, const radiosity::Progress& p
       file.materials.push_back({.name = name, .reflectance = {}, .emission = {}});
     } else if (keyword == "Kd" || keyword == "Ke") {
       read_key(lines, keyword, words, file);
+    } else if (is_picture(keyword)) {
+      add_pictures(path, words, file);
     } else if (!is_ignored(keyword) && !std::exchange(has_warned, true)) {
-      file.warnings.push_back(fmt::format("{}:{}: unknown key \"{}\" is ignored", path.string(),
-                                          lines.line_number(), keyword));
+      file.warnings.push_back(fmt::format("{}:{}: unknown key {} is ignored", path.string(),
+                                          lines.line_number(), lines.shown(keyword)));
     }
   }
   complete_reflectances(path, file);

@@ -47,6 +47,7 @@ class ObjReader {
   void read_statement(std::string_view keyword, Words& words) {
     if (keyword.empty() || keyword[0] == '#') return;
     if (keyword == "v") {
+      lines_.recognise();
       scene_.vertices.push_back(lines_.point(words));  // w or a colour may follow
     } else if (keyword == "f") {
       read_face(words);
@@ -79,7 +80,7 @@ class ObjReader {
   /// The index from 0 of a face's corner "7", "7/1", "7//2", "7/1/2" or "-3".
   std::int32_t vertex_index(std::string_view word) {
     const auto number = parse_number<std::int64_t>(word.substr(0, word.find('/')));
-    if (!number) lines_.fail(fmt::format("expected a vertex number, found \"{}\"", word));
+    if (!number) lines_.fail(fmt::format("expected a vertex number, found {}", lines_.shown(word)));
     const auto n_vertices = static_cast<std::int64_t>(scene_.vertices.size());
     if (*number == 0) lines_.fail("face uses vertex 0, but vertices are counted from 1");
     if (*number < -n_vertices) {
@@ -126,6 +127,7 @@ class ObjReader {
   void read_library(const std::string& name) {
     const auto path = path_.parent_path() / name;
     has_library_ = true;
+    scene_.files.push_back(path);
     if (!libraries_.insert(path).second) return;  // some programs name it before each object
     if (!std::filesystem::exists(path)) {
       lines_.fail(fmt::format("material file {} does not exist", path.string()));
@@ -140,12 +142,14 @@ class ObjReader {
       scene_.materials.push_back(std::move(material));
     }
     scene_.warnings.insert(scene_.warnings.end(), file.warnings.begin(), file.warnings.end());
+    scene_.files.insert(scene_.files.end(), file.pictures.begin(), file.pictures.end());
   }
 
   void warn_unknown(std::string_view keyword) {
     if (std::exchange(has_warned_, true)) return;
-    scene_.warnings.push_back(fmt::format("{}:{}: unknown statement \"{}\" is ignored",
-                                          path_.string(), lines_.line_number(), keyword));
+    scene_.warnings.push_back(fmt::format("{}:{}: unknown statement {} is ignored",
+                                          path_.string(), lines_.line_number(),
+                                          lines_.shown(keyword)));
   }
 
   std::filesystem::path path_;

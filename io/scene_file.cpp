@@ -69,6 +69,7 @@ Scene read_scene(const std::filesystem::path& path, const ReadOptions& options) 
   Scene scene = lower_extension(path) == ".json" ? read_json_scene(path, options)
                                                  : read_mesh_scene(path, options);
   if (options.precision) scene.precision = *options.precision;
+  scene.files.push_back(path);
   for (const auto& vertex : scene.vertices) {
     if (!vertex.allFinite()) fail(path, "a coordinate in metres is too large for a number");
   }

@@ -85,13 +85,15 @@ class AsciiStl {
       if (keyword_ == "solid" && !in_solid) {
         surface_ = surfaces_.find_or_add(std::string(words_.rest()), -1);
         in_solid = true;
+        lines_.recognise();
       } else if (keyword_ == "facet" && in_solid) {
         read_facet();
       } else if (keyword_ == "endsolid" && in_solid) {
         in_solid = false;
       } else {
-        lines_.fail(fmt::format("expected {}, found \"{}\"",
-                                in_solid ? "\"facet\" or \"endsolid\"" : "\"solid\"", keyword_));
+        lines_.fail(fmt::format("expected {}, found {}",
+                                in_solid ? "\"facet\" or \"endsolid\"" : "\"solid\"",
+                                lines_.shown(keyword_)));
       }
     }
     if (in_solid) lines_.fail("file ends before \"endsolid\"");
@@ -113,7 +115,7 @@ class AsciiStl {
   void expect(std::string_view keyword) {
     if (!next_keyword()) lines_.fail(fmt::format("file ends before \"{}\"", keyword));
     if (keyword_ != keyword) {
-      lines_.fail(fmt::format("expected \"{}\", found \"{}\"", keyword, keyword_));
+      lines_.fail(fmt::format("expected \"{}\", found {}", keyword, lines_.shown(keyword_)));
     }
   }
 
