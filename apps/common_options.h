@@ -23,6 +23,8 @@ struct CommonOptions {
   std::size_t n_threads = 0;        ///< 0 = all cores
   bool json = false;                ///< one JSON object on stdout instead of the table
   bool quiet = false;               ///< no progress on stderr
+  /// Files that the run writes: none of them may be one that the scene is read from.
+  std::vector<std::string> outputs;
 };
 
 /// What the options of a computation say about patches and form factors.

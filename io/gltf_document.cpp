@@ -10,6 +10,7 @@
 #include "io/byte_reader.h"
 #include "io/line_reader.h"
 #include "io/mesh_file.h"
+#include "io/printable.h"
 #include "radiosity/error.h"
 
 namespace io {

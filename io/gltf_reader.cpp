@@ -10,6 +10,7 @@
 #include "io/gltf_nodes.h"
 #include "io/input_checks.h"
 #include "io/line_reader.h"
+#include "io/printable.h"
 #include "io/surface_index.h"
 
 namespace io {

@@ -4,14 +4,17 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <limits>
 #include <set>
 #include <utility>
 #include <vector>
 
 #include "io/line_reader.h"
+#include "io/printable.h"
 #include "radiosity/error.h"
 
 namespace io {
@@ -25,7 +28,7 @@ std::string description(const Json& value) {
   if (value.is_array()) return fmt::format("a list of {}", value.size());
   if (value.is_null()) return "null";
   if (value.is_string()) return in_quotes(value.get_ref<const std::string&>());
-  return fmt::format("{}", value.dump());
+  return value.dump();
 }
 
 /// What comes out of a parser may be copied and printed by functions that recurse.
@@ -70,16 +73,25 @@ class JsonCheck {
   message.remove_prefix(kStart.size());
   const auto line = message.substr(0, message.find(','));
   const auto text = message.substr(std::min(message.find(": ") + 2, message.size()));
-  throw radiosity::SceneError(fmt::format("{}:{}: {}", path.string(), line, text));
+  throw radiosity::SceneError(printable(fmt::format("{}:{}: {}", path.string(), line, text)));
 }
 
-template <typename Input>
-Json parse_checked(const std::filesystem::path& path, Input& input, JsonCheck& check) {
+/// Whether it can be an object, behind a byte order mark, perhaps. What the parser's message has
+/// read last is, in another kind of file, not ours to tell.
+bool begins_object(std::string_view text) {
+  const auto first = std::find_if(text.begin(), text.end(), [](unsigned char c) {
+    return c < 0x80 && std::isspace(c) == 0;
+  });
+  return first != text.end() && *first == '{';
+}
+
+Json parse_checked(const std::filesystem::path& path, std::string_view text, JsonCheck& check) {
   try {
-    return Json::parse(input, [&](int depth, Json::parse_event_t event, const Json& parsed) {
+    return Json::parse(text, [&](int depth, Json::parse_event_t event, const Json& parsed) {
       return check(depth, event, parsed);
     });
   } catch (const Json::exception& error) {
+    if (!begins_object(text)) fail(path, "is no JSON object: it does not begin with {");
     fail_at_line(path, error.what());
   }
 }
@@ -89,11 +101,13 @@ Json parse_checked(const std::filesystem::path& path, Input& input, JsonCheck& c
 Json parse_json(const std::filesystem::path& path) {
   input_size(path);
   std::ifstream file(path, std::ios::binary);
+  const std::string text(std::istreambuf_iterator<char>(file), {});
   JsonCheck check(path);
-  Json json = parse_checked(path, file, check);
+  Json json = parse_checked(path, text, check);
   if (!check.first().empty()) {
     fail(path, fmt::format("key {} stands twice in one object", in_quotes(check.first())));
   }
+  if (json.is_string()) fail(path, "is no scene in JSON: it holds a text only");
   return json;
 }
 
@@ -114,7 +128,7 @@ std::optional<Vec3> as_point(const Json& value) {
 
 void JsonItem::fail(const std::string& message) const {
   throw radiosity::SceneError(
-      fmt::format("{}: {}{}{}", file_, place_, place_.empty() ? "" : ": ", message));
+      printable(fmt::format("{}: {}{}{}", file_, place_, place_.empty() ? "" : ": ", message)));
 }
 
 void JsonItem::check_keys(std::span<const std::string_view> known) const {

@@ -99,6 +99,18 @@ Camera read_camera(const JsonItem& item, double unit) {
   return camera;
 }
 
+/// The files that "csv" names in the materials, or in a part of them.
+void add_spectra(const Json& part, const std::filesystem::path& folder, Scene& scene) {
+  if (!part.is_structured()) return;
+  for (const auto& [key, value] : part.items()) {
+    if (key == "csv" && value.is_string()) {
+      scene.files.push_back(folder / value.get<std::string>());
+    } else {
+      add_spectra(value, folder, scene);
+    }
+  }
+}
+
 double scene_unit(const JsonItem& root, const ReadOptions& options) {
   const auto unit = root.find("unit");
   const double metres = unit ? read_unit(*unit) : 1.0;
@@ -130,6 +142,7 @@ FileScene read_json_scene(const std::filesystem::path& path, const ReadOptions& 
   if (const auto bands = root.find("bands")) scene.bands = read_bands(*bands);
   if (const auto materials = root.find("materials")) {
     scene.materials = read_materials(*materials, scene.bands, path.parent_path());
+    add_spectra(materials->value(), path.parent_path(), scene);
   }
   add_surfaces(root.at("surfaces"), path.parent_path(), unit, options.progress, file);
   if (const auto precision = given_precision(root)) scene.precision = unit * *precision;

@@ -207,6 +207,8 @@ void add_mesh(const JsonItem& item, const Surface& given, const std::filesystem:
       folder / file, given.material < 0 ? MeshMaterials::wanted : MeshMaterials::not_needed,
       progress);
   const Scene& mesh = read.scene;
+  scene.files.push_back(folder / file);
+  scene.files.insert(scene.files.end(), mesh.files.begin(), mesh.files.end());
   const auto surfaces = add_mesh_surfaces(item, given, mesh, file, scene);
   const auto first_vertex = static_cast<std::int64_t>(scene.vertices.size());
   add_vertices(item, mesh, mesh_unit(item, file, unit), unit, scene);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "io/printable.h"
 #include "radiosity/error.h"
 
 namespace io {
@@ -25,7 +26,7 @@ bool has_comment(std::string_view line) {
 }  // namespace
 
 void fail(const std::filesystem::path& path, const std::string& message) {
-  throw radiosity::SceneError(fmt::format("{}: {}", path.string(), message));
+  throw radiosity::SceneError(printable(fmt::format("{}: {}", path.string(), message)));
 }
 
 std::uint64_t input_size(const std::filesystem::path& path) {
@@ -42,17 +43,6 @@ std::uint64_t input_size(const std::filesystem::path& path) {
   if (!std::ifstream(path, std::ios::binary)) fail(path, "cannot be opened for reading");
   if (size == 0) fail(path, "is empty");
   return size;
-}
-
-std::string in_quotes(std::string_view word) {
-  constexpr std::size_t kLongest = 60;
-  const bool is_long = word.size() > kLongest;
-  std::string text = "\"";
-  for (const char c : word.substr(0, kLongest)) {
-    const auto byte = static_cast<unsigned char>(c);
-    text += byte < 0x20 || byte == 0x7f ? '?' : c;
-  }
-  return text + (is_long ? "...\"" : "\"");
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -126,15 +116,19 @@ bool LineReader::next_content() {
 
 void LineReader::fail(const std::string& message) const {
   throw radiosity::SceneError(
-      fmt::format("{}:{}: {}", path_.string(), first_line_number_, message));
+      printable(fmt::format("{}:{}: {}", path_.string(), first_line_number_, message)));
+}
+
+std::string LineReader::shown(std::string_view word) const {
+  return is_recognised_ ? in_quotes(word) : fmt::format("a word of {} bytes", word.size());
 }
 
 double LineReader::number(Words& words, std::string_view what) const {
   const std::string_view word = words.next();
   if (word.empty()) fail(fmt::format("line ends where {} is expected", what));
   const auto value = parse_number<double>(word);
-  if (!value) fail(fmt::format("expected a number for {}, found {}", what, in_quotes(word)));
-  if (!std::isfinite(*value)) fail(fmt::format("{} is not finite: {}", what, in_quotes(word)));
+  if (!value) fail(fmt::format("expected a number for {}, found {}", what, shown(word)));
+  if (!std::isfinite(*value)) fail(fmt::format("{} is not finite: {}", what, shown(word)));
   return *value;
 }
 
@@ -142,7 +136,7 @@ std::int64_t LineReader::integer(Words& words, std::string_view what) const {
   const std::string_view word = words.next();
   if (word.empty()) fail(fmt::format("line ends where {} is expected", what));
   const auto value = parse_number<std::int64_t>(word);
-  if (!value) fail(fmt::format("expected an integer for {}, found {}", what, in_quotes(word)));
+  if (!value) fail(fmt::format("expected an integer for {}, found {}", what, shown(word)));
   return *value;
 }
 

@@ -14,15 +14,12 @@
 
 namespace io {
 
-/// Throws SceneError "room.obj: message".
+/// Throws SceneError "room.obj: message", in one line and without control characters.
 [[noreturn]] void fail(const std::filesystem::path& path, const std::string& message);
 
 /// Size of a file, bytes, > 0. Throws SceneError if there is no such file, if it is no regular one
 /// (a folder, a pipe, a device: reading could wait for ever), not readable or empty.
 std::uint64_t input_size(const std::filesystem::path& path);
-
-/// `word` in quotes for a message, cut where it is long.
-std::string in_quotes(std::string_view word);
 
 /// The number that `word` spells, the whole of it; a leading + is allowed. Empty if it spells none
 /// or one that T cannot hold.
@@ -78,6 +75,12 @@ class LineReader {
   /// Throws SceneError "room.obj:41: message".
   [[noreturn]] void fail(const std::string& message) const;
 
+  /// To be called once the file has shown that it is of the kind that is read.
+  void recognise() { is_recognised_ = true; }
+  /// A word of the file as messages tell it: in quotes and cut. Of a file that was not recognised
+  /// only its length, since it may be anything, a file of passwords, say.
+  [[nodiscard]] std::string shown(std::string_view word) const;
+
   /// The next word as a finite number, an integer, or three words as a point. `what` names it in
   /// the SceneError that is thrown if it is none.
   double number(Words& words, std::string_view what) const;
@@ -96,6 +99,7 @@ class LineReader {
   std::ifstream file_;
   std::string line_;
   std::string joined_;
+  bool is_recognised_ = false;
   long line_number_ = 0;        // physical lines read
   long first_line_number_ = 0;  // where the current, perhaps joined, line starts
 };

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <limits>
 
+#include "io/gltf_files.h"
 #include "io/gltf_reader.h"
 #include "io/line_reader.h"
 #include "io/obj_reader.h"
@@ -27,7 +28,11 @@ FileScene read_by_extension(const std::filesystem::path& path, MeshMaterials mat
   if (extension == ".off") return read_off(path, progress);
   if (extension == ".ply") return read_ply(path, progress);
   if (extension == ".stl") return read_stl(path, progress);
-  if (extension == ".gltf" || extension == ".glb") return read_gltf(path, progress);
+  if (extension == ".gltf" || extension == ".glb") {
+    Scene scene = read_gltf(path, progress);
+    scene.files = gltf_files(path);
+    return scene;
+  }
   fail(path, fmt::format("unknown extension \"{}\", expected .obj, .off, .ply, .stl, .gltf, .glb "
                          "or .json",
                          extension));

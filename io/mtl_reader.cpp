@@ -10,6 +10,7 @@
 #include "io/file_scene.h"
 #include "io/input_checks.h"
 #include "io/line_reader.h"
+#include "io/printable.h"
 
 namespace io {
 namespace {
@@ -17,6 +18,22 @@ namespace {
 constexpr std::array<std::string_view, 22> kIgnored = {
     "Ka",    "Ks",   "Ns",   "Ni", "d",  "Tr", "Tf", "illum", "sharpness", "bump",  "disp",
     "decal", "refl", "norm", "Pr", "Pm", "Ps", "Pc", "Pcr",   "Km",        "aniso", "anisor"};
+
+constexpr std::array<std::string_view, 6> kPictures = {"bump", "disp", "decal",
+                                                       "refl", "norm", "map"};
+
+/// What `map_Kd -s 1 1 1 wood.png` may mean: names have blanks in them, too.
+void add_pictures(const std::filesystem::path& path, Words words, MtlFile& file) {
+  for (auto rest = words.rest(); !rest.empty(); rest = words.rest()) {
+    file.pictures.push_back(path.parent_path() / rest);
+    words.next();
+  }
+}
+
+bool is_picture(std::string_view keyword) {
+  return std::find(kPictures.begin(), kPictures.end(), keyword.substr(0, keyword.find('_'))) !=
+         kPictures.end();
+}
 
 bool is_ignored(std::string_view keyword) {
   return keyword.starts_with("map_") ||
@@ -73,6 +90,7 @@ MtlFile read_mtl(const std::filesystem::path& path, const radiosity::Progress& p
     const auto keyword = words.next();
     if (keyword.empty() || keyword[0] == '#') continue;
     if (keyword == "newmtl") {
+      lines.recognise();
       const std::string name(words.rest());
       is_left_out = name.empty() || !names.insert(name).second;
       if (name.empty()) {
@@ -88,9 +106,11 @@ MtlFile read_mtl(const std::filesystem::path& path, const radiosity::Progress& p
       }
       const bool counts = !is_left_out && !file.materials.empty();
       read_key(lines, keyword, words, counts ? file.materials.back() : left_out);
+    } else if (is_picture(keyword)) {
+      add_pictures(path, words, file);
     } else if (!is_ignored(keyword) && !std::exchange(has_warned, true)) {
       file.warnings.push_back(
-          fmt::format("{}: unknown key {} is ignored", where(), in_quotes(keyword)));
+          fmt::format("{}: unknown key {} is ignored", where(), lines.shown(keyword)));
     }
   }
   complete_reflectances(path, file);

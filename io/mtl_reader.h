@@ -18,6 +18,7 @@ struct MtlFile {
   std::vector<radiosity::Material> materials;
   std::vector<std::string> warnings;
   std::vector<std::string> repairs;  ///< see FileScene
+  std::vector<std::filesystem::path> pictures;  ///< that it may mean, which are not read
 };
 
 /// Reads `Kd` (reflectance) and `Ke` (radiance, W/(m² sr)); what else the format knows is ignored.

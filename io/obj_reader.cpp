@@ -10,6 +10,7 @@
 
 #include "io/line_reader.h"
 #include "io/mtl_reader.h"
+#include "io/printable.h"
 #include "io/surface_index.h"
 
 namespace io {
@@ -50,6 +51,7 @@ class ObjReader {
   void read_statement(std::string_view keyword, Words& words) {
     if (keyword.empty() || keyword[0] == '#') return;
     if (keyword == "v") {
+      lines_.recognise();
       scene_.vertices.push_back(lines_.point(words));  // w or a colour may follow
     } else if (keyword == "f") {
       read_face(words);
@@ -79,7 +81,7 @@ class ObjReader {
   /// The index from 0 of a face's corner "7", "7/1", "7//2", "7/1/2" or "-3".
   std::int32_t vertex_index(std::string_view word) {
     const auto number = parse_number<std::int64_t>(word.substr(0, word.find('/')));
-    if (!number) lines_.fail("expected a vertex number, found " + in_quotes(word));
+    if (!number) lines_.fail(fmt::format("expected a vertex number, found {}", lines_.shown(word)));
     const auto n_vertices = static_cast<std::int64_t>(scene_.vertices.size());
     if (*number == 0) lines_.fail("face uses vertex 0, but vertices are counted from 1");
     if (*number < -n_vertices) {
@@ -117,9 +119,10 @@ class ObjReader {
 
   /// `mtllib a.mtl b.mtl`, or one name with blanks in it.
   void read_libraries(Words words) {
-    if (wanted_ == MeshMaterials::not_needed) return;
     const std::string whole(words.rest());
-    if (whole.empty()) missing_.add(where(), "mtllib names no file");
+    if (whole.empty() && wanted_ == MeshMaterials::wanted) {
+      missing_.add(where(), "mtllib names no file");
+    }
     if (find_library(whole)) return read_library(whole);
     for (auto word = words.next(); !word.empty(); word = words.next()) {
       read_library(std::string(word));
@@ -141,6 +144,8 @@ class ObjReader {
   void read_library(const std::string& name) {
     if (!libraries_.insert(name).second) return;  // some programs name it before each object
     const auto path = find_library(name);
+    if (path || !name.empty()) scene_.files.push_back(path ? *path : path_.parent_path() / name);
+    if (wanted_ == MeshMaterials::not_needed) return;
     if (!path) {
       missing_.add(where(), fmt::format("material file {} does not exist", in_quotes(name)));
       return;
@@ -158,6 +163,7 @@ class ObjReader {
     }
     scene_.warnings.insert(scene_.warnings.end(), file.warnings.begin(), file.warnings.end());
     repairs_.insert(repairs_.end(), file.repairs.begin(), file.repairs.end());
+    scene_.files.insert(scene_.files.end(), file.pictures.begin(), file.pictures.end());
   }
 
   [[nodiscard]] std::string where() const {
@@ -175,7 +181,7 @@ class ObjReader {
   void warn_unknown(std::string_view keyword) {
     if (std::exchange(has_warned_, true)) return;
     scene_.warnings.push_back(
-        fmt::format("{}: unknown statement {} is ignored", where(), in_quotes(keyword)));
+        fmt::format("{}: unknown statement {} is ignored", where(), lines_.shown(keyword)));
   }
 
   std::filesystem::path path_;

@@ -30,7 +30,8 @@ Counts read_counts(LineReader& lines) {
   if (!lines.next_content()) lines.fail("file ends before the counts of vertices and faces");
   Words words(lines.line());
   if (const auto first = Words(words).next(); !parse_number<std::int64_t>(first)) {
-    if (!is_header(first)) lines.fail(fmt::format("expected \"OFF\", found {}", in_quotes(first)));
+    if (!is_header(first)) lines.fail(fmt::format("expected \"OFF\", found {}", lines.shown(first)));
+    lines.recognise();
     words.next();
     if (words.rest() == "BINARY") lines.fail("binary OFF is not supported, expected ascii");
     if (words.rest().empty()) {
@@ -41,6 +42,7 @@ Counts read_counts(LineReader& lines) {
   Counts counts;
   counts.vertices = lines.integer(words, "the number of vertices");
   counts.faces = lines.integer(words, "the number of faces");
+  lines.recognise();
   if (counts.vertices < 0 || counts.faces < 0) {
     lines.fail(fmt::format("found {} vertices and {} faces, expected no negative number",
                            counts.vertices, counts.faces));

@@ -157,6 +157,7 @@ PlyHeader read_ply_header(LineReader& lines) {
   if (!lines.next_line() || trimmed(lines.line()) != "ply") {
     lines.fail("expected \"ply\" on the first line");
   }
+  lines.recognise();
   bool has_format = false;
   while (lines.next_line()) {
     Words words(lines.line());

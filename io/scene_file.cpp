@@ -79,6 +79,7 @@ Scene read_scene(const std::filesystem::path& path, const ReadOptions& options) 
   FileScene file = lower_extension(path) == ".json" ? read_json_scene(path, options)
                                                     : read_mesh_scene(path, options);
   if (options.precision) file.scene.precision = *options.precision;
+  file.scene.files.push_back(path);
   for (const auto& vertex : file.scene.vertices) {
     if (!vertex.allFinite()) fail(path, "a coordinate in metres is too large for a number");
   }

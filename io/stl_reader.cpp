@@ -91,6 +91,7 @@ class AsciiStl {
       if (keyword_ == "solid" && !in_solid) {
         surface_ = surfaces_.find_or_add(std::string(words_.rest()), -1);
         in_solid = true;
+        lines_.recognise();
       } else if (keyword_ == "facet" && in_solid) {
         read_facet();
       } else if (keyword_ == "endsolid" && in_solid) {
@@ -98,7 +99,7 @@ class AsciiStl {
       } else {
         lines_.fail(fmt::format("expected {}, found {}",
                                 in_solid ? "\"facet\" or \"endsolid\"" : "\"solid\"",
-                                in_quotes(keyword_)));
+                                lines_.shown(keyword_)));
       }
     }
     if (in_solid) lines_.fail("file ends before \"endsolid\"");
@@ -120,7 +121,7 @@ class AsciiStl {
   void expect(std::string_view keyword) {
     if (!next_keyword()) lines_.fail(fmt::format("file ends before \"{}\"", keyword));
     if (keyword_ != keyword) {
-      lines_.fail(fmt::format("expected \"{}\", found {}", keyword, in_quotes(keyword_)));
+      lines_.fail(fmt::format("expected \"{}\", found {}", keyword, lines_.shown(keyword_)));
     }
   }
 

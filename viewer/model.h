@@ -59,6 +59,7 @@ struct Light {
   Kind kind = Kind::preview;
   radiosity::Solution solution;
 
+  [[nodiscard]] bool is_solved() const { return kind != Kind::preview && kind != Kind::quick; }
   [[nodiscard]] bool has_errors() const { return kind == Kind::complete || kind == Kind::stored; }
 };
 

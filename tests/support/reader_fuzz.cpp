@@ -25,7 +25,7 @@ using Random = std::mt19937_64;
 
 constexpr double kLongest = 10;             // s
 constexpr std::size_t kLargest = 1'000'000;  // bytes of a mutant
-constexpr std::size_t kLongestMessage = 1000;
+constexpr std::size_t kLongestMessage = 2100;
 
 std::size_t below(Random& random, std::size_t n) {
   return n == 0 ? 0 : static_cast<std::size_t>(random() % n);

@@ -21,7 +21,7 @@ const std::vector<std::string>& fuzz_formats();
 
 /// Reads the mutants first, first + 1, ..., first + n - 1 of small files of a format: bytes flipped,
 /// cut off, doubled, taken out or put in, numbers replaced, brackets nested deep. Each must be read
-/// or refused with an exception of ours whose message is one line of at most 1,000 characters, in
+/// or refused with an exception of ours whose message is one line of at most 2,100 bytes, in
 /// at most 10 s. Same number, same mutant. `folder` gets the files; the last one stays there, so
 /// that a crash can be repeated.
 FuzzReport fuzz_reader(const std::string& format, std::uint64_t first, long n,
