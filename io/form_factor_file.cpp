@@ -245,7 +245,7 @@ void write_file(const std::filesystem::path& path, const radiosity::PatchMesh& m
                 {static_cast<hsize_t>(sums.size())});
   write_rows(file, rows);
   require(H5Fflush(file, H5F_SCOPE_GLOBAL));
-  file.close();
+  file.finish();
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ class Handle {
   Handle(const Handle&) = delete;
   Handle& operator=(const Handle&) = delete;
   /// Closes it before its end, to throw HdfError if that fails.
-  void close() {
+  void finish() {
     if (close_(std::exchange(id_, -1)) < 0) throw HdfError("HDF5 cannot write (is the disk full?)");
   }
   operator hid_t() const { return id_; }  // NOLINT(google-explicit-constructor): for the C calls

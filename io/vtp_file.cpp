@@ -177,7 +177,8 @@ class VtpReader {
       return;
     }
     if (array_) {
-      text_ += tag.text_before();  // around an InformationKey
+      // An InformationKey in it has texts of its own.
+      if (!is_end && is_array(tag.around().back())) text_ += tag.text_before();
       return;
     }
     if (is_end) return;
