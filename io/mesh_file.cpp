@@ -29,9 +29,9 @@ FileScene read_by_extension(const std::filesystem::path& path, MeshMaterials mat
   if (extension == ".ply") return read_ply(path, progress);
   if (extension == ".stl") return read_stl(path, progress);
   if (extension == ".gltf" || extension == ".glb") {
-    Scene scene = read_gltf(path, progress);
-    scene.files = gltf_files(path);
-    return scene;
+    FileScene file = read_gltf(path, progress);
+    file.scene.files = gltf_files(path);
+    return file;
   }
   fail(path, fmt::format("unknown extension \"{}\", expected .obj, .off, .ply, .stl, .gltf, .glb "
                          "or .json",
