@@ -161,12 +161,24 @@ GltfDocument::GltfDocument(const std::filesystem::path& path, const Progress& pr
     json_ = parse_json_text(path, file);
   }
   if (!json_.is_object()) fail(path_, "is no glTF: expected an object");
+  check_version();
   for (std::size_t i = 0; i < size("buffers"); ++i) {
     if (const auto length = element("buffers", i).find("byteLength")) {
       n_bytes_ += static_cast<std::uint64_t>(gltf_integer(*length, 1LL << 40));
     }
   }
   buffers_.resize(size("buffers"));
+}
+
+/// Before anything else: glTF 1.0 has objects where 2.0 has lists.
+void GltfDocument::check_version() const {
+  const auto asset = root().find("asset");
+  const auto version = asset && asset->value().is_object() ? asset->find("version") : std::nullopt;
+  if (!version && root().has("buffers") && root().at("buffers").value().is_object()) {
+    fail(path_, "is glTF 1.0, expected 2.0");
+  }
+  const std::string name = root().at("asset").at("version").text();
+  if (!name.starts_with("2")) fail(path_, fmt::format("is glTF {}, expected 2.0", in_quotes(name)));
 }
 
 /// A header of 12 bytes; then chunks, each with its length and type: JSON, then perhaps BIN.

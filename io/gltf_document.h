@@ -53,6 +53,7 @@ class GltfDocument {
     std::int64_t stride = 0;  ///< bytes from one value to the next; 0 = they follow each other
   };
 
+  void check_version() const;
   void split_binary(std::string_view file);
   const std::string& buffer(const JsonItem& index);
   std::string load_buffer(const JsonItem& buffer, std::size_t index);

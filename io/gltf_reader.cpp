@@ -138,7 +138,6 @@ class GltfReader {
         surfaces_(scene_, path.stem().string()) {}
 
   FileScene read() {
-    check_version();
     check_extensions();
     read_materials();
     const GltfTree tree(document_);
@@ -152,13 +151,6 @@ class GltfReader {
   }
 
  private:
-  void check_version() const {
-    const std::string version = document_.root().at("asset").at("version").text();
-    if (!version.starts_with("2")) {
-      fail(path_, fmt::format("is glTF {}, expected 2.0", in_quotes(version)));
-    }
-  }
-
   void check_extensions() const {
     const auto required = document_.root().find("extensionsRequired");
     if (!required) return;

@@ -201,9 +201,9 @@ Scene read_elements(Source& source, const PlyHeader& header) {
 
 FileScene read_ply(const std::filesystem::path& path, const Progress& progress) {
   LineReader lines(path, progress);
-  const PlyHeader header = read_ply_header(lines);
+  const PlyHeader header = read_ply_header(path, lines);
   Scene scene;
-  std::vector<std::string> repairs;
+  std::vector<std::string> repairs = header.repairs;
   if (header.format == PlyFormat::ascii) {
     check_size<AsciiSource>(path, lines, header);
     AsciiSource source(lines);

@@ -11,6 +11,7 @@
 #include "io/line_reader.h"
 #include "io/mesh_file.h"
 #include "io/mtl_reader.h"
+#include "io/printable.h"
 #include "meshing/bad_polygons.h"
 
 namespace io {
@@ -70,7 +71,8 @@ void refuse_repairs(const std::vector<std::string>& repairs) {
   if (repairs.empty()) return;
   const std::string more =
       repairs.size() > 1 ? fmt::format(" (and {} more faults)", repairs.size() - 1) : "";
-  throw radiosity::SceneError(repairs.front() + more + "; refused, for reading is strict");
+  throw radiosity::SceneError(
+      printable(repairs.front() + more + "; refused, for reading is strict"));
 }
 
 }  // namespace
@@ -90,7 +92,8 @@ Scene read_scene(const std::filesystem::path& path, const ReadOptions& options) 
   if (options.strict) refuse_repairs(file.repairs);
   Scene& scene = clean.scene;
   if (scene.n_polygons() == 0) {
-    throw radiosity::SceneError(fmt::format("{}; none of {} is left", clean.repairs.front(), n_given));
+    throw radiosity::SceneError(
+        printable(fmt::format("{}; none of {} is left", clean.repairs.front(), n_given)));
   }
   scene.warnings.insert(scene.warnings.end(), file.repairs.begin(), file.repairs.end());
   return std::move(scene);

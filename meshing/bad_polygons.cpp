@@ -21,26 +21,25 @@ using radiosity::Vec3;
 /// "2 polygons enclose no area and are left out: surface 'a', polygon 3, surface 'a', polygon 9".
 class Fault {
  public:
-  void add(Index polygon) {
-    ++n_;
-    if (first_.size() < kNamed) first_.push_back(polygon);
-  }
+  void add(Index polygon) { polygons_.push_back(polygon); }
   void report(const Scene& scene, const std::string& singular, const std::string& plural,
               std::vector<std::string>& repairs) const {
-    if (n_ == 0) return;
-    std::string text = source_prefix(scene) + std::to_string(n_) + (n_ == 1 ? singular : plural);
-    for (std::size_t k = 0; k < first_.size(); ++k) {
-      text += (k == 0 ? ": " : "; ") + polygon_name(scene, first_[k]);
+    const std::size_t n = polygons_.size();
+    if (n == 0) return;
+    const std::size_t n_named = std::min(n, kNamed);
+    std::vector<Index> first(n_named);
+    std::partial_sort_copy(polygons_.begin(), polygons_.end(), first.begin(), first.end());
+    std::string text = source_prefix(scene) + std::to_string(n) + (n == 1 ? singular : plural);
+    for (std::size_t k = 0; k < n_named; ++k) {
+      text += (k == 0 ? ": " : "; ") + polygon_name(scene, first[k]);
     }
-    const auto n_named = static_cast<long>(first_.size());
-    if (n_ > n_named) text += "; and " + std::to_string(n_ - n_named) + " more";
+    if (n > n_named) text += "; and " + std::to_string(n - n_named) + " more";
     repairs.push_back(text);
   }
 
  private:
   static constexpr std::size_t kNamed = 3;
-  long n_ = 0;
-  std::vector<Index> first_;
+  std::vector<Index> polygons_;
 };
 
 /// Equal for polygons with the same corners, in whatever order.

@@ -148,6 +148,9 @@ TEST_F(AsFoundFiles, BytesAfterTheEndAreIgnored) {
   expect_repair("a.ply", binary_ply(std::endian::little) + "abc", area(read("b.ply", kAsciiPly)),
                 "3 bytes after the last element");
   expect_repair("a.ply", kAsciiPly + "abc\n\n", area(read("b.ply", kAsciiPly)), "1 more lines");
+  std::string ply = kAsciiPly;
+  ply.insert(ply.find("element"), "Created by a program that breaks comments\n");
+  expect_repair("a.ply", ply, area(read("b.ply", kAsciiPly)), "unknown header keyword \"Created\"");
   (void)file("data.bin", gltf_buffer() + "more than the file says");
   EXPECT_EQ(read("a.gltf", gltf_json(R"("uri": "data.bin", )")).n_polygons(), 3);
   expect_repair("a.glb", glb() + "abcde", 2.5, "5 bytes after the end");
@@ -168,6 +171,8 @@ TEST_F(AsFoundFiles, GltfExtensions) {
 
 TEST_F(AsFoundFiles, GltfIsBounded) {
   EXPECT_CONTAINS(error_of(kFolder / "shared-nodes-2-24.gltf"), "16777216 of meshes");
+  EXPECT_CONTAINS(error_of("a.gltf", R"({"asset": {"version": "1.0"}, "buffers": {}})"),
+                  "is glTF \"1.0\", expected 2.0");
   const std::string asset = R"({"asset": {"version": "2.0"}, )";
   EXPECT_CONTAINS(error_of("a.gltf", asset + R"("nodes": )" + std::string(400000, '[')),
                   "more than 500 lists and objects inside each other");

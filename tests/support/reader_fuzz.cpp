@@ -246,6 +246,13 @@ FuzzReport fuzz_reader(const std::string& format, std::uint64_t first, long n,
                        const std::filesystem::path& folder) {
   const std::vector<Seed> all = seeds(format, folder);
   FuzzReport report;
+  const std::string opened = format == "csv" ? "a.json" : all[0].files[0].first;
+  for (const Seed& seed : all) {  // undamaged they must be read, or nothing would be shown
+    for (const auto& [name, content] : seed.files) write_bytes(folder / name, content);
+    bool was_read = false;
+    const std::string fault = read_fault(folder / opened, was_read);
+    if (!was_read) report.faults.push_back(format + ": the undamaged file is refused: " + fault);
+  }
   for (std::uint64_t number = first; number < first + static_cast<std::uint64_t>(n); ++number) {
     std::seed_seq sequence(format.begin(), format.end());
     std::array<std::uint32_t, 2> words{};
@@ -258,8 +265,6 @@ FuzzReport fuzz_reader(const std::string& format, std::uint64_t first, long n,
 
     const auto start = std::chrono::steady_clock::now();
     bool was_read = false;
-    std::string opened = seed.files[0].first;
-    if (format == "csv") opened = "a.json";
     std::string fault = read_fault(folder / opened, was_read);
     const double seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
