@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "io/byte_reader.h"
 #include "io/line_reader.h"
@@ -162,12 +163,24 @@ GltfDocument::GltfDocument(const std::filesystem::path& path, const Progress& pr
   }
   if (!json_.is_object()) fail(path_, "is no glTF: expected an object");
   check_version();
-  for (std::size_t i = 0; i < size("buffers"); ++i) {
-    if (const auto length = element("buffers", i).find("byteLength")) {
-      n_bytes_ += static_cast<std::uint64_t>(gltf_integer(*length, 1LL << 40));
-    }
-  }
   buffers_.resize(size("buffers"));
+  count_bytes();
+}
+
+/// What is there, not what the document says to be there.
+void GltfDocument::count_bytes() {
+  std::set<std::filesystem::path> counted;
+  for (std::size_t i = 0; i < size("buffers"); ++i) {
+    const auto uri = element("buffers", i).find("uri");
+    if (!uri || !uri->value().is_string()) continue;
+    const auto name = uri->value().get<std::string>();
+    if (name.starts_with("data:")) continue;
+    std::error_code error;
+    const std::filesystem::path path = file_of(name);
+    if (!counted.insert(path).second || !std::filesystem::is_regular_file(path, error)) continue;
+    const auto n = std::filesystem::file_size(path, error);
+    if (!error) n_bytes_ += n;
+  }
 }
 
 /// Before anything else: glTF 1.0 has objects where 2.0 has lists.
@@ -242,52 +255,65 @@ std::size_t GltfDocument::size(std::string_view list) const {
   return item ? item->size() : 0;
 }
 
-const std::string& GltfDocument::buffer(const JsonItem& index) {
+std::string_view GltfDocument::buffer(const JsonItem& index) {
   const JsonItem item = element("buffers", index);
   const auto i = static_cast<std::size_t>(index.number());
   if (!buffers_[i]) buffers_[i] = load_buffer(item, i);
   return *buffers_[i];
 }
 
-std::string GltfDocument::load_buffer(const JsonItem& buffer, std::size_t index) {
+std::string_view GltfDocument::load_buffer(const JsonItem& buffer, std::size_t index) {
   const auto length =
       static_cast<std::uint64_t>(gltf_integer(buffer.at("byteLength"), 1LL << 40));
-  std::string bytes;
-  const auto item = buffer.find("uri");
-  if (!item) {
+  std::string_view bytes;
+  if (const auto uri = buffer.find("uri")) {
+    const std::string text = uri->text();
+    if (text.starts_with("data:")) {
+      const auto comma = text.find(',');
+      if (comma == std::string::npos || !text.substr(0, comma).ends_with(";base64")) {
+        uri->fail("is a data URI without base64");
+      }
+      auto decoded = decode_base64(std::string_view(text).substr(comma + 1));
+      if (!decoded) uri->fail("is no base64");
+      bytes = data_.emplace_back(*std::move(decoded));
+    } else {
+      bytes = load_file(*uri);
+    }
+  } else {
     if (index > 0 || !binary_chunk_) buffer.fail("has no \"uri\", and the file has no binary chunk");
     bytes = *binary_chunk_;
-  } else {
-    const std::string uri = item->text();
-    if (uri.starts_with("data:")) {
-      const auto comma = uri.find(',');
-      if (comma == std::string::npos || !uri.substr(0, comma).ends_with(";base64")) {
-        item->fail("is a data URI without base64");
-      }
-      const auto decoded = decode_base64(std::string_view(uri).substr(comma + 1));
-      if (!decoded) item->fail("is no base64");
-      bytes = *decoded;
-    } else {
-      if (uri.find("://") != std::string::npos) {
-        item->fail(in_quotes(uri) + " is not a file; only files beside it are read");
-      }
-      try {
-        bytes = read_bytes(path_.parent_path() / decode_percent(uri), length, progress_);
-      } catch (const radiosity::SceneError& error) {
-        item->fail(error.what());
-      }
-    }
   }
   if (bytes.size() < length) {
     buffer.fail(fmt::format("is truncated: found {} bytes, expected {}", bytes.size(), length));
   }
-  bytes.resize(length);
-  return bytes;
+  return bytes.substr(0, length);
+}
+
+std::string_view GltfDocument::load_file(const JsonItem& uri) {
+  const std::string text = uri.text();
+  if (text.find("://") != std::string::npos) {
+    uri.fail(in_quotes(text) + " is not a file; only files beside it are read");
+  }
+  const std::filesystem::path path = file_of(text);
+  const auto known = files_.find(path);
+  if (known != files_.end()) return known->second;
+  try {
+    return files_.emplace(path, read_bytes(path, input_size(path), progress_)).first->second;
+  } catch (const radiosity::SceneError& error) {
+    uri.fail(error.what());
+  }
+}
+
+std::filesystem::path GltfDocument::file_of(const std::string& uri) const {
+  const std::filesystem::path path = path_.parent_path() / decode_percent(uri);
+  std::error_code error;
+  std::filesystem::path same = std::filesystem::weakly_canonical(path, error);
+  return error ? path : same;
 }
 
 GltfDocument::View GltfDocument::view(const JsonItem& index) {
   const JsonItem item = element("bufferViews", index);
-  const std::string& bytes = buffer(item.at("buffer"));
+  const std::string_view bytes = buffer(item.at("buffer"));
   const std::int64_t offset = offset_of(item);
   const std::int64_t length = gltf_integer(item.at("byteLength"), 1LL << 40);
   const auto size = static_cast<std::int64_t>(bytes.size());
@@ -296,8 +322,7 @@ GltfDocument::View GltfDocument::view(const JsonItem& index) {
                           offset, size));
   }
   const auto stride = item.find("byteStride");
-  return {std::string_view(bytes).substr(static_cast<std::size_t>(offset),
-                                         static_cast<std::size_t>(length)),
+  return {bytes.substr(static_cast<std::size_t>(offset), static_cast<std::size_t>(length)),
           stride ? gltf_integer(*stride, 1 << 20) : 0};
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -43,7 +45,7 @@ class GltfDocument {
   /// The values of an accessor of a type ("VEC3"), as floats or integers; sparse ones too.
   [[nodiscard]] GltfValues values(const JsonItem& accessor, std::string_view type);
 
-  /// Bytes of the file and of the buffers that the document declares.
+  /// Bytes of the file and of the files that its buffers name, each once.
   [[nodiscard]] std::uint64_t n_bytes() const { return n_bytes_; }
   [[nodiscard]] std::vector<std::string> take_repairs() { return std::move(repairs_); }
 
@@ -55,15 +57,20 @@ class GltfDocument {
 
   void check_version() const;
   void split_binary(std::string_view file);
-  const std::string& buffer(const JsonItem& index);
-  std::string load_buffer(const JsonItem& buffer, std::size_t index);
+  std::string_view buffer(const JsonItem& index);
+  std::string_view load_buffer(const JsonItem& buffer, std::size_t index);
+  std::string_view load_file(const JsonItem& uri);
+  [[nodiscard]] std::filesystem::path file_of(const std::string& uri) const;
+  void count_bytes();
   View view(const JsonItem& index);
 
   std::filesystem::path path_;
   const radiosity::Progress& progress_;
   Json json_;
   std::optional<std::string> binary_chunk_;
-  std::vector<std::optional<std::string>> buffers_;
+  std::vector<std::optional<std::string_view>> buffers_;  // of binary_chunk_, data_ and files_
+  std::deque<std::string> data_;
+  std::map<std::filesystem::path, std::string> files_;  // read once, whatever refers to them
   std::uint64_t n_bytes_ = 0;
   std::vector<std::string> repairs_;
 };

@@ -2,6 +2,7 @@
 
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -181,6 +182,19 @@ TEST_F(AsFoundFiles, GltfIsBounded) {
       "nodes": [{"children": [1]}, {"children": [0]}]})"),
                   "its own descendants");
 
+  // A gigabyte that the file only says to have allows no more triangles.
+  std::string many = gltf_json(R"("uri": "data.bin", )");
+  std::string instances = "[0";
+  for (int k = 1; k < 1000; ++k) instances += ", 0";
+  many.replace(many.find("[0, 1, 3]"), 9, instances + "]");
+  std::string primitives = R"({"attributes": {"POSITION": 0}, "indices": 1, "material": 0})";
+  std::string all;
+  for (int k = 0; k < 1100; ++k) all += (k > 0 ? ", " : "") + primitives;
+  const auto triangle = many.find("{\"attributes\"");
+  many.replace(triangle, many.find("]}", triangle) - triangle, all);
+  many.replace(many.find("\"byteLength\": 44"), 16, "\"byteLength\": 1000000000");
+  EXPECT_CONTAINS(error_of("many.gltf", many), "1100000 triangles in all, expected at most 1000000");
+
   // A chain of nodes is no recursion: each moves its child by 1 mm.
   std::string chain;
   constexpr int kLinks = 60000;
@@ -215,6 +229,19 @@ TEST_F(AsFoundFiles, OnlyFilesAreOpened) {
   (void)file("square.off", kOff);
   json.replace(json.find("spectra.csv"), 11, "pipe");
   EXPECT_CONTAINS(error_of("b.json", json), "expected a file");
+}
+
+/// Each of its words might begin the name of a picture, and all names that might are kept.
+TEST_F(AsFoundFiles, ALineOfManyWordsIsNotMultiplied) {
+  std::string line = "map_Kd";
+  for (int k = 0; k < 100000; ++k) line += " x";
+  (void)file("m.mtl", "newmtl red\nKd 1 0 0\n" + line + "\nmap_Ke -s 1 1 1 a b.png\n");
+  const Scene scene = read("a.obj", "mtllib m.mtl\n" + kBox);
+  std::size_t n_bytes = 0;
+  for (const auto& path : scene.files) n_bytes += path.string().size();
+  EXPECT_LT(n_bytes, 1'000'000U);
+  EXPECT_NE(std::find(scene.files.begin(), scene.files.end(), folder() / "a b.png"),
+            scene.files.end());
 }
 
 TEST_F(AsFoundFiles, LongTokensAreCut) {
