@@ -185,9 +185,7 @@ void GltfDocument::count_bytes() {
 
 /// Before anything else: glTF 1.0 has objects where 2.0 has lists.
 void GltfDocument::check_version() const {
-  const auto asset = root().find("asset");
-  const auto version = asset && asset->value().is_object() ? asset->find("version") : std::nullopt;
-  if (!version && root().has("buffers") && root().at("buffers").value().is_object()) {
+  if (root().has("buffers") && root().at("buffers").value().is_object()) {
     fail(path_, "is glTF 1.0, expected 2.0");
   }
   const std::string name = root().at("asset").at("version").text();

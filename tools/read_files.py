@@ -36,7 +36,7 @@ def outcome(program, path):
 
 
 def shortened(line, path, root):
-    line = re.sub(r"^(error|warning|radiosity): *", "", line)
+    line = re.sub(r"^radiosity: (error|warning): ", "", line)
     line = line.replace(str(path), path.name).replace(str(root) + "/", "")
     line = line.replace("|", "\\|")
     return line if len(line) <= 200 else line[:197] + "..."
