@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <set>
 
 #include "io/gltf_document.h"
@@ -212,29 +213,47 @@ class GltfReader {
     return result;
   }
 
+  struct MeshSize {
+    double n_vertices = 0;
+    double n_triangles = 0;
+  };
+
+  [[nodiscard]] MeshSize mesh_size(const JsonItem& mesh) const {
+    MeshSize size;
+    const JsonItem primitives = mesh.at("primitives");
+    for (std::size_t k = 0; k < primitives.size(); ++k) {
+      const JsonItem primitive = primitives[k];
+      const auto position = primitive.at("attributes").find("POSITION");
+      if (!position) continue;
+      const auto vertices = GltfDocument::count(document_.element("accessors", *position));
+      const auto indices = primitive.find("indices");
+      const auto corners =
+          indices ? GltfDocument::count(document_.element("accessors", *indices)) : vertices;
+      size.n_vertices += static_cast<double>(vertices);
+      size.n_triangles += static_cast<double>(TriangleList::size(mode(primitive), corners));
+    }
+    return size;
+  }
+
   /// Refuses, before anything is made, what a small file multiplies beyond measure.
   void check_size(const GltfTree& tree) const {
+    std::map<std::size_t, MeshSize> sizes;  // each mesh is looked at once, however many nodes use it
     double n_vertices = 0;
     double n_triangles = 0;
     double n_instances = 0;
     for (std::size_t i = 0; i < tree.counts().size(); ++i) {
+      if (tree.counts()[i] == 0) continue;
       const JsonItem node = document_.element("nodes", i);
       const auto index = node.find("mesh");
-      if (tree.counts()[i] == 0 || !index) continue;
+      if (!index) continue;
+      const JsonItem mesh = document_.element("meshes", *index);
+      const auto number = static_cast<std::size_t>(index->number());
+      auto size = sizes.find(number);
+      if (size == sizes.end()) size = sizes.emplace(number, mesh_size(mesh)).first;
       const double n = tree.counts()[i] * static_cast<double>(instances(node).count);
       n_instances += n;
-      const JsonItem primitives = document_.element("meshes", *index).at("primitives");
-      for (std::size_t k = 0; k < primitives.size(); ++k) {
-        const auto position = primitives[k].at("attributes").find("POSITION");
-        if (!position) continue;
-        const auto vertices =
-            GltfDocument::count(document_.element("accessors", *position));
-        const auto indices = primitives[k].find("indices");
-        const auto corners =
-            indices ? GltfDocument::count(document_.element("accessors", *indices)) : vertices;
-        n_vertices += n * static_cast<double>(vertices);
-        n_triangles += n * static_cast<double>(TriangleList::size(mode(primitives[k]), corners));
-      }
+      n_vertices += n * size->second.n_vertices;
+      n_triangles += n * size->second.n_triangles;
     }
     const double most = std::max(kMostMultiplied, static_cast<double>(document_.n_bytes()));
     if (std::max({n_instances, n_vertices, n_triangles}) > most) {

@@ -18,6 +18,9 @@ using radiosity::Index;
 using radiosity::Scene;
 using radiosity::Vec3;
 
+/// What is done with an outline takes the square of its corners: 0.5 s for so many.
+constexpr std::size_t kMostCorners = 10'000;
+
 /// "2 polygons enclose no area and are left out: surface 'a', polygon 3, surface 'a', polygon 9".
 class Fault {
  public:
@@ -107,12 +110,18 @@ class Cleaner {
 };
 
 void Cleaner::find_bad_shapes(std::vector<std::string>& repairs) {
+  Fault too_long;
   Fault no_area;
   Fault crossing;
   Fault repeating;
   std::vector<Vec3> points;
   for (Index i = 0; i < scene_.n_polygons(); ++i) {
     points.clear();
+    if (polygons_.polygon(i).size() > kMostCorners) {
+      too_long.add(i);
+      is_bad_[i] = true;
+      continue;
+    }
     for (const std::int32_t v : polygons_.polygon(i)) points.push_back(polygons_.vertices[v]);
     const PolygonKind kind = polygon_shape(points, scene_.precision).kind;
     if (kind == PolygonKind::zero_area) {
@@ -125,6 +134,9 @@ void Cleaner::find_bad_shapes(std::vector<std::string>& repairs) {
     }
     is_bad_[i] = true;
   }
+  const std::string most = " more than " + std::to_string(kMostCorners) + " corners";
+  too_long.report(scene_, " polygon has" + most + " and is left out",
+                  " polygons have" + most + " and are left out", repairs);
   no_area.report(scene_, " polygon encloses no area and is left out",
                  " polygons enclose no area and are left out", repairs);
   crossing.report(scene_, " polygon has an outline that crosses itself and is left out",

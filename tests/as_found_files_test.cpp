@@ -231,6 +231,29 @@ TEST_F(AsFoundFiles, OnlyFilesAreOpened) {
   EXPECT_CONTAINS(error_of("b.json", json), "expected a file");
 }
 
+/// Looking at an outline takes the square of its corners.
+TEST_F(AsFoundFiles, PolygonsOfCountlessCornersAreLeftOut) {
+  std::string text = kBox;
+  std::string face = "f";
+  constexpr int kCorners = 45000;
+  for (int k = 0; k < kCorners; ++k) {
+    const double angle = 2 * radiosity::kPi * k / kCorners;
+    text += "v " + std::to_string(std::cos(angle)) + " " + std::to_string(std::sin(angle)) + " 0\n";
+    face += " " + std::to_string(9 + k);
+  }
+  expect_repair("a.obj", text + face + "\n", 6,
+                "1 polygon has more than 10000 corners and is left out: surface 'a', polygon 6");
+}
+
+/// A case of a file beside another with the marks of a text editor.
+TEST_F(AsFoundFiles, MaterialFilesMayHaveAMark) {
+  std::filesystem::copy_file(kFolder / "bom.mtl", folder() / "paint.mtl");
+  std::filesystem::copy_file(kFolder / "bom-mtllib.obj", folder() / "a.obj");
+  const Scene scene = io::read_scene(folder() / "a.obj", {.strict = true});
+  EXPECT_NEAR(area(scene), 6, 1e-12);
+  EXPECT_FALSE(scene.materials.empty());
+}
+
 /// Each of its words might begin the name of a picture, and all names that might are kept.
 TEST_F(AsFoundFiles, ALineOfManyWordsIsNotMultiplied) {
   std::string line = "map_Kd";
