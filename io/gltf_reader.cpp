@@ -216,11 +216,13 @@ class GltfReader {
   struct MeshSize {
     double n_vertices = 0;
     double n_triangles = 0;
+    double n_primitives = 0;
   };
 
   [[nodiscard]] MeshSize mesh_size(const JsonItem& mesh) const {
     MeshSize size;
     const JsonItem primitives = mesh.at("primitives");
+    size.n_primitives = static_cast<double>(primitives.size());
     for (std::size_t k = 0; k < primitives.size(); ++k) {
       const JsonItem primitive = primitives[k];
       const auto position = primitive.at("attributes").find("POSITION");
@@ -240,7 +242,7 @@ class GltfReader {
     std::map<std::size_t, MeshSize> sizes;  // each mesh is looked at once, however many nodes use it
     double n_vertices = 0;
     double n_triangles = 0;
-    double n_instances = 0;
+    double n_instances = 0;  // of meshes or, where these have several, primitives
     for (std::size_t i = 0; i < tree.counts().size(); ++i) {
       if (tree.counts()[i] == 0) continue;
       const JsonItem node = document_.element("nodes", i);
@@ -251,13 +253,13 @@ class GltfReader {
       auto size = sizes.find(number);
       if (size == sizes.end()) size = sizes.emplace(number, mesh_size(mesh)).first;
       const double n = tree.counts()[i] * static_cast<double>(instances(node).count);
-      n_instances += n;
+      n_instances += n * std::max(1.0, size->second.n_primitives);
       n_vertices += n * size->second.n_vertices;
       n_triangles += n * size->second.n_triangles;
     }
     const double most = std::max(kMostMultiplied, static_cast<double>(document_.n_bytes()));
     if (std::max({n_instances, n_vertices, n_triangles}) > most) {
-      fail(path_, fmt::format("has {:.0f} instances of meshes with {:.0f} vertices and {:.0f} "
+      fail(path_, fmt::format("has {:.0f} instances of primitives with {:.0f} vertices and {:.0f} "
                               "triangles in all, expected at most {:.0f} from {} bytes",
                               n_instances, n_vertices, n_triangles, most, document_.n_bytes()));
     }

@@ -37,32 +37,60 @@ constexpr int kDeepest = 500;
 constexpr std::size_t kMostKeys = 10'000;
 
 /// Notices keys that stand twice in one object, of which the parser would keep the last; refuses
-/// what is nested too deep or has too many keys.
-class JsonCheck {
+/// what is nested too deep or has too many keys. A pass of its own, for the parser's callbacks look
+/// at all elements of a list after each object in it.
+class JsonCheck : public Json::json_sax_t {
  public:
   explicit JsonCheck(const std::filesystem::path& path) : path_(path) {}
 
-  bool operator()(int depth, Json::parse_event_t event, const Json& parsed) {
-    if (depth > kDeepest) {
-      fail(path_, fmt::format("has more than {} lists and objects inside each other", kDeepest));
-    }
-    if (event == Json::parse_event_t::object_start) keys_.emplace_back();
-    if (event == Json::parse_event_t::object_end) keys_.pop_back();
-    if (event == Json::parse_event_t::key) {
-      const auto& key = parsed.get_ref<const std::string&>();
-      if (!keys_.back().insert(key).second && first_.empty()) first_ = key;
-      if (keys_.back().size() > kMostKeys) {
-        fail(path_, fmt::format("has an object of more than {} keys", kMostKeys));
-      }
+  [[nodiscard]] const std::string& first() const { return first_; }
+
+  bool start_object(std::size_t /*size*/) override {
+    keys_.emplace_back();
+    return enter();
+  }
+  bool key(std::string& key) override {
+    if (!keys_.back().insert(key).second && first_.empty()) first_ = key;
+    if (keys_.back().size() > kMostKeys) {
+      fail(path_, fmt::format("has an object of more than {} keys", kMostKeys));
     }
     return true;
   }
-  [[nodiscard]] const std::string& first() const { return first_; }
+  bool end_object() override {
+    keys_.pop_back();
+    return leave();
+  }
+  bool start_array(std::size_t /*size*/) override { return enter(); }
+  bool end_array() override { return leave(); }
+  bool null() override { return true; }
+  bool boolean(bool /*value*/) override { return true; }
+  bool number_integer(std::int64_t /*value*/) override { return true; }
+  bool number_unsigned(std::uint64_t /*value*/) override { return true; }
+  bool number_float(double /*value*/, const std::string& /*text*/) override { return true; }
+  bool string(std::string& /*value*/) override { return true; }
+  bool binary(Json::binary_t& /*value*/) override { return true; }
+  /// The parser itself says what is wrong.
+  bool parse_error(std::size_t /*position*/, const std::string& /*token*/,
+                   const Json::exception& /*error*/) override {
+    return false;
+  }
 
  private:
+  bool enter() {
+    if (++depth_ > kDeepest) {
+      fail(path_, fmt::format("has more than {} lists and objects inside each other", kDeepest));
+    }
+    return true;
+  }
+  bool leave() {
+    --depth_;
+    return true;
+  }
+
   std::filesystem::path path_;
   std::vector<std::set<std::string>> keys_;  // of the objects that are open
   std::string first_;
+  int depth_ = 0;
 };
 
 /// "room.json:12: ..." from the parser's "[json...] parse error at line 12, column 3: ...".
@@ -86,10 +114,9 @@ bool begins_object(std::string_view text) {
 }
 
 Json parse_checked(const std::filesystem::path& path, std::string_view text, JsonCheck& check) {
+  (void)Json::sax_parse(text, &check);
   try {
-    return Json::parse(text, [&](int depth, Json::parse_event_t event, const Json& parsed) {
-      return check(depth, event, parsed);
-    });
+    return Json::parse(text);
   } catch (const Json::exception& error) {
     if (!begins_object(text)) fail(path, "is no JSON object: it does not begin with {");
     fail_at_line(path, error.what());

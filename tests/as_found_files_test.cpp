@@ -195,6 +195,13 @@ TEST_F(AsFoundFiles, GltfIsBounded) {
   many.replace(many.find("\"byteLength\": 44"), 16, "\"byteLength\": 1000000000");
   EXPECT_CONTAINS(error_of("many.gltf", many), "1100000 triangles in all, expected at most 1000000");
 
+  std::string empty = "{\"attributes\": {}}";
+  for (int k = 1; k < 2000; ++k) empty += ", {\"attributes\": {}}";
+  EXPECT_CONTAINS(error_of("empty.gltf", asset + R"("scenes": [{"nodes": )" + instances +
+                                             R"(]}], "nodes": [{"mesh": 0}],
+      "meshes": [{"primitives": [)" + empty + "]}]}"),
+                  "2000000 instances of primitives");
+
   // A chain of nodes is no recursion: each moves its child by 1 mm.
   std::string chain;
   constexpr int kLinks = 60000;
