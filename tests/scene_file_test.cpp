@@ -263,7 +263,7 @@ TEST_F(SceneFile, ExplainsBadOffAndStl) {
       {"a.off", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "file ends after 1 of 2 faces"},
       {"a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n", "face has 2 vertices"},
       {"a.off", "OFF\n-3 1 0\n", "a.off:2: found -3 vertices"},
-      {"a.off", "4OFF\n3 1 0\n", "a.off:1: expected \"OFF\", found \"4OFF\""},
+      {"a.off", "4OFF\n3 1 0\n", "a.off:1: expected \"OFF\", found a word of 4 bytes"},
       {"a.off", "OFF\n0 0 0\n", "a.off: has no polygons"},
       {"a.stl", binary_stl().substr(0, 150), "is truncated: found 150 bytes, expected 184"},
       {"a.stl", "no stl", "found 6 bytes, expected \"solid\""},
