@@ -26,8 +26,8 @@ MEBIBYTE = 1 << 20
 # Commands, and the options with which they make the old results and the new ones.
 COMMANDS = {
     "solve": (["-o", "r.vtp", "-o", "r.csv", "-o", "r.ply", "-o", "r.png", "-o", "r.exr",
-               "--width", "160", "--height", "160"], ["--patches", "150"], ["--patches", "300"]),
-    "form-factors": (["-o", "f.h5", "-o", "f.csv"], ["--patches", "150"], ["--patches", "300"]),
+               "--width", "160", "--height", "160"], ["--patches", "60"], ["--patches", "120"]),
+    "form-factors": (["-o", "f.h5", "-o", "f.csv"], ["--patches", "60"], ["--patches", "120"]),
 }
 
 
