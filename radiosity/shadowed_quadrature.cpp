@@ -10,12 +10,19 @@
 namespace radiosity {
 namespace {
 
-/// The source is divided into this many pieces at most; what is left undivided costs accuracy.
+/// The source is divided into this many pieces at most, for one low rule each and if they adapt;
+/// what is left undivided costs accuracy.
 constexpr std::size_t kMostPieces = 64;
+constexpr std::size_t kMostAdaptivePieces = 256;
+/// One sigma of what rules may miss between their points where events were left out, as a share of a
+/// piece.
+constexpr double kUnseen = 5e-3;
 /// Polygons with this many corners are halved or not cut further, to stay within their capacity.
 constexpr std::size_t kMostCorners = 9;
-/// Cuts closer to a corner than this share of the piece's size are left out.
+/// Cuts closer to a corner than this share of the piece's size, or than what digits leave open, are
+/// left out.
 constexpr double kSliver = 1e-7;
+constexpr double kDigits = 2;  // times the thickness of planes
 /// Visible parts below this share of the whole are rounding.
 constexpr double kRounding = 1e-12;
 /// Pieces below this share of the source make do with one point, if the rule is low.
@@ -28,6 +35,8 @@ constexpr double kSmallPiece = 0.03;
 constexpr double kLowRuleError = 3e-3;
 constexpr double kOnePointError = 1e-2;
 constexpr double kLowRuleErrorOfMany = 2.5e-2;
+/// The least of either, since spots may fall between points.
+constexpr double kLeastLowRule = 2e-4;
 /// One sigma of a converged rule's error as a share of its change from the rule before, and of what
 /// was aimed at: two rules may agree by chance.
 constexpr double kHighRuleError = 0.3;
@@ -60,7 +69,7 @@ void for_each_point(const ConvexPolygon& polygon, int order, const Visit& visit)
 
 VisibleShare ShadowedQuadrature::integrate(const ShadowedPair& pair, double tolerance,
                                            bool adapts) {
-  divide_source(pair);
+  divide_source(pair, adapts ? kMostAdaptivePieces : kMostPieces);
   points_left_ = static_cast<long>(kMostPoints * std::max(1.0, std::sqrt(1e-3 / tolerance)));
   const double area = vector_area(pair.source.points()).norm();
   const bool is_single = pair.shadows.size() == 1;
@@ -81,8 +90,9 @@ VisibleShare ShadowedQuadrature::integrate(const ShadowedPair& pair, double tole
       const double error = !is_single || !is_divided_ ? kLowRuleErrorOfMany
                            : is_small                 ? kOnePointError
                                                       : kLowRuleError;
-      sums.variance = square(error * spread * sums.whole);
+      sums.variance = square(std::max(error * spread, kLeastLowRule) * sums.whole);
     }
+    if (!is_divided_) sums.variance += square(kUnseen * sums.whole);
     total.add(sums);
   }
   VisibleShare result;
@@ -104,11 +114,11 @@ void ShadowedQuadrature::Sums::add(const Sums& other) {
   any_hidden |= other.any_hidden;
 }
 
-void ShadowedQuadrature::divide_source(const ShadowedPair& pair) {
+void ShadowedQuadrature::divide_source(const ShadowedPair& pair, std::size_t most_pieces) {
   pieces_.assign(1, pair.source);
   is_divided_ = true;
   const auto divide = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
-    divide_pieces((b - a).cross(c - a), a);
+    divide_pieces((b - a).cross(c - a), a, pair, most_pieces);
   };
   for (const Shadow& shadow : pair.shadows) {
     for (const Shadow::Edge& edge : shadow.edges) {
@@ -133,17 +143,13 @@ void ShadowedQuadrature::divide_source(const ShadowedPair& pair) {
   }
 }
 
-void ShadowedQuadrature::divide_pieces(const Vec3& normal, const Vec3& on_plane) {
+void ShadowedQuadrature::divide_pieces(const Vec3& normal, const Vec3& on_plane,
+                                       const ShadowedPair& pair, std::size_t most_pieces) {
   const double length = normal.norm();
   if (length == 0) return;
   const std::size_t n_pieces = pieces_.size();
-  is_divided_ &= n_pieces < kMostPieces;
-  for (std::size_t k = 0; k < n_pieces && pieces_.size() < kMostPieces; ++k) {
+  for (std::size_t k = 0; k < n_pieces; ++k) {
     const ConvexPolygon& piece = pieces_[k];
-    if (piece.size() >= kMostCorners) {
-      is_divided_ = false;
-      continue;
-    }
     double low = 0;
     double high = 0;
     for (const Vec3& corner : piece) {
@@ -151,8 +157,13 @@ void ShadowedQuadrature::divide_pieces(const Vec3& normal, const Vec3& on_plane)
       low = std::min(low, height);
       high = std::max(high, height);
     }
-    const double least = kSliver * length * (piece[0] - piece[2]).norm();
+    const double least =
+        length * std::max(kSliver * (piece[0] - piece[2]).norm(), kDigits * pair.thickness);
     if (low > -least || high < least) continue;
+    if (pieces_.size() >= most_pieces || piece.size() >= kMostCorners) {
+      is_divided_ = false;
+      continue;
+    }
     const ConvexPolygon above = clip_to_half_space(piece.points(), on_plane, normal, 0);
     const ConvexPolygon below = clip_to_half_space(piece.points(), on_plane, -normal, 0);
     pieces_[k] = above;
@@ -196,6 +207,7 @@ void ShadowedQuadrature::add_adaptively(const ShadowedPair& pair, const ConvexPo
     if (best.any_visible && best.any_hidden) {
       best.variance = square(kHighRuleError * error) + square(kChanceError * goal);
     }
+    if (!is_divided_) best.variance += square(kUnseen * best.whole);
     sums.add(best);
     return;
   }

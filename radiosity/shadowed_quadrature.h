@@ -16,6 +16,7 @@ struct ShadowedPair {
   Vec3 source_normal;
   const ConvexPolygon& target;
   std::span<const Shadow> shadows;
+  double thickness = 0;  ///< up to which lengths are contact, m
 };
 
 /// The visible share ∫∫ K V / ∫∫ K of a pair, K = cosθ_i cosθ_j / (π r²).
@@ -46,8 +47,9 @@ class ShadowedQuadrature {
     bool any_hidden = false;
     void add(const Sums& other);
   };
-  void divide_source(const ShadowedPair& pair);
-  void divide_pieces(const Vec3& normal, const Vec3& on_plane);
+  void divide_source(const ShadowedPair& pair, std::size_t most_pieces);
+  void divide_pieces(const Vec3& normal, const Vec3& on_plane, const ShadowedPair& pair,
+                     std::size_t most_pieces);
   [[nodiscard]] Sums apply_rule(const ShadowedPair& pair, const ConvexPolygon& piece, int order);
   void add_adaptively(const ShadowedPair& pair, const ConvexPolygon& piece, double goal, int depth,
                       Sums& sums);
