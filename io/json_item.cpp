@@ -78,7 +78,8 @@ Json parse_json(const std::filesystem::path& path) {
       return duplicates(event, parsed);
     });
   } catch (const Json::exception& error) {
-    // The parser's message has what it read last, which in another kind of file is not ours to tell.
+    // The parser's message has what it read last, which of another kind of file is not ours to
+    // tell.
     if (!begins_object(path)) fail(path, "is no scene in JSON: it does not begin with {");
     fail_at_line(path, error.what());
   }

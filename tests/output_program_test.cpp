@@ -192,10 +192,27 @@ TEST_F(Outputs, MessagesDoNotRepeatFilesThatAreNoScene) {
   }
 }
 
+// With --resume a file that is complete is left alone, but not if its values have changed.
+TEST_F(Outputs, DamagedFormFactorsAreNotTakenForComplete) {
+  const std::string file = result("f.h5");
+  const Arguments command = {"form-factors", write_cube(0.5, 1), "--as-is", "-o", file, "--resume"};
+  ASSERT_EQ(run(command).exit_code, 0);
+  const std::string whole = contents(file);
+  EXPECT_NE(run(command).err.find("is complete already"), std::string::npos);
+  std::string damaged = whole;
+  damaged[damaged.size() / 2] ^= 1;
+  std::ofstream(file, std::ios::binary) << damaged;
+  const Outcome outcome = run(command);
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err.find("is complete already"), std::string::npos);
+  EXPECT_TRUE(contents(file) == whole);
+}
+
 TEST_F(Outputs, NamesAreNoFormulasInSpreadsheets) {
   const std::string file = write_file(
       "formula.obj",
-      "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\no =HYPERLINK(\"x\",\"y\")\nf 1 2 3 4\no @a\nf 4 3 2 1\n");
+      "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\no =HYPERLINK(\"x\",\"y\")\nf 1 2 3 4\n"
+      "o @a\nf 4 3 2 1\n");
   const Outcome outcome =
       run({"form-factors", file, "--as-is", "-o", result("f.csv"), "--by", "surface"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;

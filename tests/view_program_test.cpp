@@ -267,7 +267,8 @@ TEST_F(View, FailsInOneLine) {
 // what is open or the script; what cannot be written is told before the window opens.
 TEST_F(View, WritesNothingFalseAndOverwritesNothing) {
   const std::string unsolvable = write_cube(1, 1);
-  expect_error(run({"view", unsolvable, "--patches", "60", "--screenshot", result("a.png")}), 1, "");
+  expect_error(run({"view", unsolvable, "--patches", "60", "--screenshot", result("a.png")}), 1,
+               "");
   expect_error(run_script({{{"load", kBox}}, {{"wait", 1}}, {{"save-result", result("a.vtp")}}}), 1,
                "");
   const std::string cube = write_cube(0.5, 1);

@@ -81,7 +81,9 @@ void check_output(const Desk& desk, const std::string& path) {
   std::vector<std::filesystem::path> inputs = desk.kept_files;
   if (!model.path.empty()) inputs.emplace_back(model.path);
   inputs.emplace_back(desk.session.asked_path());
-  if (model.scene) inputs.insert(inputs.end(), model.scene->files.begin(), model.scene->files.end());
+  if (model.scene) {
+    inputs.insert(inputs.end(), model.scene->files.begin(), model.scene->files.end());
+  }
   io::check_not_input(path, inputs);
 }
 
