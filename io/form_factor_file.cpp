@@ -39,8 +39,8 @@ Handle dataset_properties() {
   return properties;
 }
 
-/// The same for a dataset of values of so many bytes, in chunks with checksums (Fletcher32), so that
-/// damage is noticed. `shape` has no zero.
+/// The same for a dataset of values of so many bytes, in chunks with checksums (Fletcher32), so
+/// that damage is noticed. `shape` has no zero.
 Handle checked_properties(std::vector<hsize_t> shape, std::size_t bytes) {
   Handle properties = dataset_properties();
   hsize_t row = 1;

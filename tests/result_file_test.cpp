@@ -493,7 +493,8 @@ TEST_F(AtomicFileTest, KnowsSameFilesByAnyName) {
   EXPECT_TRUE(same("a", "a") && same("a", "./sub/../a") && same("a", "soft") && same("a", "hard"));
   EXPECT_TRUE(same("soft", "hard"));
   EXPECT_TRUE(same("dangling", "gone") && same("sub/new", "way/new") && same("new", "./new"));
-  EXPECT_FALSE(same("a", "b") || same("a", "new") || same("new", "sub/new") || same("new", "newer"));
+  EXPECT_FALSE(same("a", "b") || same("a", "new"));
+  EXPECT_FALSE(same("new", "sub/new") || same("new", "newer"));
   EXPECT_FALSE(same("missing/new", "missing/new"));
 }
 

@@ -273,6 +273,36 @@ TEST_F(SceneFile, ExplainsBadOffAndStl) {
     EXPECT_CONTAINS(error_of(name, content), message);
 }
 
+// A scene may name any file that the user may read; what is told of it must not give it away.
+TEST_F(SceneFile, MessagesDoNotRepeatFilesThatAreNoScene) {
+  const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n";
+  (void)file("a.obj", square);
+  for (const std::string secret :
+       {"root:S3CRET$6$:19000:0:99999:7:::\n", "S3CRET\n", "12 S3CRET\n", "\"S3CRET\"\n",
+        "S3CRET,1\n2,3\n", "[\"S3CRET\"]\n", "S3CRET = {\n"}) {
+    std::vector<std::filesystem::path> scenes;
+    for (const char* extension : {"obj", "ply", "stl", "off", "gltf", "glb", "json"}) {
+      scenes.push_back(file(std::string("secret.") + extension, secret));
+    }
+    (void)file("passwd", secret);
+    scenes.push_back(file("m.obj", "mtllib passwd\n" + square));
+    scenes.push_back(file(
+        "s.json", R"({"bands": [450], "materials": {"m": {"reflectance":
+          {"csv": "passwd", "column": "a"}}}, "surfaces": [{"name": "s", "mesh": "a.obj",
+          "material": "m"}]})"));
+    for (const auto& path : scenes) {
+      std::string told = path.string();
+      try {
+        for (const std::string& warning : io::read_scene(path).warnings) told += warning;
+      } catch (const radiosity::SceneError& error) {
+        told += error.what();
+      }
+      EXPECT_EQ(told.find("S3CRET"), std::string::npos) << told;
+      EXPECT_LT(told.size(), 600U);
+    }
+  }
+}
+
 TEST_F(SceneFile, ExplainsBadPly) {
   const auto ply = [](const std::string& format, const std::string& vertex,
                       const std::string& face) {

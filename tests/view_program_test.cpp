@@ -263,6 +263,26 @@ TEST_F(View, FailsInOneLine) {
   expect_error(run({"view", kBox, "--screenshot", "picture.txt"}), 2, ".png");
 }
 
+// Neither a preview nor what could not be solved may leave as a result, and nothing may overwrite
+// what is open or the script; what cannot be written is told before the window opens.
+TEST_F(View, WritesNothingFalseAndOverwritesNothing) {
+  const std::string unsolvable = write_cube(1, 1);
+  expect_error(run({"view", unsolvable, "--patches", "60", "--screenshot", result("a.png")}), 1,
+               "");
+  expect_error(run_script({{{"load", kBox}}, {{"wait", 1}}, {{"save-result", result("a.vtp")}}}), 1,
+               "");
+  const std::string cube = write_cube(0.5, 1);
+  const std::string before = contents(cube);
+  expect_error(run_script({{{"load", cube}}, "wait-solved", {{"save-scene", cube}}}), 1, "it is");
+  expect_error(run_script({{{"load", cube}}, {{"report", cube}}}), 1, "it is");
+  EXPECT_EQ(contents(cube), before);
+  const std::string script = (folder() / "script.json").string();
+  expect_error(run_script({{{"load", cube}}, {{"report", script}}}), 1, "it is");
+  expect_error(run_script({{{"load", "none.json"}}, {{"screenshot", result("missing/a.png")}}}), 1,
+               "there is no folder");
+  EXPECT_TRUE(results().empty());
+}
+
 TEST_F(View, SaysWhatIsMissingAndOffersRender) {
   {
     const Environment none("DISPLAY", nullptr);

@@ -80,7 +80,10 @@ void check_output(const Desk& desk, const std::string& path) {
   const Model& model = desk.session.model();
   std::vector<std::filesystem::path> inputs = desk.kept_files;
   if (!model.path.empty()) inputs.emplace_back(model.path);
-  if (model.scene) inputs.insert(inputs.end(), model.scene->files.begin(), model.scene->files.end());
+  inputs.emplace_back(desk.session.asked_path());
+  if (model.scene) {
+    inputs.insert(inputs.end(), model.scene->files.begin(), model.scene->files.end());
+  }
   io::check_not_input(path, inputs);
 }
 

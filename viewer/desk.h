@@ -41,7 +41,8 @@ struct Desk {
   bool asks_light_path = false;           ///< for each patch that is selected
   Session::Versions facts_versions = {};  ///< at which the facts were found
   std::optional<std::string> screenshot;  ///< file that the next drawing shall be written to
-  std::vector<std::filesystem::path> kept_files = {};  ///< beside the scene's: not to be overwritten
+  /// Not to be overwritten, beside what is open and what it refers to.
+  std::vector<std::filesystem::path> kept_files = {};
 };
 
 /// Brings the session and what is told of the selected patch up to date. Whether anything changed.

@@ -46,6 +46,7 @@ void Session::restart(const SolveSettings& settings) {
 
 void Session::begin(const std::string& path, std::shared_ptr<const Scene> scene) {
   start_ = std::chrono::steady_clock::now();
+  asked_path_ = path;
   pause_.set(false);
   const auto take_model = [this](Model model) { this->take_model(std::move(model)); };
   pipeline_.start([=, this, settings = settings_, mix = mix_](const Worker::Context& context) {

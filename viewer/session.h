@@ -48,6 +48,8 @@ class Session {
   /// What is being computed; not busy if nothing.
   [[nodiscard]] WorkStatus status() const;
 
+  /// The file that was last asked for, read or not; "" before there is any.
+  [[nodiscard]] const std::string& asked_path() const { return asked_path_; }
   [[nodiscard]] bool is_open() const { return model_.mesh != nullptr; }
   [[nodiscard]] const Model& model() const { return model_; }
   [[nodiscard]] const SolveSettings& settings() const { return settings_; }
@@ -113,6 +115,7 @@ class Session {
   void add_message(bool is_error, const std::string& text);
 
   SolveSettings settings_;
+  std::string asked_path_;
   Model model_;
   std::optional<Light> light_;
   LightMix mix_;

@@ -43,6 +43,7 @@ class Application final : public ScriptHost {
         window_({.width = options.width, .height = options.height, .scale = options.scale}),
         desk_(options.settings),
         panels_(options.settings) {
+    if (options.path) desk_.kept_files.emplace_back(*options.path);
     if (!options.script) return;
     script_.emplace(*options.script);
     desk_.kept_files.push_back(*options.script);
