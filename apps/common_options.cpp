@@ -55,6 +55,7 @@ void add_common_options(CLI::App& command, CommonOptions& options) {
       ->check(check_unit)
       ->type_name("U");
   add_precision_option(command, options.precision);
+  add_strict_option(command, options.strict);
   add_run_options(command, options);
 }
 
@@ -112,6 +113,12 @@ void add_precision_option(CLI::App& command, std::optional<double>& precision) {
                   "digit, 0 if they are exact; default: what a .json scene says, else found")
       ->check(CLI::NonNegativeNumber)
       ->type_name("L");
+}
+
+void add_strict_option(CLI::App& command, bool& strict) {
+  command.add_flag("--strict", strict,
+                   "Refuse what otherwise is read with a warning: polygons without an area, equal "
+                   "or crossing themselves, missing materials, bytes after the end");
 }
 
 void add_seed_option(CLI::App& command, std::uint64_t& seed) {

@@ -19,9 +19,12 @@ struct CommonOptions {
   std::string scene;                ///< file name
   std::optional<std::string> unit;  ///< of the file's coordinates; absent: what the file says
   std::optional<double> precision;  ///< of the coordinates, m; absent: as the file says, else found
+  bool strict = false;              ///< refuse files with faults that can be mended
   std::size_t n_threads = 0;        ///< 0 = all cores
   bool json = false;                ///< one JSON object on stdout instead of the table
   bool quiet = false;               ///< no progress on stderr
+  /// Files that the run writes: none of them may be one that the scene is read from.
+  std::vector<std::string> outputs;
 };
 
 /// What the options of a computation say about patches and form factors.
@@ -49,6 +52,7 @@ struct PictureOptions {
 void add_common_options(CLI::App& command, CommonOptions& options);
 /// Those of the common options that have to do with running, not with a scene.
 void add_run_options(CLI::App& command, CommonOptions& options);
+void add_strict_option(CLI::App& command, bool& strict);
 void add_precision_option(CLI::App& command, std::optional<double>& precision);
 void add_seed_option(CLI::App& command, std::uint64_t& seed);
 void add_compute_options(CLI::App& command, ComputeOptions& options);

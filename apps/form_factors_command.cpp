@@ -16,6 +16,7 @@
 #include "io/destinations_csv.h"
 #include "io/extension.h"
 #include "io/form_factor_file.h"
+#include "io/form_factor_reader.h"
 #include "io/surface_csv.h"
 #include "radiosity/parallel.h"
 #include "radiosity/surface_factors.h"
@@ -65,7 +66,7 @@ FormFactorsCommand::FormFactorsCommand(CLI::App& program, Interruption& interrup
       "Compute the form factors (view factors) of a scene and write them to a file");
   add_common_options(*command, common_);
   command
-      ->add_option("-o,--output", outputs_,
+      ->add_option("-o,--output", common_.outputs,
                    "Result file: .h5 (HDF5, every pair of patches) or .csv (between surfaces); may "
                    "be repeated")
       ->check(
@@ -103,18 +104,21 @@ FormFactorsCommand::FormFactorsCommand(CLI::App& program, Interruption& interrup
 
 void FormFactorsCommand::run() const {
   if (from_) return run_from(*from_);
-  if (outputs_.empty()) throw CLI::RequiredError("--output");
-  check_outputs(outputs_, common_.scene);
+  if (common_.outputs.empty()) throw CLI::RequiredError("--output");
+  CommonOptions common = common_;
+  common.outputs.push_back(work_file_path(common_.outputs));
+  check_outputs(common.outputs, common_.scene);
   TerminalProgress terminal(terminal_style(common_));
   const radiosity::ThreadLimit threads(common_.n_threads);
   const radiosity::Progress progress = shown_progress(terminal, interruption_);
   const std::size_t memory = parse_memory_size(memory_).value_or(default_streaming_memory());
-  const PatchedScene patched(common_, compute_, streaming_checks(memory), progress, terminal);
+  const PatchedScene patched(common, compute_, streaming_checks(memory), progress, terminal);
   const radiosity::StreamOptions options = stream_options(patched, memory, progress);
   const radiosity::Fingerprint fingerprint = stream_fingerprint(patched.mesh, options);
-  FactorSummary summary{.patched = patched, .min_factor = min_factor_, .outputs = outputs_};
+  FactorSummary summary{.patched = patched, .min_factor = min_factor_, .outputs = common_.outputs};
   if (is_complete(fingerprint)) {
-    terminal.warn(fmt::format("{} is complete already; nothing was computed", outputs_.front()));
+    terminal.warn(fmt::format("{} is complete already; nothing was computed",
+                              common_.outputs.front()));
     print_factors(summary, terminal);
     return;
   }
@@ -146,7 +150,7 @@ radiosity::TileStore FormFactorsCommand::open_store(const radiosity::PatchMesh& 
                                                     const radiosity::Progress& progress,
                                                     TerminalProgress& terminal) const {
   using Start = radiosity::TileStore::Start;
-  const std::filesystem::path path = work_file_path(outputs_);
+  const std::filesystem::path path = work_file_path(common_.outputs);
   const Start start = resume_ ? Start::resumed : Start::anew;
   check_work_file(path, fingerprint, start, terminal);
   interruption_.advise(fmt::format(
@@ -155,16 +159,19 @@ radiosity::TileStore FormFactorsCommand::open_store(const radiosity::PatchMesh& 
 }
 
 bool FormFactorsCommand::is_complete(const radiosity::Fingerprint& fingerprint) const {
-  if (!resume_ || !by_.empty() || std::filesystem::exists(work_file_path(outputs_))) return false;
-  return std::all_of(outputs_.begin(), outputs_.end(), [&](const std::string& output) {
-    return is_h5(output) && io::read_fingerprint(output) == fingerprint.text();
+  const auto& outputs = common_.outputs;
+  if (!resume_ || !by_.empty() || std::filesystem::exists(work_file_path(outputs))) return false;
+  return std::all_of(outputs.begin(), outputs.end(), [&](const std::string& output) {
+    return is_h5(output) && io::read_fingerprint(output) == fingerprint.text() &&
+           io::has_intact_form_factors(output);
   });
 }
 
 Eigen::MatrixXd FormFactorsCommand::write_outputs(const radiosity::PatchMesh& mesh,
                                                   const radiosity::StreamedFactors& factors,
                                                   const radiosity::Fingerprint& fingerprint) const {
-  const bool is_table_asked = !by_.empty() || !std::all_of(outputs_.begin(), outputs_.end(), is_h5);
+  const auto& outputs = common_.outputs;
+  const bool is_table_asked = !by_.empty() || !std::all_of(outputs.begin(), outputs.end(), is_h5);
   std::optional<radiosity::SurfaceFactorSums> sums;
   const auto visit_rows = [&](const radiosity::RowVisitor& visit) {
     const bool is_counting = is_table_asked && !sums;
@@ -176,7 +183,7 @@ Eigen::MatrixXd FormFactorsCommand::write_outputs(const radiosity::PatchMesh& me
         });
   };
   const auto lock = interruption_.hold();
-  for (const std::string& output : outputs_) {
+  for (const std::string& output : outputs) {
     if (is_h5(output)) {
       io::write_form_factors(output, mesh, {factors.report(), visit_rows},
                              {.tolerance = compute_.tolerance,
@@ -186,7 +193,7 @@ Eigen::MatrixXd FormFactorsCommand::write_outputs(const radiosity::PatchMesh& me
   }
   if (!is_table_asked) return {};
   if (!sums) visit_rows({});
-  for (const std::string& output : outputs_) {
+  for (const std::string& output : outputs) {
     if (!is_h5(output)) io::write_surface_csv(output, mesh, sums->factors());
   }
   return sums->factors();
@@ -199,22 +206,22 @@ void FormFactorsCommand::print_factors(const FactorSummary& summary,
 }
 
 void FormFactorsCommand::run_from(const std::string& from) const {
-  for (const std::string& output : outputs_) {
+  for (const std::string& output : common_.outputs) {
     const std::string refusal = check_extension(output, {".csv"});
     if (!refusal.empty()) throw CLI::ValidationError("--output with --from", refusal);
   }
-  check_outputs(outputs_, common_.scene);
+  check_outputs(common_.outputs, common_.scene);
   TerminalProgress terminal(terminal_style(common_));
   const radiosity::ThreadLimit threads(common_.n_threads);
   const radiosity::Progress progress = shown_progress(terminal, interruption_);
   const FactorsFrom factors = compute_factors_from(from, common_, compute_, progress, terminal);
-  for (const std::string& output : outputs_) {
+  for (const std::string& output : common_.outputs) {
     const auto lock = interruption_.hold();
     io::write_destinations_csv(output, factors.surface_names, factors.shares);
   }
   progress.check();
-  print(common_.json ? factors_from_json(factors, outputs_, terminal.warnings())
-                     : factors_from_text(factors, outputs_));
+  print(common_.json ? factors_from_json(factors, common_.outputs, terminal.warnings())
+                     : factors_from_text(factors, common_.outputs));
 }
 
 }  // namespace apps

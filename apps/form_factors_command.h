@@ -40,7 +40,6 @@ class FormFactorsCommand {
   Interruption& interruption_;
   CommonOptions common_;
   ComputeOptions compute_;
-  std::vector<std::string> outputs_;
   std::string by_;
   std::optional<std::string> from_;
   bool resume_ = false;

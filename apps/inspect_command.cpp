@@ -6,9 +6,24 @@
 #include "apps/text_summary.h"
 #include "io/scene_file.h"
 #include "meshing/inspect.h"
+#include "meshing/patches.h"
+#include "radiosity/openings.h"
 #include "radiosity/parallel.h"
+#include "radiosity/visibility.h"
 
 namespace apps {
+namespace {
+
+/// As the other commands find out, whose form factors would take longer: edges do not tell, for
+/// polygons may close a room without sharing them, and share them without closing one.
+bool encloses(const radiosity::Scene& scene, const radiosity::Progress& progress) {
+  const radiosity::PatchMesh mesh = meshing::make_patches(scene, {.progress = progress});
+  const radiosity::Visibility visibility(mesh);
+  const ComputeOptions defaults;
+  return radiosity::is_enclosed(mesh, visibility, defaults.tolerance, defaults.seed);
+}
+
+}  // namespace
 
 InspectCommand::InspectCommand(CLI::App& program, Interruption& interruption)
     : interruption_(interruption) {
@@ -23,7 +38,8 @@ void InspectCommand::run() const {
   const radiosity::ThreadLimit threads(common_.n_threads);
   const radiosity::Progress progress = shown_progress(terminal, interruption_);
   const radiosity::Scene scene = read_scene_warning(common_, progress, terminal);
-  const meshing::Inspection inspection = meshing::inspect(scene);
+  meshing::Inspection inspection = meshing::inspect(scene);
+  inspection.closed = scene.closed ? *scene.closed : encloses(scene, progress);
   progress.check();
   print(common_.json ? inspect_json(scene, inspection, terminal.warnings())
                      : inspect_text(scene, inspection));

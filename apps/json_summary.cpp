@@ -4,6 +4,7 @@
 
 #include "apps/scene_text.h"
 #include "apps/surface_flux.h"
+#include "io/printable.h"
 #include "radiosity/surface_factors.h"
 
 namespace apps {
@@ -15,9 +16,9 @@ Json array(const Eigen::VectorXd& values) {
   return std::vector<double>(values.data(), values.data() + values.size());
 }
 
-/// File names may hold any bytes; what is not UTF-8 is replaced.
+/// File names may hold any bytes; what is not UTF-8 is replaced, and nothing steers a terminal.
 std::string text(const Json& json) {
-  return json.dump(2, ' ', false, Json::error_handler_t::replace);
+  return io::printable_json(json.dump(2, ' ', false, Json::error_handler_t::replace));
 }
 
 Json form_factors(const radiosity::AssemblyReport& report, std::size_t bytes) {

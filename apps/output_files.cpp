@@ -2,13 +2,11 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <system_error>
 
 #include "io/extension.h"
+#include "io/output_check.h"
 #include "radiosity/error.h"
 
 namespace apps {
@@ -18,26 +16,6 @@ namespace fs = std::filesystem;
 
 bool contains(const std::vector<std::string>& list, const std::string& item) {
   return std::find(list.begin(), list.end(), item) != list.end();
-}
-
-void check_output(const fs::path& output, const fs::path& scene) {
-  const fs::path folder = output.has_parent_path() ? output.parent_path() : fs::path(".");
-  std::error_code ignored;
-  const auto refuse = [&](const std::string& reason) {
-    throw radiosity::OutputError(fmt::format("{}: cannot be written: {}", output.string(), reason));
-  };
-  if (!fs::exists(folder, ignored)) {
-    refuse(fmt::format("there is no folder {}", folder.string()));
-  } else if (!fs::is_directory(folder, ignored)) {
-    refuse(fmt::format("{} is not a folder", folder.string()));
-  } else if (::access(folder.c_str(), W_OK) != 0) {
-    refuse(fmt::format("folder {}: {}", folder.string(),
-                       std::error_code(errno, std::generic_category()).message()));
-  } else if (fs::is_directory(output, ignored)) {
-    refuse("it is a folder");
-  } else if (fs::equivalent(output, scene, ignored)) {
-    refuse("it is the scene file itself");
-  }
 }
 
 }  // namespace
@@ -68,7 +46,26 @@ std::string check_extension(const std::string& path, const std::vector<std::stri
 }
 
 void check_outputs(const std::vector<std::string>& outputs, const fs::path& scene) {
-  for (const std::string& output : outputs) check_output(output, scene);
+  for (auto output = outputs.begin(); output != outputs.end(); ++output) {
+    if (io::is_same_file(*output, scene)) {
+      throw radiosity::OutputError(
+          fmt::format("{}: cannot be written: it is the scene file itself", *output));
+    }
+    const auto same = std::find_if(outputs.begin(), output, [&](const std::string& other) {
+      return io::is_same_file(*output, other);
+    });
+    if (same != output) {
+      throw radiosity::OutputError(
+          fmt::format("{}: cannot be written: it is the same file as the output {}", *output,
+                      *same));
+    }
+    io::check_writable(*output);
+  }
+}
+
+void check_against_inputs(const std::vector<std::string>& outputs,
+                          const std::vector<fs::path>& inputs) {
+  for (const std::string& output : outputs) io::check_not_input(output, inputs);
 }
 
 }  // namespace apps

@@ -19,9 +19,12 @@ const std::vector<std::string>& form_factor_extensions();
 /// was found and expected.
 std::string check_extension(const std::string& path, const std::vector<std::string>& allowed);
 
-/// Finds out before the long work what would fail after it. Throws OutputError if the folder of an
-/// output is missing, no folder or not writable, if an output is a folder, or if it would replace
-/// the scene file.
+/// Finds out before the long work what would fail after it. Throws OutputError if an output cannot
+/// be written (io::check_writable), if it would replace the scene file, or if two are the same.
 void check_outputs(const std::vector<std::string>& outputs, const std::filesystem::path& scene);
+
+/// Throws OutputError if an output is one of the files that the scene is read from.
+void check_against_inputs(const std::vector<std::string>& outputs,
+                          const std::vector<std::filesystem::path>& inputs);
 
 }  // namespace apps

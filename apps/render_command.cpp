@@ -24,8 +24,9 @@ RenderCommand::RenderCommand(CLI::App& program, Interruption& interruption)
 }
 
 void RenderCommand::run() const {
-  const std::vector<std::string> outputs = {output_};
-  check_outputs(outputs, common_.scene);
+  CommonOptions common = common_;
+  common.outputs = {output_};
+  check_outputs(common.outputs, common_.scene);
   check_false_color(picture_.false_color);
   TerminalProgress terminal(terminal_style(common_));
   const radiosity::ThreadLimit threads(common_.n_threads);
@@ -35,9 +36,9 @@ void RenderCommand::run() const {
     check_photometry(patched.scene, shown_quantities(picture_.false_color), picture_.photometry,
                      terminal);
   };
-  const SolvedScene solved(common_, compute_, radiosity::Method::conjugate_gradients, progress,
+  const SolvedScene solved(common, compute_, radiosity::Method::conjugate_gradients, progress,
                            terminal, check);
-  SolveSummary summary = {.solved = solved, .outputs = outputs};
+  SolveSummary summary = {.solved = solved, .outputs = common.outputs};
   summary.false_color = write_picture(output_, solved, picture_, progress, interruption_);
   progress.check();
   print_summary(summary, common_, terminal);

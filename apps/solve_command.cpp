@@ -31,7 +31,7 @@ SolveCommand::SolveCommand(CLI::App& program, Interruption& interruption)
   add_common_options(*command, common_);
   command
       ->add_option(
-          "-o,--output", outputs_,
+          "-o,--output", common_.outputs,
           "Result file, by extension: .vtp (ParaView), .csv, .ply, .png or .exr (picture); "
           "may be repeated")
       ->check([](const std::string& path) { return check_extension(path, result_extensions()); })
@@ -49,7 +49,7 @@ SolveCommand::SolveCommand(CLI::App& program, Interruption& interruption)
 }
 
 void SolveCommand::run() const {
-  check_outputs(outputs_, common_.scene);
+  check_outputs(common_.outputs, common_.scene);
   check_false_color(picture_.false_color);
   TerminalProgress terminal(terminal_style(common_));
   const radiosity::ThreadLimit threads(common_.n_threads);
@@ -66,11 +66,11 @@ void SolveCommand::run() const {
                                                        solved.scene.bands,
                                                        picture_.photometry.efficacy_or_default()));
   }
-  SolveSummary summary = {.solved = solved, .outputs = outputs_};
+  SolveSummary summary = {.solved = solved, .outputs = common_.outputs};
   for (const auto& field : options.quantities) {
     summary.quantities.push_back(summarize(field, solved.mesh));
   }
-  for (const std::string& output : outputs_) {
+  for (const std::string& output : common_.outputs) {
     if (is_picture(output)) {
       summary.false_color = write_picture(output, solved, picture_, progress, interruption_);
     } else {
@@ -84,7 +84,7 @@ void SolveCommand::run() const {
 
 void SolveCommand::check_all(const PatchedScene& patched, std::vector<Quantity> quantities,
                              TerminalProgress& terminal) const {
-  if (std::any_of(outputs_.begin(), outputs_.end(), is_picture)) {
+  if (std::any_of(common_.outputs.begin(), common_.outputs.end(), is_picture)) {
     check_picture(patched, picture_, terminal);
     const auto shown = shown_quantities(picture_.false_color);
     quantities.insert(quantities.end(), shown.begin(), shown.end());

@@ -30,7 +30,6 @@ class SolveCommand {
   PictureOptions picture_;
   QuantityOptions quantities_;
   std::string method_;
-  std::vector<std::string> outputs_;
 };
 
 }  // namespace apps

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "apps/available_memory.h"
+#include "apps/output_files.h"
 #include "apps/row_check.h"
 #include "io/false_color.h"
 #include "io/image_file.h"
@@ -241,8 +242,11 @@ TerminalProgress::Style terminal_style(const CommonOptions& common) {
 
 Scene read_scene_warning(const CommonOptions& common, const Progress& progress,
                          TerminalProgress& terminal) {
-  Scene scene = io::read_scene(
-      common.scene, {.unit = common.unit, .precision = common.precision, .progress = progress});
+  Scene scene = io::read_scene(common.scene, {.unit = common.unit,
+                                              .precision = common.precision,
+                                              .strict = common.strict,
+                                              .progress = progress});
+  check_against_inputs(common.outputs, scene.files);
   for (const std::string& warning : scene.warnings) terminal.warn(warning);
   return scene;
 }

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "io/printable.h"
+
 namespace apps {
 namespace {
 
@@ -33,10 +35,7 @@ std::string as_time(double time) {
 }  // namespace
 
 std::string one_line(std::string_view message) {
-  std::string line(message);
-  std::replace_if(
-      line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
-  return line;
+  return io::printable(message);
 }
 
 TerminalProgress::Style TerminalProgress::fitting_style() {

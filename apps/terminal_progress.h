@@ -52,8 +52,7 @@ class TerminalProgress {
   std::vector<std::string> warnings_;
 };
 
-/// The message with line ends and other control characters replaced by blanks, so that it is one
-/// line.
+/// The message as it may go to the terminal, in one line (io::printable).
 std::string one_line(std::string_view message);
 
 }  // namespace apps

@@ -292,9 +292,11 @@ std::string inspect_text(const radiosity::Scene& scene, const meshing::Inspectio
   text += line("precision", scene.precision > 0
                                 ? fmt::format("coordinates are rounded to {:.1g} m", scene.precision)
                                 : "coordinates are exact");
-  text += line("closed", inspection.closed
-                             ? "yes: every edge is shared by two polygons"
-                             : fmt::format("no: {} boundary edges", inspection.n_boundary_edges));
+  text += line("closed", fmt::format("{}: light {} ({} boundary edges)",
+                                     inspection.closed ? "yes" : "no",
+                                     inspection.closed ? "meets fronts only"
+                                                       : "escapes or meets backs",
+                                     inspection.n_boundary_edges));
   text += line("bands", fmt::format("{}", fmt::join(band_names(scene.bands), ", ")));
   return text + surface_table(scene, inspection) + finding_lines(inspection);
 }

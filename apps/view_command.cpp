@@ -15,7 +15,7 @@ constexpr int kMostThreads = 4096;
 
 viewer::SolveSettings solve_settings(const ComputeOptions& compute,
                                      const std::optional<std::string>& unit,
-                                     const std::optional<double>& precision) {
+                                     const std::optional<double>& precision, bool strict) {
   viewer::SolveSettings settings = {.max_edge = compute.max_edge,
                                     .n_patches = compute.n_patches,
                                     .as_is = compute.as_is,
@@ -23,7 +23,8 @@ viewer::SolveSettings solve_settings(const ComputeOptions& compute,
                                     .tolerance = compute.tolerance,
                                     .seed = compute.seed,
                                     .unit = unit,
-                                    .precision = precision};
+                                    .precision = precision,
+                                    .strict = strict};
   if (compute.closed != "auto") settings.closed = closed_choice(compute.closed, {});
   return settings;
 }
@@ -41,6 +42,7 @@ ViewCommand::ViewCommand(CLI::App& program, Interruption& interruption)
   command->add_option("--unit", unit_, "Unit of the file's coordinates: m, mm, cm, in, ft, km, um")
       ->type_name("U");
   add_precision_option(*command, precision_);
+  add_strict_option(*command, strict_);
   command->add_option("--script", script_, "Do the actions of this file, then close the window")
       ->type_name("FILE");
   command
@@ -78,7 +80,7 @@ void ViewCommand::run() const {
   if (screenshot_) check_outputs({*screenshot_}, path_.value_or(""));
   const radiosity::ThreadLimit threads(n_threads_);
   viewer::ViewOptions options = {.path = path_,
-                                 .settings = solve_settings(compute_, unit_, precision_),
+                                 .settings = solve_settings(compute_, unit_, precision_, strict_),
                                  .width = width_,
                                  .height = height_,
                                  .scale = scale_,

@@ -21,6 +21,7 @@ class ViewCommand {
   std::optional<std::string> path_;
   std::optional<std::string> unit_;
   std::optional<double> precision_;
+  bool strict_ = false;
   std::optional<std::string> script_;
   std::optional<std::string> screenshot_;
   std::size_t n_threads_ = 0;

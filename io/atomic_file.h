@@ -8,9 +8,10 @@ namespace io {
 
 /// Calls `write_to` with the name of a temporary file beside `path`, then renames it to `path`, so
 /// that `path` is either the old file or the whole new one. The temporary file is removed if
-/// `write_to` throws. If `path` is a link to a file, that file is replaced and the link kept.
-/// Throws OutputError if the folder is missing or not writable, if `path` is a folder or device,
-/// or if the rename fails (the message names `path` and the system's reason).
+/// `write_to` throws, and those that killed runs have left in the folder are removed first. If
+/// `path` is a link to a file, that file is replaced and the link kept. Throws OutputError for what
+/// `replaced_file` refuses, if the folder is not writable, or if the file cannot be brought to the
+/// disk and renamed (the message names `path` and the system's reason).
 void write_atomically(const std::filesystem::path& path,
                       const std::function<void(const std::filesystem::path&)>& write_to);
 

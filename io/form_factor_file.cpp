@@ -24,6 +24,9 @@ using radiosity::Index;
 constexpr const char* kFingerprint = "fingerprint";
 /// Entries that are collected before they are written.
 constexpr hsize_t kChunk = 1 << 16;
+/// What of other datasets has one checksum; larger ones have several.
+constexpr hsize_t kChunkBytes = 1 << 20;
+constexpr std::size_t kMostNameBytes = 1 << 30;
 
 void require(herr_t status) {
   if (status < 0) throw HdfError("HDF5 cannot write (is the disk full?)");
@@ -36,33 +39,66 @@ Handle dataset_properties() {
   return properties;
 }
 
+/// The same for a dataset of values of so many bytes, in chunks with checksums (Fletcher32), so that
+/// damage is noticed. `shape` has no zero.
+Handle checked_properties(std::vector<hsize_t> shape, std::size_t bytes) {
+  Handle properties = dataset_properties();
+  hsize_t row = 1;
+  for (std::size_t k = 1; k < shape.size(); ++k) row *= shape[k];
+  shape[0] = std::clamp<hsize_t>(kChunkBytes / std::max<hsize_t>(row * bytes, 1), 1, shape[0]);
+  require(H5Pset_chunk(properties, static_cast<int>(shape.size()), shape.data()));
+  require(H5Pset_fletcher32(properties));
+  return properties;
+}
+
+Handle checked_properties_or_none(const std::vector<hsize_t>& shape, std::size_t bytes) {
+  const bool is_empty = std::find(shape.begin(), shape.end(), hsize_t{0}) != shape.end();
+  return is_empty ? dataset_properties() : checked_properties(shape, bytes);
+}
+
+Handle make_group(hid_t file, const char* name) {
+  const Handle properties(H5Pcreate(H5P_GROUP_CREATE), H5Pclose);
+  require(H5Pset_obj_track_times(properties, 0));
+  return {H5Gcreate2(file, name, H5P_DEFAULT, properties, H5P_DEFAULT), H5Gclose};
+}
+
 template <typename T>
 void write_dataset(hid_t file, const char* name, const std::vector<T>& values,
                    const std::vector<hsize_t>& shape) {
   const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
                      H5Sclose);
-  const Handle properties = dataset_properties();
+  const Handle properties = checked_properties_or_none(shape, sizeof(T));
   const Handle set(
       H5Dcreate2(file, name, type_of<T>(), space, H5P_DEFAULT, properties, H5P_DEFAULT), H5Dclose);
   if (!values.empty()) {
     require(H5Dwrite(set, type_of<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
   }
+  require(H5Dflush(set));  // while it can be told that the disk is full
 }
 
+/// As texts of one length, filled up with zeros: of texts of their own lengths HDF5 checks nothing
+/// but where they are.
 void write_names(hid_t file, const char* name, const std::vector<std::string>& names) {
+  std::size_t longest = 1;
+  for (const std::string& text : names) longest = std::max(longest, text.size());
+  if (longest > kMostNameBytes / std::max<std::size_t>(names.size(), 1)) {
+    throw HdfError("the names of the surfaces are too long to be written");
+  }
   const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
-  require(H5Tset_size(type, H5T_VARIABLE));
+  require(H5Tset_size(type, longest));
+  require(H5Tset_strpad(type, H5T_STR_NULLPAD));
   require(H5Tset_cset(type, H5T_CSET_UTF8));
   const hsize_t size = names.size();
   const Handle space(H5Screate_simple(1, &size, nullptr), H5Sclose);
-  const Handle properties = dataset_properties();
+  const Handle properties = checked_properties_or_none({size}, longest);
   const Handle set(H5Dcreate2(file, name, type, space, H5P_DEFAULT, properties, H5P_DEFAULT),
                    H5Dclose);
-  std::vector<const char*> pointers;
-  for (const std::string& text : names) pointers.push_back(text.c_str());
+  std::string all(names.size() * longest, '\0');
+  for (std::size_t i = 0; i < names.size(); ++i) names[i].copy(&all[i * longest], longest);
   if (!names.empty()) {
-    require(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, pointers.data()));
+    require(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, all.data()));
   }
+  require(H5Dflush(set));
 }
 
 template <typename T>
@@ -106,6 +142,12 @@ class GrowingDataset {
     pending_.clear();
   }
 
+  /// To be called at the end: closing cannot tell that the disk is full.
+  void finish() {
+    flush();
+    require(H5Dflush(set_));
+  }
+
  private:
   static Handle make(hid_t file, const char* name) {
     const hsize_t none = 0;
@@ -113,6 +155,7 @@ class GrowingDataset {
     const Handle space(H5Screate_simple(1, &none, &unlimited), H5Sclose);
     const Handle properties = dataset_properties();
     require(H5Pset_chunk(properties, 1, &kChunk));
+    require(H5Pset_fletcher32(properties));
     return {H5Dcreate2(file, name, type_of<T>(), space, H5P_DEFAULT, properties, H5P_DEFAULT),
             H5Dclose};
   }
@@ -137,7 +180,7 @@ std::vector<std::int32_t> flat(const std::vector<std::array<std::int32_t, 4>>& c
 }
 
 void write_patches(hid_t file, const radiosity::PatchMesh& mesh) {
-  const Handle group(H5Gcreate2(file, "patches", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
+  const Handle group = make_group(file, "patches");
   const auto n = static_cast<hsize_t>(mesh.size());
   write_dataset(group, "area", mesh.area, {n});
   write_dataset(group, "centroid", flat(mesh.centroid), {n, 3});
@@ -149,9 +192,16 @@ void write_patches(hid_t file, const radiosity::PatchMesh& mesh) {
   write_dataset(file, "vertices", flat(mesh.vertices), {mesh.vertices.size(), 3});
 }
 
+void write_surfaces(hid_t file, const radiosity::PatchMesh& mesh) {
+  const Handle group = make_group(file, "surfaces");
+  write_names(group, "name", mesh.surface_names);
+  const std::vector<std::int32_t> two_sided(mesh.surface_two_sided.begin(),
+                                            mesh.surface_two_sided.end());
+  write_dataset(group, "two_sided", two_sided, {two_sided.size()});
+}
+
 void write_rows(hid_t file, const FormFactorRows& rows) {
-  const Handle group(H5Gcreate2(file, "form_factors", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-                     H5Gclose);
+  const Handle group = make_group(file, "form_factors");
   GrowingDataset<double> data(group, "data");
   GrowingDataset<double> error(group, "error");
   GrowingDataset<std::int64_t> indices(group, "indices");
@@ -167,32 +217,35 @@ void write_rows(hid_t file, const FormFactorRows& rows) {
     }
     row_starts.push_back(n_entries);
   });
-  data.flush();
-  error.flush();
-  indices.flush();
+  data.finish();
+  error.finish();
+  indices.finish();
   write_dataset(group, "indptr", row_starts, {row_starts.size()});
 }
 
 void write_file(const std::filesystem::path& path, const radiosity::PatchMesh& mesh,
                 const FormFactorRows& rows, const FormFactorFileOptions& options) {
-  const Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  // From this format on, what describes the values has checksums too.
+  require(H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110));
+  // The file is new and locked by us: HDF5's own lock would meet that.
+  require(H5Pset_file_locking(access, 0, 1));
+  const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
+  require(H5Pset_obj_track_times(creation, 0));
+  Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access), H5Fclose);
   write_attribute(file, "version", kFormFactorVersion);
   write_attribute(file, "tolerance", options.tolerance);
   write_attribute(file, "min_factor", options.min_factor);
   write_attribute(file, "closed", static_cast<std::int32_t>(rows.report.closed));
   write_attribute(file, kFingerprint, options.fingerprint);
   write_patches(file, mesh);
-  const Handle group(H5Gcreate2(file, "surfaces", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
-  write_names(group, "name", mesh.surface_names);
-  write_dataset(
-      group, "two_sided",
-      std::vector<std::int32_t>(mesh.surface_two_sided.begin(), mesh.surface_two_sided.end()),
-      {mesh.surface_two_sided.size()});
+  write_surfaces(file, mesh);
   const Eigen::VectorXd& sums = rows.report.row_sums;
   write_dataset(file, "closure", std::vector<double>(sums.data(), sums.data() + sums.size()),
                 {static_cast<hsize_t>(sums.size())});
   write_rows(file, rows);
   require(H5Fflush(file, H5F_SCOPE_GLOBAL));
+  file.finish();
 }
 
 }  // namespace

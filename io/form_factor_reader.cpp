@@ -240,6 +240,19 @@ struct FormFactorReader::File {
     fingerprint = read_fingerprint_of(name);
   }
 
+  /// Reads all entries, which throws where they are damaged.
+  void check_entries() const {
+    constexpr hsize_t kAtOnce = 1 << 20;
+    const hsize_t n_entries = data->shape[0];
+    for (hsize_t first = 0; first < n_entries; first += kAtOnce) {
+      const hsize_t n = std::min(kAtOnce, n_entries - first);
+      for (const Dataset* values : {data.get(), error.get()}) {
+        (void)read_slice<double>(*values, first, n);
+      }
+      (void)read_slice<std::int64_t>(*indices, first, n);
+    }
+  }
+
   [[nodiscard]] Eigen::VectorXd row(Index i, const Dataset& values) const {
     assert(i >= 0 && i < mesh.size());
     hdf5::prepare_library();  // whether errors are printed is a setting of each thread
@@ -289,6 +302,19 @@ Eigen::VectorXd FormFactorReader::row(Index i) const {
 
 Eigen::VectorXd FormFactorReader::row_error(Index i) const {
   return checked(file_->path, [&] { return file_->row(i, *file_->error); });
+}
+
+void FormFactorReader::check_entries() const {
+  checked(file_->path, [&] { file_->check_entries(); });
+}
+
+bool has_intact_form_factors(const std::filesystem::path& path) {
+  try {
+    FormFactorReader(path).check_entries();
+    return true;
+  } catch (const radiosity::SceneError&) {
+    return false;
+  }
 }
 
 const PatchMesh& FormFactorReader::mesh() const { return file_->mesh; }

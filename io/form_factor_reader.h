@@ -31,6 +31,8 @@ class FormFactorReader {
   /// Row i of F, and one standard error of each entry; n values. Finite, not negative.
   [[nodiscard]] Eigen::VectorXd row(radiosity::Index i) const;
   [[nodiscard]] Eigen::VectorXd row_error(radiosity::Index i) const;
+  /// Reads all entries once, to find out whether they are intact as far as checksums tell.
+  void check_entries() const;
 
   /// Row sums before any correction, n values.
   [[nodiscard]] const Eigen::VectorXd& closure() const;
@@ -45,5 +47,8 @@ class FormFactorReader {
   struct File;
   std::unique_ptr<File> file_;
 };
+
+/// Whether the file has form factors of which all can be read, as far as its checksums tell.
+bool has_intact_form_factors(const std::filesystem::path& path);
 
 }  // namespace io

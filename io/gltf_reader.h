@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
+#include "io/file_scene.h"
 #include "radiosity/progress.h"
-#include "radiosity/scene.h"
 
 namespace io {
 
@@ -12,6 +12,6 @@ namespace io {
 /// it two-sided. Base colour is the reflectance, emissive colour the radiance, three RGB bands;
 /// textures are not read (a warning tells). Surface::material is -1 where the file gives none.
 /// Throws SceneError naming the file.
-radiosity::Scene read_gltf(const std::filesystem::path& path, const radiosity::Progress& progress);
+FileScene read_gltf(const std::filesystem::path& path, const radiosity::Progress& progress);
 
 }  // namespace io

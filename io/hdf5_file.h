@@ -28,6 +28,10 @@ class Handle {
   Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
   Handle(const Handle&) = delete;
   Handle& operator=(const Handle&) = delete;
+  /// Closes it before its end, to throw HdfError if that fails.
+  void finish() {
+    if (close_(std::exchange(id_, -1)) < 0) throw HdfError("HDF5 cannot write (is the disk full?)");
+  }
   operator hid_t() const { return id_; }  // NOLINT(google-explicit-constructor): for the C calls
 
  private:

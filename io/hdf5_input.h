@@ -23,6 +23,7 @@ struct Dataset {
   Dataset(hid_t file, const char* dataset_name);
 
   [[noreturn]] void fail(const std::string& what) const;  ///< HdfError "/name what"
+  [[noreturn]] void fail_reading() const;  ///< likewise, of values that HDF5 cannot give
   void require_shape(const std::vector<hsize_t>& expected) const;
   void require_class(std::initializer_list<H5T_class_t> expected) const;
 
@@ -33,6 +34,7 @@ struct Dataset {
 
  private:
   void check_storage() const;
+  void check_chunk(hid_t properties) const;
 };
 
 template <typename T>
@@ -53,7 +55,7 @@ std::vector<T> read_all(hid_t file, const char* name, const std::vector<hsize_t>
   std::vector<T> values(shape.size() == 2 ? shape[0] * shape[1] : shape[0]);
   if (!values.empty() &&
       H5Dread(dataset.set, type_of<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) {
-    dataset.fail("cannot be read");
+    dataset.fail_reading();
   }
   if constexpr (std::is_floating_point_v<T>) {
     for (const T value : values) {
@@ -72,12 +74,12 @@ std::vector<T> read_slice(const Dataset& dataset, hsize_t first, hsize_t n) {
   const Handle memory(H5Screate_simple(1, &n, nullptr), H5Sclose);
   if (H5Sselect_hyperslab(space, H5S_SELECT_SET, &first, nullptr, &n, nullptr) < 0 ||
       H5Dread(dataset.set, type_of<T>(), memory, space, H5P_DEFAULT, values.data()) < 0) {
-    dataset.fail("cannot be read");
+    dataset.fail_reading();
   }
   return values;
 }
 
-/// A list of texts of variable length.
+/// A list of texts, each of its own length or all of one, which zeros fill up.
 std::vector<std::string> read_names(hid_t file, const char* name);
 
 /// A number that the file has as an attribute.

@@ -29,6 +29,11 @@ std::optional<std::string> face_problem(std::span<const std::int64_t> indices,
   if (indices.size() < 3) {
     return fmt::format("face has {} vertices, expected at least 3", indices.size());
   }
+  return index_problem(indices, n_vertices);
+}
+
+std::optional<std::string> index_problem(std::span<const std::int64_t> indices,
+                                         std::int64_t n_vertices) {
   for (const std::int64_t index : indices) {
     if (index < 0 || index >= n_vertices) {
       return fmt::format("face uses vertex {}, but there are {}, counted from 0", index,

@@ -4,14 +4,17 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <limits>
 #include <set>
 #include <utility>
 #include <vector>
 
 #include "io/line_reader.h"
+#include "io/printable.h"
 #include "radiosity/error.h"
 
 namespace io {
@@ -24,26 +27,70 @@ std::string description(const Json& value) {
   if (value.is_object()) return "an object";
   if (value.is_array()) return fmt::format("a list of {}", value.size());
   if (value.is_null()) return "null";
-  return fmt::format("{}", value.dump());
+  if (value.is_string()) return in_quotes(value.get_ref<const std::string&>());
+  return value.dump();
 }
 
-/// Notices keys that stand twice in one object, of which the parser would keep the last.
-class DuplicateKeys {
+/// What comes out of a parser may be copied and printed by functions that recurse.
+constexpr int kDeepest = 500;
+/// Keys of an object are looked for one after the other.
+constexpr std::size_t kMostKeys = 10'000;
+
+/// Notices keys that stand twice in one object, of which the parser would keep the last; refuses
+/// what is nested too deep or has too many keys. A pass of its own, for the parser's callbacks look
+/// at all elements of a list after each object in it.
+class JsonCheck : public Json::json_sax_t {
  public:
-  bool operator()(Json::parse_event_t event, const Json& parsed) {
-    if (event == Json::parse_event_t::object_start) keys_.emplace_back();
-    if (event == Json::parse_event_t::object_end) keys_.pop_back();
-    if (event == Json::parse_event_t::key) {
-      const auto& key = parsed.get_ref<const std::string&>();
-      if (!keys_.back().insert(key).second && first_.empty()) first_ = key;
+  explicit JsonCheck(const std::filesystem::path& path) : path_(path) {}
+
+  [[nodiscard]] const std::string& first() const { return first_; }
+
+  bool start_object(std::size_t /*size*/) override {
+    keys_.emplace_back();
+    return enter();
+  }
+  bool key(std::string& key) override {
+    if (!keys_.back().insert(key).second && first_.empty()) first_ = key;
+    if (keys_.back().size() > kMostKeys) {
+      fail(path_, fmt::format("has an object of more than {} keys", kMostKeys));
     }
     return true;
   }
-  [[nodiscard]] const std::string& first() const { return first_; }
+  bool end_object() override {
+    keys_.pop_back();
+    return leave();
+  }
+  bool start_array(std::size_t /*size*/) override { return enter(); }
+  bool end_array() override { return leave(); }
+  bool null() override { return true; }
+  bool boolean(bool /*value*/) override { return true; }
+  bool number_integer(std::int64_t /*value*/) override { return true; }
+  bool number_unsigned(std::uint64_t /*value*/) override { return true; }
+  bool number_float(double /*value*/, const std::string& /*text*/) override { return true; }
+  bool string(std::string& /*value*/) override { return true; }
+  bool binary(Json::binary_t& /*value*/) override { return true; }
+  /// The parser itself says what is wrong.
+  bool parse_error(std::size_t /*position*/, const std::string& /*token*/,
+                   const Json::exception& /*error*/) override {
+    return false;
+  }
 
  private:
+  bool enter() {
+    if (++depth_ > kDeepest) {
+      fail(path_, fmt::format("has more than {} lists and objects inside each other", kDeepest));
+    }
+    return true;
+  }
+  bool leave() {
+    --depth_;
+    return true;
+  }
+
+  std::filesystem::path path_;
   std::vector<std::set<std::string>> keys_;  // of the objects that are open
   std::string first_;
+  int depth_ = 0;
 };
 
 /// "room.json:12: ..." from the parser's "[json...] parse error at line 12, column 3: ...".
@@ -54,7 +101,26 @@ class DuplicateKeys {
   message.remove_prefix(kStart.size());
   const auto line = message.substr(0, message.find(','));
   const auto text = message.substr(std::min(message.find(": ") + 2, message.size()));
-  throw radiosity::SceneError(fmt::format("{}:{}: {}", path.string(), line, text));
+  throw radiosity::SceneError(printable(fmt::format("{}:{}: {}", path.string(), line, text)));
+}
+
+/// Whether it can be an object, behind a byte order mark, perhaps. What the parser's message has
+/// read last is, in another kind of file, not ours to tell.
+bool begins_object(std::string_view text) {
+  const auto first = std::find_if(text.begin(), text.end(), [](unsigned char c) {
+    return c < 0x80 && std::isspace(c) == 0;
+  });
+  return first != text.end() && *first == '{';
+}
+
+Json parse_checked(const std::filesystem::path& path, std::string_view text, JsonCheck& check) {
+  (void)Json::sax_parse(text, &check);
+  try {
+    return Json::parse(text);
+  } catch (const Json::exception& error) {
+    if (!begins_object(text)) fail(path, "is no JSON object: it does not begin with {");
+    fail_at_line(path, error.what());
+  }
 }
 
 }  // namespace
@@ -62,19 +128,19 @@ class DuplicateKeys {
 Json parse_json(const std::filesystem::path& path) {
   input_size(path);
   std::ifstream file(path, std::ios::binary);
-  DuplicateKeys duplicates;
-  Json json;
-  try {
-    json = Json::parse(file, [&](int /*depth*/, Json::parse_event_t event, Json& parsed) {
-      return duplicates(event, parsed);
-    });
-  } catch (const Json::exception& error) {
-    fail_at_line(path, error.what());
+  const std::string text(std::istreambuf_iterator<char>(file), {});
+  JsonCheck check(path);
+  Json json = parse_checked(path, text, check);
+  if (!check.first().empty()) {
+    fail(path, fmt::format("key {} stands twice in one object", in_quotes(check.first())));
   }
-  if (!duplicates.first().empty()) {
-    fail(path, fmt::format("key \"{}\" stands twice in one object", duplicates.first()));
-  }
+  if (json.is_string()) fail(path, "is no scene in JSON: it holds a text only");
   return json;
+}
+
+Json parse_json_text(const std::filesystem::path& path, std::string_view text) {
+  JsonCheck check(path);
+  return parse_checked(path, text, check);
 }
 
 std::optional<Vec3> as_point(const Json& value) {
@@ -89,7 +155,7 @@ std::optional<Vec3> as_point(const Json& value) {
 
 void JsonItem::fail(const std::string& message) const {
   throw radiosity::SceneError(
-      fmt::format("{}: {}{}{}", file_, place_, place_.empty() ? "" : ": ", message));
+      printable(fmt::format("{}: {}{}{}", file_, place_, place_.empty() ? "" : ": ", message)));
 }
 
 void JsonItem::check_keys(std::span<const std::string_view> known) const {
@@ -101,9 +167,9 @@ void JsonItem::check_keys(std::span<const std::string_view> known) const {
     });
     // Further than half its letters, a word is no misspelling of the other.
     if (2 * edit_distance(key, *nearest) <= std::max(key.size(), nearest->size())) {
-      fail(fmt::format("unknown key \"{}\", did you mean \"{}\"?", key, *nearest));
+      fail(fmt::format("unknown key {}, did you mean \"{}\"?", in_quotes(key), *nearest));
     }
-    fail(fmt::format("unknown key \"{}\", nearest is \"{}\"; known are {}", key, *nearest,
+    fail(fmt::format("unknown key {}, nearest is \"{}\"; known are {}", in_quotes(key), *nearest,
                      fmt::join(known, ", ")));
   }
 }

@@ -99,6 +99,18 @@ Camera read_camera(const JsonItem& item, double unit) {
   return camera;
 }
 
+/// The files that "csv" names in the materials, or in a part of them.
+void add_spectra(const Json& part, const std::filesystem::path& folder, Scene& scene) {
+  if (!part.is_structured()) return;
+  for (const auto& [key, value] : part.items()) {
+    if (key == "csv" && value.is_string()) {
+      scene.files.push_back(folder / value.get<std::string>());
+    } else {
+      add_spectra(value, folder, scene);
+    }
+  }
+}
+
 double scene_unit(const JsonItem& root, const ReadOptions& options) {
   const auto unit = root.find("unit");
   const double metres = unit ? read_unit(*unit) : 1.0;
@@ -116,7 +128,7 @@ std::optional<double> given_precision(const JsonItem& root) {
 
 }  // namespace
 
-Scene read_json_scene(const std::filesystem::path& path, const ReadOptions& options) {
+FileScene read_json_scene(const std::filesystem::path& path, const ReadOptions& options) {
   const Json json = parse_json(path);
   const JsonItem root(json, path);
   root.check_keys(keys::kScene);
@@ -124,18 +136,20 @@ Scene read_json_scene(const std::filesystem::path& path, const ReadOptions& opti
     if (const auto item = root.find(key)) (void)item->text();
   }
   const double unit = scene_unit(root, options);
-  Scene scene;
+  FileScene file;
+  Scene& scene = file.scene;
   scene.source = path.string();
   if (const auto bands = root.find("bands")) scene.bands = read_bands(*bands);
   if (const auto materials = root.find("materials")) {
     scene.materials = read_materials(*materials, scene.bands, path.parent_path());
+    add_spectra(materials->value(), path.parent_path(), scene);
   }
-  add_surfaces(root.at("surfaces"), path.parent_path(), unit, options.progress, scene);
+  add_surfaces(root.at("surfaces"), path.parent_path(), unit, options.progress, file);
   if (const auto precision = given_precision(root)) scene.precision = unit * *precision;
   if (const auto camera = root.find("camera")) scene.camera = read_camera(*camera, unit);
   if (const auto closed = root.find("closed")) scene.closed = closed->boolean();
   if (scene.n_polygons() == 0) fail(path, "has no polygons");
-  return scene;
+  return file;
 }
 
 }  // namespace io

@@ -194,7 +194,8 @@ std::vector<std::int32_t> add_mesh_surfaces(const JsonItem& item, const Surface&
 }
 
 void add_mesh(const JsonItem& item, const Surface& given, const std::filesystem::path& folder,
-              double unit, const Progress& progress, Scene& scene) {
+              double unit, const Progress& progress, FileScene& result) {
+  Scene& scene = result.scene;
   for (const std::string_view key : {"polygons", "vertices"}) {
     if (item.has(key)) item.fail(fmt::format("has both \"mesh\" and \"{}\"", key));
   }
@@ -202,7 +203,12 @@ void add_mesh(const JsonItem& item, const Surface& given, const std::filesystem:
   if (lower_extension(file) == ".json") {
     item.at("mesh").fail("is a scene, expected a mesh file: .obj, .off, .ply, .stl, .gltf, .glb");
   }
-  const Scene mesh = read_mesh(folder / file, progress);
+  const FileScene read = read_mesh(
+      folder / file, given.material < 0 ? MeshMaterials::wanted : MeshMaterials::not_needed,
+      progress);
+  const Scene& mesh = read.scene;
+  scene.files.push_back(folder / file);
+  scene.files.insert(scene.files.end(), mesh.files.begin(), mesh.files.end());
   const auto surfaces = add_mesh_surfaces(item, given, mesh, file, scene);
   const auto first_vertex = static_cast<std::int64_t>(scene.vertices.size());
   add_vertices(item, mesh, mesh_unit(item, file, unit), unit, scene);
@@ -222,6 +228,7 @@ void add_mesh(const JsonItem& item, const Surface& given, const std::filesystem:
     scene.add_polygon(corners, surface);
   }
   scene.warnings.insert(scene.warnings.end(), mesh.warnings.begin(), mesh.warnings.end());
+  result.repairs.insert(result.repairs.end(), read.repairs.begin(), read.repairs.end());
 }
 
 /// Reads the surfaces whose polygons stand in the scene file, and judges their coordinates as these
@@ -267,7 +274,8 @@ double read_unit(const JsonItem& item) {
 }
 
 void add_surfaces(const JsonItem& surfaces, const std::filesystem::path& folder, double unit,
-                  const Progress& progress, Scene& scene) {
+                  const Progress& progress, FileScene& file) {
+  Scene& scene = file.scene;
   const std::size_t n_materials = scene.materials.size();  // those of meshes come behind
   std::set<std::string> names;
   InlinePoints inline_points(unit, scene);
@@ -284,7 +292,7 @@ void add_surfaces(const JsonItem& surfaces, const std::filesystem::path& folder,
       item.fail(fmt::format("a surface named \"{}\" exists already", surface.name));
     }
     if (item.has("mesh")) {
-      add_mesh(item, surface, folder, unit, progress, scene);
+      add_mesh(item, surface, folder, unit, progress, file);
     } else if (item.has("polygons")) {
       inline_points.add(item, std::move(surface));
     } else {

@@ -14,11 +14,11 @@
 
 namespace io {
 
-/// Throws SceneError "room.obj: message".
+/// Throws SceneError "room.obj: message", in one line and without control characters.
 [[noreturn]] void fail(const std::filesystem::path& path, const std::string& message);
 
-/// Size of a file, bytes, > 0. Throws SceneError if there is no such file, if it is a folder, not
-/// readable or empty.
+/// Size of a file, bytes, > 0. Throws SceneError if there is no such file, if it is no regular one
+/// (a folder, a pipe, a device: reading could wait for ever), not readable or empty.
 std::uint64_t input_size(const std::filesystem::path& path);
 
 /// The number that `word` spells, the whole of it; a leading + is allowed. Empty if it spells none
@@ -49,10 +49,12 @@ class Words {
   std::string_view rest_;
 };
 
-/// Reads a text file line by line and knows where it is. Lines may end in \n or \r\n.
+/// Reads a text file line by line and knows where it is. Lines may end in \n or \r\n. A byte order
+/// mark of UTF-8 at the start is skipped; text in UTF-16 is refused.
 class LineReader {
  public:
-  enum class Continuation { none, backslash };  ///< whether \ at the end joins the next line
+  /// Whether \ at the end joins the next line; not that of a comment, which ends with its line.
+  enum class Continuation { none, backslash };
 
   /// Throws SceneError if the file cannot be read. `progress` must outlive the reader.
   LineReader(const std::filesystem::path& path, const radiosity::Progress& progress,
@@ -73,6 +75,12 @@ class LineReader {
   /// Throws SceneError "room.obj:41: message".
   [[noreturn]] void fail(const std::string& message) const;
 
+  /// To be called once the file has shown that it is of the kind that is read.
+  void recognise() { is_recognised_ = true; }
+  /// A word of the file as messages tell it: in quotes and cut. Of a file that was not recognised
+  /// only its length, since it may be anything, a file of passwords, say.
+  [[nodiscard]] std::string shown(std::string_view word) const;
+
   /// The next word as a finite number, an integer, or three words as a point. `what` names it in
   /// the SceneError that is thrown if it is none.
   double number(Words& words, std::string_view what) const;
@@ -91,6 +99,7 @@ class LineReader {
   std::ifstream file_;
   std::string line_;
   std::string joined_;
+  bool is_recognised_ = false;
   long line_number_ = 0;        // physical lines read
   long first_line_number_ = 0;  // where the current, perhaps joined, line starts
 };

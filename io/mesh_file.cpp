@@ -6,6 +6,7 @@
 #include <cctype>
 #include <limits>
 
+#include "io/gltf_files.h"
 #include "io/gltf_reader.h"
 #include "io/line_reader.h"
 #include "io/obj_reader.h"
@@ -20,24 +21,29 @@ namespace {
 using radiosity::Progress;
 using radiosity::Scene;
 
-Scene read_by_extension(const std::filesystem::path& path, const Progress& progress) {
+FileScene read_by_extension(const std::filesystem::path& path, MeshMaterials materials,
+                            const Progress& progress) {
   const std::string extension = lower_extension(path);
-  if (extension == ".obj") return read_obj(path, progress);
+  if (extension == ".obj") return read_obj(path, materials, progress);
   if (extension == ".off") return read_off(path, progress);
   if (extension == ".ply") return read_ply(path, progress);
   if (extension == ".stl") return read_stl(path, progress);
-  if (extension == ".gltf" || extension == ".glb") return read_gltf(path, progress);
+  if (extension == ".gltf" || extension == ".glb") {
+    FileScene file = read_gltf(path, progress);
+    file.scene.files = gltf_files(path);
+    return file;
+  }
   fail(path, fmt::format("unknown extension \"{}\", expected .obj, .off, .ply, .stl, .gltf, .glb "
                          "or .json",
                          extension));
 }
 
-/// Coordinates of glTF are single, whatever its transforms make of them.
+/// Coordinates of glTF are single or integers, whatever its transforms make of them.
 void find_precision(const std::filesystem::path& path, Scene& mesh) {
   const std::string extension = lower_extension(path);
   const bool is_single = extension == ".gltf" || extension == ".glb";
   const Rounding rounding =
-      is_single ? single_rounding(mesh.vertices) : found_rounding(mesh.vertices);
+      is_single ? single_rounding(mesh.vertices, mesh.precision) : found_rounding(mesh.vertices);
   mesh.precision = rounding.precision;
   if (const auto warning = rounding_warning(rounding)) {
     mesh.warnings.push_back(path.string() + ": " + *warning);
@@ -53,8 +59,10 @@ std::string lower_extension(const std::filesystem::path& path) {
   return extension;
 }
 
-Scene read_mesh(const std::filesystem::path& path, const Progress& progress) {
-  Scene mesh = read_by_extension(path, progress);
+FileScene read_mesh(const std::filesystem::path& path, MeshMaterials materials,
+                    const Progress& progress) {
+  FileScene file = read_by_extension(path, materials, progress);
+  Scene& mesh = file.scene;
   if (mesh.n_polygons() == 0) fail(path, "has no polygons");
   constexpr std::size_t kMax = std::numeric_limits<std::int32_t>::max();
   if (mesh.vertices.size() > kMax || mesh.polygon_surface.size() > kMax) {
@@ -62,7 +70,7 @@ Scene read_mesh(const std::filesystem::path& path, const Progress& progress) {
                            mesh.vertices.size(), mesh.polygon_surface.size(), kMax));
   }
   find_precision(path, mesh);
-  return mesh;
+  return file;
 }
 
 }  // namespace io

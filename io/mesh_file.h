@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <string>
 
+#include "io/file_scene.h"
 #include "radiosity/progress.h"
-#include "radiosity/scene.h"
 
 namespace io {
 
@@ -13,7 +13,9 @@ std::string lower_extension(const std::filesystem::path& path);
 
 /// Reads a mesh by its extension: .obj, .off, .ply, .stl, .gltf or .glb. Coordinates are in the
 /// file's unit, and so is Scene::precision, found from their digits; Surface::material is -1 where the file names no material; Scene::bands is RGB.
-/// Throws SceneError, also if the file holds no polygons or more than can be numbered.
-radiosity::Scene read_mesh(const std::filesystem::path& path, const radiosity::Progress& progress);
+/// Polygons may have fewer than three corners, or be bad otherwise. Throws SceneError, also if the
+/// file holds no polygons or more than can be numbered.
+FileScene read_mesh(const std::filesystem::path& path, MeshMaterials materials,
+                    const radiosity::Progress& progress);
 
 }  // namespace io

@@ -7,8 +7,10 @@
 #include <set>
 #include <utility>
 
+#include "io/file_scene.h"
 #include "io/input_checks.h"
 #include "io/line_reader.h"
+#include "io/printable.h"
 
 namespace io {
 namespace {
@@ -16,6 +18,25 @@ namespace {
 constexpr std::array<std::string_view, 22> kIgnored = {
     "Ka",    "Ks",   "Ns",   "Ni", "d",  "Tr", "Tf", "illum", "sharpness", "bump",  "disp",
     "decal", "refl", "norm", "Pr", "Pm", "Ps", "Pc", "Pcr",   "Km",        "aniso", "anisor"};
+
+constexpr std::array<std::string_view, 6> kPictures = {"bump", "disp", "decal",
+                                                       "refl", "norm", "map"};
+
+/// What `map_Kd -s 1 1 1 wood.png` may mean: names have blanks in them, too. Bounded, or a line of
+/// many words would make as many names as long as itself.
+void add_pictures(const std::filesystem::path& path, Words words, MtlFile& file) {
+  constexpr int kMostWords = 32;         // all options together have fewer
+  constexpr std::size_t kLongest = 4096;  // that systems open
+  for (int k = 0; k < kMostWords && !words.rest().empty(); ++k) {
+    if (words.rest().size() <= kLongest) file.pictures.push_back(path.parent_path() / words.rest());
+    words.next();
+  }
+}
+
+bool is_picture(std::string_view keyword) {
+  return std::find(kPictures.begin(), kPictures.end(), keyword.substr(0, keyword.find('_'))) !=
+         kPictures.end();
+}
 
 bool is_ignored(std::string_view keyword) {
   return keyword.starts_with("map_") ||
@@ -32,9 +53,8 @@ Eigen::VectorXd read_rgb(const LineReader& lines, Words& words, std::string_view
 }
 
 /// Reads the value of `Kd` or `Ke` into the material.
-void read_key(const LineReader& lines, std::string_view keyword, Words& words, MtlFile& file) {
-  if (file.materials.empty()) lines.fail(fmt::format("{} stands before any newmtl", keyword));
-  auto& material = file.materials.back();
+void read_key(const LineReader& lines, std::string_view keyword, Words& words,
+              radiosity::Material& material) {
   const Eigen::VectorXd value = read_rgb(lines, words, keyword);
   if (keyword == "Kd") {
     if (const auto problem = reflectance_problem(value)) lines.fail(*problem);
@@ -62,25 +82,44 @@ MtlFile read_mtl(const std::filesystem::path& path, const radiosity::Progress& p
   MtlFile file;
   std::set<std::string> names;
   bool has_warned = false;
+  RepairCount doubled;
+  RepairCount nameless;
+  RepairCount before_any;
+  radiosity::Material left_out;  // takes the keys of a material that does not count
+  bool is_left_out = false;
+  const auto where = [&] { return fmt::format("{}:{}", path.string(), lines.line_number()); };
   while (lines.next_line()) {
     Words words(lines.line());
     const auto keyword = words.next();
     if (keyword.empty() || keyword[0] == '#') continue;
     if (keyword == "newmtl") {
+      lines.recognise();
       const std::string name(words.rest());
-      if (name.empty()) lines.fail("newmtl without a name");
-      if (!names.insert(name).second) {
-        lines.fail(fmt::format("material \"{}\" is already defined", name));
+      is_left_out = name.empty() || !names.insert(name).second;
+      if (name.empty()) {
+        nameless.add(where(), "newmtl names no material");
+      } else if (is_left_out) {
+        doubled.add(where(), fmt::format("material {} is already defined", in_quotes(name)));
+      } else {
+        file.materials.push_back({.name = name, .reflectance = {}, .emission = {}});
       }
-      file.materials.push_back({.name = name, .reflectance = {}, .emission = {}});
     } else if (keyword == "Kd" || keyword == "Ke") {
-      read_key(lines, keyword, words, file);
+      if (file.materials.empty() && !is_left_out) {
+        before_any.add(where(), fmt::format("{} stands before any newmtl", keyword));
+      }
+      const bool counts = !is_left_out && !file.materials.empty();
+      read_key(lines, keyword, words, counts ? file.materials.back() : left_out);
+    } else if (is_picture(keyword)) {
+      add_pictures(path, words, file);
     } else if (!is_ignored(keyword) && !std::exchange(has_warned, true)) {
-      file.warnings.push_back(fmt::format("{}:{}: unknown key \"{}\" is ignored", path.string(),
-                                          lines.line_number(), keyword));
+      file.warnings.push_back(
+          fmt::format("{}: unknown key {} is ignored", where(), lines.shown(keyword)));
     }
   }
   complete_reflectances(path, file);
+  doubled.report("the first definition counts", file.repairs);
+  nameless.report("it is left out", file.repairs);
+  before_any.report("it is left out", file.repairs);
   return file;
 }
 

@@ -17,10 +17,13 @@ inline constexpr double kDefaultReflectance = 0.5;
 struct MtlFile {
   std::vector<radiosity::Material> materials;
   std::vector<std::string> warnings;
+  std::vector<std::string> repairs;  ///< see FileScene
+  std::vector<std::filesystem::path> pictures;  ///< that it may mean, which are not read
 };
 
 /// Reads `Kd` (reflectance) and `Ke` (radiance, W/(m² sr)); what else the format knows is ignored.
-/// Throws SceneError with file and line.
+/// Of materials with one name the first counts; those without a name are left out. Throws
+/// SceneError with file and line.
 MtlFile read_mtl(const std::filesystem::path& path, const radiosity::Progress& progress);
 
 }  // namespace io

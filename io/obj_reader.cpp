@@ -2,13 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
-#include <limits>
+#include <optional>
 #include <set>
 #include <utility>
 
 #include "io/line_reader.h"
 #include "io/mtl_reader.h"
+#include "io/printable.h"
 #include "io/surface_index.h"
 
 namespace io {
@@ -24,13 +26,14 @@ constexpr std::array<std::string_view, 15> kIgnored = {
 
 class ObjReader {
  public:
-  ObjReader(const std::filesystem::path& path, const Progress& progress)
+  ObjReader(const std::filesystem::path& path, MeshMaterials wanted, const Progress& progress)
       : path_(path),
+        wanted_(wanted),
         progress_(progress),
         lines_(path, progress, LineReader::Continuation::backslash),
         surfaces_(scene_, path.stem().string()) {}
 
-  Scene read() {
+  FileScene read() {
     while (lines_.next_line()) {
       Words words(lines_.line());
       read_statement(words.next(), words);
@@ -40,13 +43,15 @@ class ObjReader {
       fail(path_.string() + ":" + std::to_string(largest_forward_line_),
            fmt::format("face uses vertex {}, but the file has {}", largest_forward_, n_vertices));
     }
-    return std::move(scene_);
+    report_repairs();
+    return {std::move(scene_), std::move(repairs_)};
   }
 
  private:
   void read_statement(std::string_view keyword, Words& words) {
     if (keyword.empty() || keyword[0] == '#') return;
     if (keyword == "v") {
+      lines_.recognise();
       scene_.vertices.push_back(lines_.point(words));  // w or a colour may follow
     } else if (keyword == "f") {
       read_face(words);
@@ -69,17 +74,14 @@ class ObjReader {
     for (auto word = words.next(); !word.empty() && word[0] != '#'; word = words.next()) {
       face_.push_back(vertex_index(word));
     }
-    if (face_.size() < 3) {
-      lines_.fail(fmt::format("face has {} vertices, expected at least 3", face_.size()));
-    }
-    if (surface_ < 0) surface_ = surfaces_.find_or_add(object_, material_);
-    scene_.add_polygon(face_, surface_);
+    if (surface_ < 0) surface_ = surfaces_.find_or_add(object_, material_, unknown_material_);
+    scene_.add_polygon(face_, surface_);  // of fewer than three corners too: left out with others
   }
 
   /// The index from 0 of a face's corner "7", "7/1", "7//2", "7/1/2" or "-3".
   std::int32_t vertex_index(std::string_view word) {
     const auto number = parse_number<std::int64_t>(word.substr(0, word.find('/')));
-    if (!number) lines_.fail(fmt::format("expected a vertex number, found \"{}\"", word));
+    if (!number) lines_.fail(fmt::format("expected a vertex number, found {}", lines_.shown(word)));
     const auto n_vertices = static_cast<std::int64_t>(scene_.vertices.size());
     if (*number == 0) lines_.fail("face uses vertex 0, but vertices are counted from 1");
     if (*number < -n_vertices) {
@@ -101,65 +103,103 @@ class ObjReader {
 
   void use_material(const std::string& name) {
     const auto entry = materials_.find(name);
-    if (entry == materials_.end()) {
-      lines_.fail(has_library_ ? fmt::format("unknown material \"{}\": no .mtl file read so far "
-                                             "defines it",
-                                             name)
-                               : fmt::format("unknown material \"{}\": no mtllib names a file "
-                                             "before it",
-                                             name));
-    }
-    material_ = entry->second;
+    const bool is_known = entry != materials_.end();
+    material_ = is_known ? entry->second : -1;
+    unknown_material_ = is_known ? "" : name;
     surface_ = -1;
+    if (is_known || wanted_ == MeshMaterials::not_needed) return;
+    if (name.empty()) {
+      nameless_.add(where(), "usemtl names no material");
+    } else {
+      unknown_.add(where(), fmt::format("unknown material {}: {}", in_quotes(name),
+                                        has_library_ ? "no .mtl file read so far defines it"
+                                                     : "no mtllib names a file before it"));
+    }
   }
 
   /// `mtllib a.mtl b.mtl`, or one name with blanks in it.
   void read_libraries(Words words) {
     const std::string whole(words.rest());
-    if (whole.empty()) lines_.fail("mtllib names no file");
-    if (std::filesystem::exists(path_.parent_path() / whole)) return read_library(whole);
+    if (whole.empty() && wanted_ == MeshMaterials::wanted) {
+      missing_.add(where(), "mtllib names no file");
+    }
+    if (find_library(whole)) return read_library(whole);
     for (auto word = words.next(); !word.empty(); word = words.next()) {
       read_library(std::string(word));
     }
   }
 
-  void read_library(const std::string& name) {
-    const auto path = path_.parent_path() / name;
-    has_library_ = true;
-    if (!libraries_.insert(path).second) return;  // some programs name it before each object
-    if (!std::filesystem::exists(path)) {
-      lines_.fail(fmt::format("material file {} does not exist", path.string()));
+  /// Where the library is, beside the .obj; empty if it is not there. Programs for Windows write
+  /// paths with backslashes.
+  [[nodiscard]] std::optional<std::filesystem::path> find_library(std::string name) const {
+    std::error_code ignored;
+    for (int k = 0; k < 2 && !name.empty(); ++k) {
+      std::filesystem::path path = path_.parent_path() / name;
+      if (std::filesystem::exists(path, ignored)) return path;
+      std::replace(name.begin(), name.end(), '\\', '/');
     }
-    MtlFile file = read_mtl(path, progress_);
+    return std::nullopt;
+  }
+
+  void read_library(const std::string& name) {
+    if (!libraries_.insert(name).second) return;  // some programs name it before each object
+    const auto path = find_library(name);
+    if (path || !name.empty()) scene_.files.push_back(path ? *path : path_.parent_path() / name);
+    if (wanted_ == MeshMaterials::not_needed) return;
+    if (!path) {
+      missing_.add(where(), fmt::format("material file {} does not exist", in_quotes(name)));
+      return;
+    }
+    has_library_ = true;
+    MtlFile file = read_mtl(*path, progress_);
     for (auto& material : file.materials) {
       const auto index = static_cast<int>(scene_.materials.size());
-      if (!materials_.try_emplace(material.name, index).second) {
-        lines_.fail(fmt::format("material \"{}\" of {} is already defined by another file",
-                                material.name, path.string()));
+      if (materials_.try_emplace(material.name, index).second) {
+        scene_.materials.push_back(std::move(material));
+      } else {
+        doubled_.add(where(), fmt::format("material {} of {} is already defined by another file",
+                                          in_quotes(material.name), path->string()));
       }
-      scene_.materials.push_back(std::move(material));
     }
     scene_.warnings.insert(scene_.warnings.end(), file.warnings.begin(), file.warnings.end());
+    repairs_.insert(repairs_.end(), file.repairs.begin(), file.repairs.end());
+    scene_.files.insert(scene_.files.end(), file.pictures.begin(), file.pictures.end());
+  }
+
+  [[nodiscard]] std::string where() const {
+    return fmt::format("{}:{}", path_.string(), lines_.line_number());
+  }
+
+  void report_repairs() {
+    missing_.report("what it would define is left without a material", repairs_);
+    doubled_.report("the first definition counts", repairs_);
+    nameless_.report("what follows has none", repairs_);
+    // Where the file is missing all its materials are, and one line says so.
+    if (missing_.empty()) unknown_.report("what follows has none", repairs_);
   }
 
   void warn_unknown(std::string_view keyword) {
     if (std::exchange(has_warned_, true)) return;
-    scene_.warnings.push_back(fmt::format("{}:{}: unknown statement \"{}\" is ignored",
-                                          path_.string(), lines_.line_number(), keyword));
+    scene_.warnings.push_back(
+        fmt::format("{}: unknown statement {} is ignored", where(), lines_.shown(keyword)));
   }
 
   std::filesystem::path path_;
+  MeshMaterials wanted_;
   const Progress& progress_;
   LineReader lines_;
   Scene scene_;
+  std::vector<std::string> repairs_;
   SurfaceIndex surfaces_;
   std::map<std::string, int> materials_;
-  std::set<std::filesystem::path> libraries_;
+  std::set<std::string> libraries_;
+  RepairCount missing_, doubled_, nameless_, unknown_;
   bool has_library_ = false;
   bool has_object_ = false;
   bool has_warned_ = false;
   std::string object_;
   int material_ = -1;
+  std::string unknown_material_;  // its name if it is not there
   std::int32_t surface_ = -1;  // of the next face; -1 = to be looked up
   std::vector<std::int32_t> face_;
   std::int64_t largest_forward_ = 0;  // largest vertex number used before that vertex was given
@@ -168,8 +208,9 @@ class ObjReader {
 
 }  // namespace
 
-Scene read_obj(const std::filesystem::path& path, const Progress& progress) {
-  return ObjReader(path, progress).read();
+FileScene read_obj(const std::filesystem::path& path, MeshMaterials materials,
+                   const Progress& progress) {
+  return ObjReader(path, materials, progress).read();
 }
 
 }  // namespace io

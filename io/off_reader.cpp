@@ -30,7 +30,8 @@ Counts read_counts(LineReader& lines) {
   if (!lines.next_content()) lines.fail("file ends before the counts of vertices and faces");
   Words words(lines.line());
   if (const auto first = Words(words).next(); !parse_number<std::int64_t>(first)) {
-    if (!is_header(first)) lines.fail(fmt::format("expected \"OFF\", found \"{}\"", first));
+    if (!is_header(first)) lines.fail(fmt::format("expected \"OFF\", found {}", lines.shown(first)));
+    lines.recognise();
     words.next();
     if (words.rest() == "BINARY") lines.fail("binary OFF is not supported, expected ascii");
     if (words.rest().empty()) {
@@ -41,6 +42,7 @@ Counts read_counts(LineReader& lines) {
   Counts counts;
   counts.vertices = lines.integer(words, "the number of vertices");
   counts.faces = lines.integer(words, "the number of faces");
+  lines.recognise();
   if (counts.vertices < 0 || counts.faces < 0) {
     lines.fail(fmt::format("found {} vertices and {} faces, expected no negative number",
                            counts.vertices, counts.faces));
@@ -70,10 +72,11 @@ void read_faces(LineReader& lines, const Counts& counts, Scene& scene) {
     Words words(lines.line());
     const std::int64_t n_corners = lines.integer(words, "the number of a face's vertices");
     face.clear();
+    if (n_corners < 0) lines.fail(fmt::format("a face has {} vertices", n_corners));
     for (std::int64_t k = 0; k < n_corners; ++k) {
       face.push_back(lines.integer(words, "a vertex index"));
     }
-    if (const auto problem = face_problem(face, counts.vertices)) lines.fail(*problem);
+    if (const auto problem = index_problem(face, counts.vertices)) lines.fail(*problem);
     corners.assign(face.begin(), face.end());
     scene.add_polygon(corners, 0);
   }
@@ -81,14 +84,22 @@ void read_faces(LineReader& lines, const Counts& counts, Scene& scene) {
 
 }  // namespace
 
-Scene read_off(const std::filesystem::path& path, const radiosity::Progress& progress) {
+FileScene read_off(const std::filesystem::path& path, const radiosity::Progress& progress) {
   LineReader lines(path, progress);
   Scene scene;
   scene.surfaces.push_back({.name = path.stem().string(), .material = -1, .two_sided = false});
   const Counts counts = read_counts(lines);
   read_vertices(lines, counts.vertices, scene);
   read_faces(lines, counts, scene);
-  return scene;
+  FileScene result{std::move(scene), {}};
+  // Edges may follow, which some programs write.
+  long n_lines = 0;
+  while (lines.next_content()) ++n_lines;
+  if (n_lines > 0) {
+    result.repairs.push_back(fmt::format("{}: {} more lines after the last face are ignored",
+                                         path.string(), n_lines));
+  }
+  return result;
 }
 
 }  // namespace io

@@ -2,14 +2,15 @@
 
 #include <filesystem>
 
+#include "io/file_scene.h"
 #include "radiosity/progress.h"
-#include "radiosity/scene.h"
+#include "io/file_scene.h"
 
 namespace io {
 
 /// Reads an ascii Geomview .off file (also COFF, NOFF, STOFF and their combinations, whose extra
 /// columns are ignored). One surface named after the file, without material (-1); coordinates in
 /// the file's unit. Throws SceneError with file and line.
-radiosity::Scene read_off(const std::filesystem::path& path, const radiosity::Progress& progress);
+FileScene read_off(const std::filesystem::path& path, const radiosity::Progress& progress);
 
 }  // namespace io

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "io/file_scene.h"
+
 namespace io {
 namespace {
 
@@ -152,11 +154,13 @@ std::uint64_t ply_size(PlyType type) {
   return 8;
 }
 
-PlyHeader read_ply_header(LineReader& lines) {
+PlyHeader read_ply_header(const std::filesystem::path& path, LineReader& lines) {
   PlyHeader header;
+  RepairCount unknown;
   if (!lines.next_line() || trimmed(lines.line()) != "ply") {
     lines.fail("expected \"ply\" on the first line");
   }
+  lines.recognise();
   bool has_format = false;
   while (lines.next_line()) {
     Words words(lines.line());
@@ -164,6 +168,7 @@ PlyHeader read_ply_header(LineReader& lines) {
     if (keyword == "end_header") {
       if (!has_format) lines.fail("the header has no format");
       check_elements(lines, header);
+      unknown.report("the line is left out", header.repairs);
       return header;
     }
     if (keyword == "format") {
@@ -176,7 +181,9 @@ PlyHeader read_ply_header(LineReader& lines) {
       auto& element = header.elements.back();
       element.properties.push_back(read_property(lines, words, element.kind));
     } else if (!keyword.empty() && keyword != "comment" && keyword != "obj_info") {
-      lines.fail(fmt::format("unknown header keyword \"{}\"", keyword));
+      // A comment that was broken into lines, as some programs write.
+      unknown.add(fmt::format("{}:{}", path.string(), lines.line_number()),
+                  fmt::format("unknown header keyword {}", lines.shown(keyword)));
     }
   }
   lines.fail("file ends before \"end_header\"");

@@ -34,10 +34,12 @@ struct PlyHeader {
   PlyFormat format = PlyFormat::ascii;
   std::vector<PlyElement> elements;  ///< file order
   std::int64_t n_vertices = 0;
+  std::vector<std::string> repairs;  ///< see FileScene
 };
 
 /// Reads the header up to `end_header` and checks that it has vertices with x, y, z and faces with
-/// indices. Throws SceneError with file and line.
-PlyHeader read_ply_header(LineReader& lines);
+/// indices. Lines that begin with no word of the format are left out. Throws SceneError with file
+/// and line.
+PlyHeader read_ply_header(const std::filesystem::path& path, LineReader& lines);
 
 }  // namespace io

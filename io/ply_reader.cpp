@@ -88,6 +88,8 @@ class BinarySource {
     fail("expected an integer type");
   }
   void skip(PlyType type, std::int64_t n) { bytes_.take(ply_size(type) * n); }
+  /// Bytes of the file that were not read yet.
+  [[nodiscard]] std::uint64_t n_left() const { return bytes_.size() - bytes_.offset(); }
   [[noreturn]] void fail(const std::string& message) const {
     io::fail(path_, fmt::format("{} {}: {}", name_, row_, message));
   }
@@ -171,7 +173,7 @@ void read_faces(Source& source, const PlyElement& element, std::int64_t n_vertic
       const std::int64_t length = read_length(source, *property.count_type);
       for (std::int64_t k = 0; k < length; ++k) face.push_back(source.integer(property.type));
     }
-    if (const auto problem = face_problem(face, n_vertices)) source.fail(*problem);
+    if (const auto problem = index_problem(face, n_vertices)) source.fail(*problem);
     corners.assign(face.begin(), face.end());
     scene.add_polygon(corners, 0);
   }
@@ -197,23 +199,34 @@ Scene read_elements(Source& source, const PlyHeader& header) {
 
 }  // namespace
 
-Scene read_ply(const std::filesystem::path& path, const Progress& progress) {
+FileScene read_ply(const std::filesystem::path& path, const Progress& progress) {
   LineReader lines(path, progress);
-  const PlyHeader header = read_ply_header(lines);
+  const PlyHeader header = read_ply_header(path, lines);
   Scene scene;
+  std::vector<std::string> repairs = header.repairs;
   if (header.format == PlyFormat::ascii) {
     check_size<AsciiSource>(path, lines, header);
     AsciiSource source(lines);
     scene = read_elements(source, header);
+    long n_lines = 0;
+    while (lines.next_line()) n_lines += trimmed(lines.line()).empty() ? 0 : 1;
+    if (n_lines > 0) {
+      repairs.push_back(fmt::format("{}: {} more lines after the last element are ignored",
+                                    path.string(), n_lines));
+    }
   } else {
     check_size<BinarySource>(path, lines, header);
     const bool is_little = header.format == PlyFormat::little_endian;
     BinarySource source(path, lines.offset(), is_little ? std::endian::little : std::endian::big,
                         progress);
     scene = read_elements(source, header);
+    if (source.n_left() > 0) {
+      repairs.push_back(fmt::format("{}: {} bytes after the last element are ignored",
+                                    path.string(), source.n_left()));
+    }
   }
   scene.surfaces.push_back({.name = path.stem().string(), .material = -1, .two_sided = false});
-  return scene;
+  return {std::move(scene), std::move(repairs)};
 }
 
 }  // namespace io

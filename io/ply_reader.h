@@ -2,8 +2,9 @@
 
 #include <filesystem>
 
+#include "io/file_scene.h"
 #include "radiosity/progress.h"
-#include "radiosity/scene.h"
+#include "io/file_scene.h"
 
 namespace io {
 
@@ -11,6 +12,6 @@ namespace io {
 /// type and `face` elements with an integer list `vertex_indices` or `vertex_index`; all else is
 /// skipped. One surface named after the file, without material (-1); coordinates in the file's
 /// unit. Throws SceneError with file and line (ascii) or item and bytes (binary).
-radiosity::Scene read_ply(const std::filesystem::path& path, const radiosity::Progress& progress);
+FileScene read_ply(const std::filesystem::path& path, const radiosity::Progress& progress);
 
 }  // namespace io

@@ -130,12 +130,13 @@ Rounding found_rounding(std::span<const Vec3> points) {
   return limited(single > 0 ? single : rounding_to_decimals(numbers), points);
 }
 
-Rounding single_rounding(std::span<const Vec3> points) {
+Rounding single_rounding(std::span<const Vec3> points, double quantised) {
   const std::vector<Decimal> numbers = magnitudes(points);
   const bool is_exact = std::all_of(numbers.begin(), numbers.end(), [](const Decimal& number) {
     return number.n_digits < kFewestDigits;
   });
-  return limited(is_exact ? 0 : half_unit_of_single(numbers.back().value), points);
+  const double single = is_exact ? 0 : half_unit_of_single(numbers.back().value);
+  return limited(std::max(single, quantised), points);
 }
 
 std::optional<std::string> rounding_warning(const Rounding& rounding) {

@@ -24,8 +24,8 @@ struct Rounding {
 Rounding found_rounding(std::span<const radiosity::Vec3> points);
 
 /// The same for points that are known to be stored in single precision: 0 if all of them have so
-/// few digits that they are exact.
-Rounding single_rounding(std::span<const radiosity::Vec3> points);
+/// few digits that they are exact. `quantised` is what they are off for being stored as integers.
+Rounding single_rounding(std::span<const radiosity::Vec3> points, double quantised = 0);
 
 /// What to tell the user if the digits say ten times more than what is reckoned with.
 std::optional<std::string> rounding_warning(const Rounding& rounding);

@@ -11,11 +11,14 @@
 #include "io/line_reader.h"
 #include "io/mesh_file.h"
 #include "io/mtl_reader.h"
+#include "io/printable.h"
+#include "meshing/bad_polygons.h"
 
 namespace io {
 namespace {
 
 using radiosity::Bands;
+using radiosity::Index;
 using radiosity::Scene;
 
 constexpr std::array<std::pair<std::string_view, double>, 7> kUnits = {{
@@ -53,26 +56,47 @@ void complete_materials(Scene& scene) {
                                        scene.source, who, kDefaultReflectance));
 }
 
-Scene read_mesh_scene(const std::filesystem::path& path, const ReadOptions& options) {
+FileScene read_mesh_scene(const std::filesystem::path& path, const ReadOptions& options) {
   const double scale = metres_per_unit(options.unit.value_or("m"));
-  Scene scene = read_mesh(path, options.progress);
+  FileScene file = read_mesh(path, MeshMaterials::wanted, options.progress);
+  Scene& scene = file.scene;
   scene.source = path.string();
   for (auto& vertex : scene.vertices) vertex *= scale;
   scene.precision *= scale;
   complete_materials(scene);
-  return scene;
+  return file;
+}
+
+void refuse_repairs(const std::vector<std::string>& repairs) {
+  if (repairs.empty()) return;
+  const std::string more =
+      repairs.size() > 1 ? fmt::format(" (and {} more faults)", repairs.size() - 1) : "";
+  throw radiosity::SceneError(
+      printable(repairs.front() + more + "; refused, for reading is strict"));
 }
 
 }  // namespace
 
 Scene read_scene(const std::filesystem::path& path, const ReadOptions& options) {
-  Scene scene = lower_extension(path) == ".json" ? read_json_scene(path, options)
-                                                 : read_mesh_scene(path, options);
-  if (options.precision) scene.precision = *options.precision;
-  for (const auto& vertex : scene.vertices) {
+  FileScene file = lower_extension(path) == ".json" ? read_json_scene(path, options)
+                                                    : read_mesh_scene(path, options);
+  if (options.precision) file.scene.precision = *options.precision;
+  file.scene.files.push_back(path);
+  for (const auto& vertex : file.scene.vertices) {
     if (!vertex.allFinite()) fail(path, "a coordinate in metres is too large for a number");
   }
-  return scene;
+  options.progress.check();
+  const Index n_given = file.scene.n_polygons();
+  meshing::CleanScene clean = meshing::leave_out_bad_polygons(std::move(file.scene));
+  file.repairs.insert(file.repairs.end(), clean.repairs.begin(), clean.repairs.end());
+  if (options.strict) refuse_repairs(file.repairs);
+  Scene& scene = clean.scene;
+  if (scene.n_polygons() == 0) {
+    throw radiosity::SceneError(
+        printable(fmt::format("{}; none of {} is left", clean.repairs.front(), n_given)));
+  }
+  scene.warnings.insert(scene.warnings.end(), file.repairs.begin(), file.repairs.end());
+  return std::move(scene);
 }
 
 double metres_per_unit(const std::string& unit) {

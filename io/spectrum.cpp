@@ -24,11 +24,13 @@ std::vector<std::string_view> cells(std::string_view line) {
 }
 
 /// Which of the columns named on the current line is `name`.
-std::size_t column_index(const LineReader& lines, const std::string& name) {
+std::size_t column_index(LineReader& lines, const std::string& name) {
   const auto names = cells(lines.line());
   if (names.front() != "wavelength_nm") {
-    lines.fail(fmt::format("the first column is \"{}\", expected wavelength_nm", names.front()));
+    lines.fail(fmt::format("the first column is {}, expected wavelength_nm",
+                           lines.shown(names.front())));
   }
+  lines.recognise();
   const auto found = std::find(names.begin() + 1, names.end(), name);
   if (found == names.end()) {
     lines.fail(fmt::format("no column \"{}\", expected one of {}", name,
@@ -40,7 +42,7 @@ std::size_t column_index(const LineReader& lines, const std::string& name) {
 double number(const LineReader& lines, std::string_view cell) {
   const auto value = parse_number<double>(cell);
   if (!value || !std::isfinite(*value)) {
-    lines.fail(fmt::format("expected a number, found \"{}\"", cell));
+    lines.fail(fmt::format("expected a number, found {}", lines.shown(cell)));
   }
   return *value;
 }

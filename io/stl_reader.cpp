@@ -23,7 +23,7 @@ constexpr std::uint64_t kFacetSize = 50;   // normal, three vertices, two bytes 
 enum class Variant { ascii, binary };
 
 /// Binary files may start with "solid" too, so their size decides; and if that does not fit, a
-/// zero byte near the start, which no text has.
+/// zero byte near the start, which no text has. Text may start with blank lines.
 Variant variant(const std::filesystem::path& path, const Progress& progress) {
   ByteReader bytes(path, 0, progress);
   if (bytes.size() >= kHeaderSize) {
@@ -32,7 +32,9 @@ Variant variant(const std::filesystem::path& path, const Progress& progress) {
   }
   ByteReader start(path, 0, progress);
   const auto n = std::min<std::uint64_t>(start.size(), 512);
-  const std::string_view text(start.take(n), n);
+  std::string_view text(start.take(n), n);
+  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+  text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n\v\f"), text.size()));
   const bool is_text = text.find('\0') == std::string_view::npos;
   std::string first(Words(text.substr(0, text.find('\n'))).next());
   std::transform(first.begin(), first.end(), first.begin(),
@@ -40,7 +42,7 @@ Variant variant(const std::filesystem::path& path, const Progress& progress) {
   return is_text && first == "solid" ? Variant::ascii : Variant::binary;
 }
 
-Scene read_binary(const std::filesystem::path& path, const Progress& progress) {
+FileScene read_binary(const std::filesystem::path& path, const Progress& progress) {
   ByteReader bytes(path, 0, progress);
   if (bytes.size() < kHeaderSize) {
     fail(path, fmt::format("is no STL file: found {} bytes, expected \"solid\" or a binary header "
@@ -49,12 +51,16 @@ Scene read_binary(const std::filesystem::path& path, const Progress& progress) {
   }
   const auto n_facets = load<std::uint32_t>(bytes.take(kHeaderSize) + 80, std::endian::little);
   const std::uint64_t expected = kHeaderSize + kFacetSize * n_facets;
-  if (bytes.size() != expected) {
-    fail(path, fmt::format("{}: found {} bytes, expected {} for {} triangles",
-                           bytes.size() < expected ? "is truncated" : "is too long", bytes.size(),
-                           expected, n_facets));
+  if (bytes.size() < expected) {
+    fail(path, fmt::format("is truncated: found {} bytes, expected {} for {} triangles",
+                           bytes.size(), expected, n_facets));
   }
-  Scene scene;
+  FileScene result;
+  Scene& scene = result.scene;
+  if (bytes.size() > expected) {
+    result.repairs.push_back(fmt::format("{}: {} bytes after the last of {} facets are ignored",
+                                         path.string(), bytes.size() - expected, n_facets));
+  }
   scene.surfaces.push_back({.name = path.stem().string(), .material = -1, .two_sided = false});
   scene.corners.reserve(3 * std::size_t{n_facets});
   VertexMerger merger;
@@ -71,7 +77,7 @@ Scene read_binary(const std::filesystem::path& path, const Progress& progress) {
     }
     scene.add_polygon(corners, 0);
   }
-  return scene;
+  return result;
 }
 
 class AsciiStl {
@@ -79,23 +85,25 @@ class AsciiStl {
   AsciiStl(const std::filesystem::path& path, const Progress& progress)
       : lines_(path, progress), surfaces_(scene_, path.stem().string()) {}
 
-  Scene read() {
+  FileScene read() {
     bool in_solid = false;
     while (next_keyword()) {
       if (keyword_ == "solid" && !in_solid) {
         surface_ = surfaces_.find_or_add(std::string(words_.rest()), -1);
         in_solid = true;
+        lines_.recognise();
       } else if (keyword_ == "facet" && in_solid) {
         read_facet();
       } else if (keyword_ == "endsolid" && in_solid) {
         in_solid = false;
       } else {
-        lines_.fail(fmt::format("expected {}, found \"{}\"",
-                                in_solid ? "\"facet\" or \"endsolid\"" : "\"solid\"", keyword_));
+        lines_.fail(fmt::format("expected {}, found {}",
+                                in_solid ? "\"facet\" or \"endsolid\"" : "\"solid\"",
+                                lines_.shown(keyword_)));
       }
     }
     if (in_solid) lines_.fail("file ends before \"endsolid\"");
-    return std::move(scene_);
+    return {std::move(scene_), {}};
   }
 
  private:
@@ -113,7 +121,7 @@ class AsciiStl {
   void expect(std::string_view keyword) {
     if (!next_keyword()) lines_.fail(fmt::format("file ends before \"{}\"", keyword));
     if (keyword_ != keyword) {
-      lines_.fail(fmt::format("expected \"{}\", found \"{}\"", keyword, keyword_));
+      lines_.fail(fmt::format("expected \"{}\", found {}", keyword, lines_.shown(keyword_)));
     }
   }
 
@@ -140,7 +148,7 @@ class AsciiStl {
 
 }  // namespace
 
-Scene read_stl(const std::filesystem::path& path, const Progress& progress) {
+FileScene read_stl(const std::filesystem::path& path, const Progress& progress) {
   if (variant(path, progress) == Variant::binary) return read_binary(path, progress);
   return AsciiStl(path, progress).read();
 }

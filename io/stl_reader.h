@@ -2,8 +2,9 @@
 
 #include <filesystem>
 
+#include "io/file_scene.h"
 #include "radiosity/progress.h"
-#include "radiosity/scene.h"
+#include "io/file_scene.h"
 
 namespace io {
 
@@ -12,6 +13,6 @@ namespace io {
 /// they have no material (-1). Coordinates in the file's unit. The normals that the file gives are
 /// not used: the order of the vertices says which side emits. Throws SceneError with file and
 /// line, or bytes.
-radiosity::Scene read_stl(const std::filesystem::path& path, const radiosity::Progress& progress);
+FileScene read_stl(const std::filesystem::path& path, const radiosity::Progress& progress);
 
 }  // namespace io

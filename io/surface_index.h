@@ -3,6 +3,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "radiosity/scene.h"
@@ -19,17 +20,20 @@ class SurfaceIndex {
       : scene_(scene), default_name_(std::move(default_name)) {}
 
   /// The surface of object `object` (empty: none) with `material`, an index into scene.materials
-  /// or -1 for none. Makes it if it is new.
-  std::int32_t find_or_add(const std::string& object, int material);
+  /// or -1 for none; `wanted` is then the name of a material that is not there, if any. Makes it
+  /// if it is new.
+  std::int32_t find_or_add(const std::string& object, int material,
+                           const std::string& wanted = {});
 
   /// `wanted`, or if that is taken `wanted-2`, `wanted-3`...
-  [[nodiscard]] std::string unused_name(const std::string& wanted) const;
+  [[nodiscard]] std::string unused_name(const std::string& wanted);
 
  private:
   radiosity::Scene& scene_;
   std::string default_name_;
-  std::map<std::pair<std::string, int>, std::int32_t> surfaces_;
+  std::map<std::tuple<std::string, int, std::string>, std::int32_t> surfaces_;
   std::set<std::string> names_;
+  std::map<std::string, int> last_number_;  // by name: all -2 to -last_number are taken
 };
 
 }  // namespace io

@@ -45,7 +45,9 @@ struct Inspection {
   std::vector<double> surface_area;    ///< per surface, m²
   std::vector<long> surface_polygons;  ///< per surface
   radiosity::Box3 bounds;              ///< m
-  bool closed = false;                 ///< every edge is shared by two polygons (position-wise)
+  /// Every edge is shared by two polygons (position-wise). Whether light escapes is another
+  /// question: radiosity::is_enclosed().
+  bool closed = false;
   long n_boundary_edges = 0;
   std::vector<Finding> findings;  ///< serious ones first
 };

@@ -13,7 +13,7 @@ std::vector<Finding> find_non_manifold_edges(const ExaminedScene& examined) {
   for (Index e = 0; e < edges.size(); ++e) {
     const std::vector<std::int32_t> meeting = non_manifold_polygons(examined.scene, edges, e);
     if (meeting.empty()) continue;
-    findings.add(Finding::Kind::non_manifold_edge, Finding::Severity::serious, meeting[0],
+    findings.add(Finding::Kind::non_manifold_edge, Finding::Severity::warning, meeting[0],
                  std::to_string(meeting.size()) +
                      " polygons of the surface meet at its edge from " +
                      place(examined.polygons.vertices[edges.ends[e][0]]) + " to " +

@@ -110,7 +110,7 @@ void GapFinder::compare(std::int32_t vertex, std::int32_t edge) {
 
   const double distance = (p - start - t * along).norm();
   const double limit = std::min(boundary_.shortest_at[vertex], length);
-  if (distance <= kOnEdge * examined_.size) {
+  if (distance <= std::max(kOnEdge * examined_.size, examined_.thickness)) {
     findings_.add(Finding::Kind::t_junction, Finding::Severity::note, polygon,
                   "a corner of another polygon at " + place(p) +
                       " lies in the middle of its edge; give it a corner there, or patches on "

@@ -2,51 +2,16 @@
 #include <map>
 
 #include "meshing/findings.h"
+#include "meshing/outline.h"
 #include "meshing/patches.h"
 #include "meshing/text.h"
-#include "meshing/triangulate.h"
 
 namespace meshing {
-namespace {
 
 using radiosity::Index;
 using radiosity::Vec3;
 using Kind = Finding::Kind;
 using Severity = Finding::Severity;
-
-bool has_crossing_outline(const ExaminedScene& examined, Index i) {
-  const PolygonKind kind = examined.shapes[i].kind;
-  if (kind == PolygonKind::self_crossing) return true;
-  if (kind != PolygonKind::planar_polygon && kind != PolygonKind::non_planar_polygon) return false;
-  const std::vector<Vec3> points = examined.points(i);
-  const PlaneFrame frame(points);
-  std::vector<Vec2> flat;
-  for (const Vec3& p : points) flat.push_back(frame.to_plane(p));
-  return !clip_ears(flat).has_value();
-}
-
-/// The corners of a polygon from the smallest vertex index on, forwards or backwards, whichever is
-/// smaller: equal for polygons with the same outline.
-struct Outline {
-  std::vector<std::int32_t> corners;
-  bool reversed = false;
-};
-
-Outline outline(std::span<const std::int32_t> polygon) {
-  Outline result;
-  const auto rotate_to_smallest = [](std::vector<std::int32_t>& c) {
-    std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
-  };
-  result.corners.assign(polygon.begin(), polygon.end());
-  std::vector<std::int32_t> backwards(polygon.rbegin(), polygon.rend());
-  rotate_to_smallest(result.corners);
-  rotate_to_smallest(backwards);
-  result.reversed = backwards < result.corners;
-  if (result.reversed) result.corners.swap(backwards);
-  return result;
-}
-
-}  // namespace
 
 std::vector<Finding> find_bad_polygons(const ExaminedScene& examined) {
   FindingList findings(examined.scene);
@@ -56,7 +21,7 @@ std::vector<Finding> find_bad_polygons(const ExaminedScene& examined) {
     if (shape.kind == PolygonKind::zero_area) {
       findings.add(Kind::degenerate_polygon, Severity::serious, i,
                    "its " + std::to_string(n_given) + " corners enclose no area; remove it");
-    } else if (has_crossing_outline(examined, i)) {
+    } else if (has_crossing_outline(shape.kind, examined.points(i))) {
       findings.add(Kind::degenerate_polygon, Severity::serious, i,
                    "its outline crosses itself; reorder its corners or split it");
     } else if (examined.polygons.polygon(i).size() < n_given) {

@@ -55,30 +55,11 @@ void measure_polygons(const Scene& scene, const radiosity::Progress& progress, T
   }
 }
 
-void check_manifold(const Scene& scene, const Topology& topology) {
-  const EdgeTable& edges = topology.edges;
-  for (Index e = 0; e < edges.size(); ++e) {
-    const std::vector<std::int32_t> meeting = non_manifold_polygons(scene, edges, e);
-    if (meeting.empty()) continue;
-    std::string list;
-    for (const std::int32_t p : meeting) list += (list.empty() ? "" : ", ") + std::to_string(p);
-    throw MeshError(source_prefix(scene) + "surface '" +
-                    scene.surfaces[scene.polygon_surface[meeting[0]]].name +
-                    "': " + std::to_string(meeting.size()) + " polygons (" + list +
-                    ") meet at the edge from " +
-                    place(topology.polygons.vertices[edges.ends[e][0]]) + " to " +
-                    place(topology.polygons.vertices[edges.ends[e][1]]) +
-                    "; expected at most two of one surface; put them in separate surfaces if "
-                    "that is meant");
-  }
-}
-
 Topology make_topology(const Scene& scene, const radiosity::Progress& progress) {
   Topology topology;
   topology.polygons = weld(scene);
   measure_polygons(scene, progress, topology);
   topology.edges = make_edge_table(topology.polygons);
-  check_manifold(scene, topology);
   return topology;
 }
 

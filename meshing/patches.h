@@ -50,9 +50,9 @@ inline constexpr double kPlanarQuad = 1e-6;
 
 /// Subdivides the scene's polygons into well-shaped patches: quads stay quads, triangles are split
 /// without slivers, an edge shared by two polygons (same vertex positions) is divided alike on both
-/// sides. What `crossed_patches` finds in the result could not be cut. Deterministic. Patches come in the order of their polygons. Throws MeshError naming
-/// surface and polygon for zero-area polygons, polygons that cross themselves, and edges on which
-/// more than two polygons of one one-sided surface meet (non-manifold).
+/// sides. What `crossed_patches` finds in the result could not be cut. Deterministic. Patches come in
+/// the order of their polygons. Throws MeshError naming surface and polygon for zero-area polygons
+/// and polygons that cross themselves (leave_out_bad_polygons() makes scenes without them).
 radiosity::PatchMesh make_patches(const radiosity::Scene& scene, const PatchOptions& options = {});
 
 /// One line on the patches that reach to both sides of what stands on them (`crossed_patches`), if

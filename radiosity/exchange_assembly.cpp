@@ -28,13 +28,14 @@ constexpr double kKernelShare = 1e-4;
 /// Up to this many patches it is exact: time is no matter there.
 constexpr Index kExactPatches = 512;
 constexpr double kExactTolerance = 1e-11;
-/// Pairs that are tried, from so many patches on, to find what errors they may have; what the sum
+/// Pairs that are tried, from so many patches on, so many for each and at most, to find what errors they may have; what the sum
 /// of standard errors then aims at, in tolerances: the sum of true errors is some 0.8 of it; and by
 /// how much a pair's may change.
 constexpr std::int32_t kFewestTried = 256;
-constexpr Index kMostTried = 4096;
+constexpr Index kTriedOfPatch = 3;
+constexpr Index kMostTried = 8192;
 constexpr std::uint64_t kTrialSeed = 0x7a11;
-constexpr double kAim = 1;
+constexpr double kAim = 1.05;
 constexpr double kLeastBudget = 0.3;
 constexpr double kMostBudget = 3;
 constexpr double kClutter = 0.15;
@@ -161,7 +162,7 @@ class Assembler {
   void find_budget() {
     const auto n = static_cast<std::int32_t>(table_.size());
     if (n < kFewestTried) return;
-    const Index n_tried = std::min<Index>(n, kMostTried);
+    const Index n_tried = std::min<Index>(kTriedOfPatch * n, kMostTried);
     std::vector<double> errors(n_tried);
     parallel_for(n_tried, [&](std::ptrdiff_t k) {
       const auto place = static_cast<std::int32_t>(k);

@@ -39,9 +39,13 @@ constexpr double kLowRule = 2e-3;
 constexpr double kLowRuleOfMany = 1e-2;
 constexpr double kAdaptive = 4;
 /// Standard error of four points and their four quarters; it falls like n^-1 as pieces with shadows
-/// are divided.
+/// are divided, but for what is not seen between the points, which falls like n^-½.
 constexpr double kFirstPoints = 1e-2;
 constexpr int kPointsOfFirst = 20;
+/// Shadows from which on the parts that they leave of a target multiply.
+constexpr double kManyShadows = 16;
+/// How much dearer cuts are where shadows may cross, which their pieces don't heed.
+constexpr double kCrossing = 2.5;
 // Costs on one core, µs (form_factor_bench, by perf): a packet of rays; a point from which a
 // target is seen, and each shadow there; points that a border of a shadow brings with its pieces.
 constexpr double kPacketCost = 2.2;
@@ -56,8 +60,8 @@ constexpr std::size_t kFewCandidates = 4;
 /// More shadows cannot be divided at their events.
 constexpr std::size_t kMostCuts = 12;
 constexpr std::size_t kMostDividing = 3;
-/// Near pairs may go to rays only if nearly anything will do: samples miss their kernel's peaks.
-constexpr double kCoarse = 0.1;
+/// The same, in directions, which near pairs need since samples of areas miss their kernel's peaks.
+constexpr double kNearPacketCost = 4.7;
 /// Rays at most, 10 ms of them.
 constexpr double kMostPackets = 4096;
 /// Rays see nothing within a gap at their ends; pairs closer than so many gaps go without them.
@@ -257,10 +261,13 @@ OccludedPairEstimator::Method OccludedPairEstimator::choose_method(const View& v
   constexpr double kNever = std::numeric_limits<double>::infinity();
   const auto n_shadows = static_cast<double>(level.blockers.size());
   const auto n_dividing = static_cast<double>(level.dividing.size());
-  const double point_cost = kPointCost + kShadowCost * n_shadows + kDividingCost * n_dividing;
-  const bool takes_rays = (!view.is_near || error >= kCoarse) && suits_rays(view);
+  const double point_cost = kPointCost +
+                            kShadowCost * n_shadows * (1 + square(n_shadows / kManyShadows)) +
+                            kDividingCost * n_dividing;
   const double packets = packets_for(error);
-  const double rays = takes_rays && packets <= kMostPackets ? kPacketCost * packets : kNever;
+  const double packet_cost = view.is_near ? kNearPacketCost : kPacketCost;
+  const bool takes_rays = suits_rays(view);
+  const double rays = takes_rays && packets <= kMostPackets ? packet_cost * packets : kNever;
 
   double cuts = kNever;
   if (level.dividing.size() <= kMostDividing && level.blockers.size() <= kMostCuts) {
@@ -273,12 +280,16 @@ OccludedPairEstimator::Method OccludedPairEstimator::choose_method(const View& v
     const double low = level.blockers.size() == 1 ? kLowRule : kLowRuleOfMany;
     const bool adapts = view.is_near || error < low;
     cuts = kPointsOfBorder * static_cast<double>(n_borders) * point_cost *
-           (adapts ? kAdaptive : 1);
+           (adapts ? kAdaptive : 1) * (level.blockers.size() > 1 ? kCrossing : 1);
   }
-  const double points =
-      kPointsOfFirst * std::max(1.0, kFirstPoints / error) * point_cost;
-  if (rays <= std::min(cuts, points)) return Method::rays;
-  return cuts <= points ? Method::cuts : Method::points;
+  const double n_points =
+      kPointsOfFirst * std::max({1.0, kFirstPoints / error, square(kUnseen / error)});
+  const double points = n_points <= kMostPoints ? n_points * point_cost : kNever;
+  const double least = std::min({rays, cuts, points});
+  // Where nothing gets as far as asked, rays get farthest.
+  if (least == kNever) return takes_rays ? Method::rays : Method::points;
+  if (rays == least) return Method::rays;
+  return cuts == least ? Method::cuts : Method::points;
 }
 
 void OccludedPairEstimator::PointSums::add(const PointSums& other) {
@@ -459,7 +470,9 @@ PairEstimate OccludedPairEstimator::cut_shadows(const View& view, std::span<cons
 
 PairEstimate OccludedPairEstimator::cast_rays(const SampledPair& pair, double whole, double error,
                                               std::uint64_t seed) const {
-  return weigh(sample_visible_fraction(visibility_, pair, {error, kMostRays}, seed), whole);
+  const Sampling sampling = View(pair).is_near ? Sampling::directions : Sampling::areas;
+  return weigh(sample_visible_fraction(visibility_, pair, {error, kMostRays}, seed, sampling),
+               whole);
 }
 
 PairEstimate OccludedPairEstimator::sample_points(const View& view, double whole, double error,

@@ -5,6 +5,7 @@
 #include <random>
 #include <vector>
 
+#include "radiosity/coverage.h"
 #include "radiosity/parallel.h"
 #include "radiosity/visible_fraction.h"
 
@@ -87,6 +88,32 @@ Eigen::VectorXd shares_on_backs(const PatchMesh& mesh, const Visibility& visibil
                        static_cast<double>(count.backs + count.sky);
   }
   return result;
+}
+
+bool is_enclosed(const PatchMesh& mesh, const Visibility& visibility, double tolerance,
+                 std::uint64_t seed) {
+  const Coverage coverage = find_coverage(mesh, plane_thickness(mesh));
+  std::vector<std::int32_t> asked;
+  const auto step = static_cast<Index>(
+      std::ceil(static_cast<double>(mesh.size()) * kFewestRays / kRays));
+  for (Index i = 0; i < mesh.size(); i += step) {
+    // What is covered in part has rays that start in the dark.
+    if (coverage.share[i] == 0) asked.push_back(static_cast<std::int32_t>(i));
+  }
+  if (asked.empty()) return false;
+  const int n_rays = static_cast<int>(
+      std::clamp(kRays / static_cast<double>(asked.size()), kFewestRays, kMostRays));
+  // So many may miss by chance where `tolerance` of them does in the mean.
+  constexpr double kSigmas = 3;
+  const double expected = tolerance * n_rays;
+  const double most = expected + kSigmas * std::sqrt(expected) + 1;
+  std::vector<char> is_open(asked.size(), 0);
+  parallel_for(static_cast<std::ptrdiff_t>(asked.size()), [&](std::ptrdiff_t k) {
+    const Count count =
+        count_rays(mesh, visibility, asked[k], n_rays, pair_seed(seed, asked[k], -1));
+    is_open[k] = static_cast<double>(count.backs + count.sky) > most ? 1 : 0;
+  });
+  return std::find(is_open.begin(), is_open.end(), 1) == is_open.end();
 }
 
 }  // namespace radiosity

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -70,6 +71,9 @@ struct Camera {
 /// checked it (finite coordinates, indices in range, 0 <= reflectance <= 1, emission >= 0).
 struct Scene {
   std::string source;  ///< file name, for messages
+  /// The file itself and all that it refers to, read or not (pictures are not): what must not be
+  /// overwritten.
+  std::vector<std::filesystem::path> files;
   Bands bands;
   std::vector<Vec3> vertices;
   std::vector<std::int32_t> corners;          ///< vertex indices of all polygons, concatenated

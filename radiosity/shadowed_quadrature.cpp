@@ -35,6 +35,8 @@ constexpr double kSmallPiece = 0.03;
 constexpr double kLowRuleError = 3e-3;
 constexpr double kOnePointError = 1e-2;
 constexpr double kLowRuleErrorOfMany = 2.5e-2;
+/// The least of either, since spots may fall between points.
+constexpr double kLeastLowRule = 2e-4;
 /// One sigma of a converged rule's error as a share of its change from the rule before, and of what
 /// was aimed at: two rules may agree by chance.
 constexpr double kHighRuleError = 0.3;
@@ -87,8 +89,8 @@ VisibleShare ShadowedQuadrature::integrate(const ShadowedPair& pair, double tole
       const double spread = is_small ? 1 : sums.high - sums.low;
       const double error = !is_single || !is_divided_ ? kLowRuleErrorOfMany
                            : is_small                 ? kOnePointError
-                                                      : kLowRuleError;
-      sums.variance = square(error * spread * sums.whole);
+                                                      : kLowRuleError * (1 + 4 * spread * spread);
+      sums.variance = square(std::max(error * spread, kLeastLowRule) * sums.whole);
     }
     if (!is_divided_) sums.variance += square(kUnseen * sums.whole);
     total.add(sums);

@@ -6,6 +6,7 @@
 #include <map>
 #include <numeric>
 
+#include "radiosity/box_tree.h"
 #include "radiosity/disjoint_sets.h"
 
 namespace radiosity {
@@ -33,6 +34,11 @@ class Joiner {
   SurfacePieces run() {
     weld();
     join_edges();
+    if (split_open_edges()) {
+      cells_.clear();
+      weld();
+      join_edges();
+    }
     collect();
     return std::move(result_);
   }
@@ -114,6 +120,71 @@ class Joiner {
       join_at_edge({edges.data() + first, last - first});
       first = last;
     }
+  }
+
+  /// Where facets were divided otherwise than their neighbours, the ends of some edges lie within
+  /// others: makes them corners there, too. Says whether there are any.
+  bool split_open_edges() {
+    const std::vector<Vec3>& corners = result_.corners;
+    std::vector<std::int32_t> points;
+    std::vector<Box3> boxes;
+    for (std::int32_t h = 0; h < static_cast<std::int32_t>(corners.size()); ++h) {
+      if (result_.neighbor[h] >= 0) continue;
+      for (const std::int32_t end : {point_[h], point_[result_.next(h)]}) points.push_back(end);
+    }
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    for (const std::int32_t point : points) boxes.emplace_back(corners[point], corners[point]);
+    const BoxTree tree(std::move(boxes));
+
+    SurfacePieces split;
+    split.first_corner.push_back(0);
+    split.normal = result_.normal;
+    for (std::int32_t h = 0; h < static_cast<std::int32_t>(corners.size()); ++h) {
+      const std::int32_t f = result_.facet[h];
+      const auto add = [&](const Vec3& corner) {
+        split.corners.push_back(corner);
+        split.facet.push_back(f);
+      };
+      add(corners[h]);
+      if (result_.neighbor[h] < 0) {
+        for (const std::int32_t point : points_within(h, points, tree)) add(corners[point]);
+      }
+      if (h + 1 == result_.first_corner[f + 1]) {
+        split.first_corner.push_back(static_cast<std::int32_t>(split.corners.size()));
+      }
+    }
+    if (split.corners.size() == corners.size()) return false;
+    split.neighbor.assign(split.corners.size(), -1);
+    result_ = std::move(split);
+    return true;
+  }
+
+  /// The points on a half-edge but for its ends, along it.
+  [[nodiscard]] std::vector<std::int32_t> points_within(std::int32_t h,
+                                                        const std::vector<std::int32_t>& points,
+                                                        const BoxTree& tree) const {
+    const Vec3& start = result_.corners[h];
+    const Vec3 way = result_.corners[result_.next(h)] - start;
+    const double length = way.norm();
+    std::vector<std::pair<double, std::int32_t>> found;
+    if (length <= 2 * thickness_) return {};
+    Box3 box(start, start);
+    box.extend(result_.corners[result_.next(h)]);
+    box.min().array() -= thickness_;
+    box.max().array() += thickness_;
+    tree.for_each_meeting(box, [&](std::int32_t k) {
+      const std::int32_t point = points[k];
+      if (point == point_[h] || point == point_[result_.next(h)]) return;
+      const Vec3 off = result_.corners[point] - start;
+      const double along = off.dot(way) / length;
+      if (along <= thickness_ || along >= length - thickness_) return;
+      if ((off - along / length * way).norm() <= thickness_) found.emplace_back(along, point);
+    });
+    std::sort(found.begin(), found.end());
+    std::vector<std::int32_t> result;
+    for (const auto& [along, point] : found) result.push_back(point);
+    return result;
   }
 
   void join(std::int32_t a, std::int32_t b) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "radiosity/convex_polygon.h"
 #include "radiosity/shaft.h"
@@ -19,17 +20,23 @@ struct SampledPair {
   std::int32_t j;
 };
 
+/// What quasi-random segments are even in.
+enum class Sampling {
+  areas,       ///< of both polygons: cheap, in single precision
+  directions,  ///< from points of the smaller polygon: no peaks where polygons are close or touch
+};
+
 /// Quasi-random segments between the polygons of a pair: Sobol's sequence in four dimensions, its
-/// digits shifted at random by `seed`. Works on a packet at a time in single precision.
+/// digits shifted at random by `seed`. Works on a packet at a time.
 class SegmentSampler {
  public:
   static constexpr int kPacket = Visibility::kPacket;
   using Lanes = SegmentPacket::Lanes;
 
   /// The polygons may not change while segments are drawn.
-  SegmentSampler(const SampledPair& pair, std::uint64_t seed);
+  SegmentSampler(const SampledPair& pair, std::uint64_t seed, Sampling sampling = Sampling::areas);
 
-  /// Segments and their kernels cosθ_i cosθ_j / r², up to a constant.
+  /// Segments and their weights: the kernel cosθ_i cosθ_j / r² over their density, up to a constant.
   struct Packet {
     SegmentPacket segments;
     alignas(64) Lanes weight;
@@ -54,7 +61,10 @@ class SegmentSampler {
   static void place(const Fan& fan, const Lanes& u, const Lanes& v, std::array<Lanes, 3>& points,
                     Lanes& heights);
   static void weigh(const Lanes& height_i, const Lanes& height_j, float scale, Packet& packet);
+  void aim(const std::array<Lanes, 4>& at);
 
+  const SampledPair& pair_;
+  Sampling sampling_;
   Fan fan_i_;
   Fan fan_j_;
   float scale_;  // of lengths, so that weights are near 1, 1/m
@@ -81,8 +91,9 @@ struct RayEffort {
 /// quasi-random points, shifted at random by `seed` (which should depend on the pair).
 class FractionSampler {
  public:
-  FractionSampler(const Visibility& visibility, const SampledPair& pair, std::uint64_t seed)
-      : visibility_(visibility), pair_(pair), sampler_(pair, seed) {}
+  FractionSampler(const Visibility& visibility, const SampledPair& pair, std::uint64_t seed,
+                  Sampling sampling = Sampling::areas)
+      : visibility_(visibility), pair_(pair), sampler_(pair, seed, sampling) {}
 
   /// What one packet more gives, together with those before.
   VisibleFraction add_packet();
@@ -99,17 +110,36 @@ class FractionSampler {
     void add(const SegmentSampler::Lanes& weight, std::uint32_t blocked);
     [[nodiscard]] VisibleFraction evaluate() const;
   };
+  /// The samples in a row of blocks of equal size, whose disagreement tells how much is gained by
+  /// their evenness.
+  class Blocks {
+   public:
+    void add(double packet_w, double packet_v);
+    /// Standard error of the ratio of all, if there are enough.
+    [[nodiscard]] std::optional<double> error(double share, double w) const;
+
+   private:
+    static constexpr std::size_t kMost = 16;
+    std::array<double, kMost> w_{};
+    std::array<double, kMost> v_{};
+    std::size_t n_full_ = 0;
+    int packets_of_block_ = 1;
+    int packets_of_last_ = 0;
+  };
   void sample();
+  [[nodiscard]] VisibleFraction evaluate() const;
 
   const Visibility& visibility_;
   const SampledPair& pair_;
   SegmentSampler sampler_;
   Sums sums_;
+  Blocks blocks_;
 };
 
 /// The same in one go: a packet first, then as many as it takes.
 VisibleFraction sample_visible_fraction(const Visibility& visibility, const SampledPair& pair,
-                                        const RayEffort& effort, std::uint64_t seed);
+                                        const RayEffort& effort, std::uint64_t seed,
+                                        Sampling sampling = Sampling::areas);
 
 /// A seed for a pair from the run's seed. (SplitMix64, Steele et al. 2014)
 std::uint64_t pair_seed(std::uint64_t seed, std::int32_t i, std::int32_t j);

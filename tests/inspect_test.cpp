@@ -279,7 +279,7 @@ TEST(Inspect, NonManifoldEdge) {
                            {{0, 0, 0}, {0, 0, 1}, {-1, 1, 1}},
                            {{0, 0, 1}, {0, 0, 0}, {-1, -1, 1}}};
   const Finding finding = only(inspect(one_surface(fan)), Kind::non_manifold_edge);
-  EXPECT_EQ(finding.severity, Severity::serious);
+  EXPECT_EQ(finding.severity, Severity::warning);
   expect_contains(finding.message, "3 polygons");
 
   // Of different surfaces it is a partition that meets a wall.

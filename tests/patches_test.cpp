@@ -522,15 +522,16 @@ TEST(Errors, CrossingOutline) {
   }
 }
 
-TEST(Errors, NonManifoldEdge) {
+/// Edges divide alike whatever number of polygons meets there.
+TEST(Patches, NonManifoldEdgesAreKept) {
   const std::vector<Polygon> fan{{{0, 0, 0}, {0, 0, 1}, {1, 0, 1}},
                                  {{0, 0, 0}, {0, 0, 1}, {-1, 1, 1}},
                                  {{0, 0, 1}, {0, 0, 0}, {-1, -1, 1}}};
-  const std::string message = mesh_error(make_scene(fan));
-  expect_contains(message, "surface 'wall'");
-  expect_contains(message, "(0, 1, 2)");
-  expect_contains(message, "(0, 0, 0) to (0, 0, 1)");
-  expect_contains(message, "separate surfaces");
+  EXPECT_EQ(make_patches(make_scene(fan)).size(), 3);
+  const PatchMesh divided = make_patches(make_scene(fan), {.max_edge = 0.3});
+  double area = 0;
+  for (const double a : divided.area) area += a;
+  EXPECT_NEAR(area, 0.5 + std::sqrt(2.0), 1e-12);
 
   Scene separate = make_scene({fan[0], fan[1]});
   separate.surfaces.push_back({.name = "partition", .material = 0, .two_sided = false});

@@ -419,15 +419,34 @@ TEST_F(Program, InspectTellsCountsAndFindings) {
 TEST_F(Program, InspectSucceedsWithFindings) {
   const std::string scene = write_file("flawed.obj",
                                        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
-                                       "f 1 2 3 4\nf 1 2 3 4\nf 1 2 2\n");
+                                       "f 1 2 3 4\nf 1 2 3\nf 1 2 3 4\nf 1 2 2\n");
   const Outcome json = run({"inspect", scene, "--json"});
   ASSERT_EQ(json.exit_code, 0) << json.err;
   const Json findings = Json::parse(json.out)["findings"];
+  const std::string warnings = Json::parse(json.out)["warnings"].dump();
+  EXPECT_NE(warnings.find("polygon 2"), std::string::npos) << warnings;  // the same as another
+  EXPECT_NE(warnings.find("polygon 3"), std::string::npos) << warnings;  // without area
   ASSERT_FALSE(findings.empty());
   expect_keys(findings[0], {"kind", "severity", "surface", "polygon", "count", "message"});
   const Outcome text = run({"inspect", scene});
   EXPECT_EQ(text.exit_code, 0);
   EXPECT_NE(text.out.find(findings[0]["kind"].get<std::string>()), std::string::npos) << text.out;
+}
+
+TEST_F(Program, StrictReadingRefusesFaults) {
+  const std::string scene = write_file("flawed.obj",
+                                       "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
+                                       "f 1 2 3 4\nf 1 2 2\n");
+  for (const Arguments& command : std::vector<Arguments>{{"inspect", scene},
+                                                         {"solve", scene, "--as-is"},
+                                                         {"form-factors", scene, "--as-is", "-o",
+                                                          result("F.csv")}}) {
+    EXPECT_EQ(run(command).exit_code, 0) << command[0];
+    Arguments strict = command;
+    strict.emplace_back("--strict");
+    strict.emplace_back("--quiet");
+    expect_error(run(strict), 1, "1 polygon encloses no area");
+  }
 }
 
 TEST_F(Program, OverlapsInOnePlaneAreNamed) {

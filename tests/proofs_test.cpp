@@ -190,6 +190,43 @@ TEST(SurfacePieces, SolidsThatTouchAtAnEdgeAreTold) {
   EXPECT_EQ(winding_number(pieces, pieces.pieces[0], {1.5, 1.5, .5}), 0);
 }
 
+/// Appends patches of one mesh to another.
+void append(PatchMesh& mesh, const PatchMesh& other, Index first, Index last) {
+  const auto offset = static_cast<std::int32_t>(mesh.vertices.size());
+  mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
+  for (Index i = first; i < last; ++i) {
+    std::array<std::int32_t, 4> corners = other.corners[i];
+    for (std::int32_t& corner : corners) corner += corner >= 0 ? offset : 0;
+    mesh.add_patch(corners, 0, static_cast<std::int32_t>(mesh.size()));
+  }
+}
+
+// As adaptive refinement leaves them: a box whose faces have corners within their neighbours' edges.
+TEST(SurfacePieces, HangTogetherHoweverTheyAreDivided) {
+  PatchMesh coarse;
+  PatchMesh fine;
+  add_box(coarse, {1, 1, 0}, {2, 3, 1}, 1, Facing::outwards);
+  add_box(fine, {1, 1, 0}, {2, 3, 1}, 3, Facing::outwards);
+  PatchMesh mesh;
+  add_box(mesh, {0, 0, 0}, {4, 4, 4}, 1, Facing::inwards);
+  append(mesh, coarse, 0, 2);
+  append(mesh, fine, 18, 36);
+  append(mesh, coarse, 4, 6);
+  std::vector<std::int32_t> all;
+  for (std::int32_t i = 0; i < mesh.size(); ++i) all.push_back(i);
+  const SurfacePieces pieces = find_surface_pieces(mesh, all, kThickness);
+  ASSERT_EQ(pieces.pieces.size(), 2U);
+  EXPECT_TRUE(pieces.pieces[1].is_solid());
+  EXPECT_NEAR(pieces.pieces[1].volume, 2, 1e-14);
+  const Coverage coverage = find_coverage(mesh, kThickness);
+  EXPECT_NEAR(coverage.share[0], 2.0 / 16, 1e-9);  // the floor, under the box
+  EXPECT_EQ(coverage.share[6], 1);                 // the box's bottom
+  const BlockerSet blockers = make_blockers(mesh, kThickness);
+  EXPECT_EQ(std::count_if(blockers.blockers.begin(), blockers.blockers.end(),
+                          [](const Blocker& b) { return !b.is_flat(); }),
+            1);
+}
+
 TEST(Coverage, OfABoxOnAFloorAndAgainstAnother) {
   PatchMesh mesh;
   add_box(mesh, {0, 0, 0}, {4, 4, 4}, 1, Facing::inwards);          // patches 0 to 5

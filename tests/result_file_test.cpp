@@ -1,6 +1,9 @@
 #include "io/result_file.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
@@ -9,7 +12,9 @@
 #include <vtkStringArray.h>
 #include <vtkXMLPolyDataReader.h>
 
+#include <array>
 #include <charconv>
+#include <csignal>
 #include <cstring>
 #include <fstream>
 #include <map>
@@ -19,6 +24,8 @@
 #include <vector>
 
 #include "io/atomic_file.h"
+#include "io/output_check.h"
+#include "io/temporary_file.h"
 #include "output_folder.h"
 #include "radiosity/error.h"
 
@@ -295,7 +302,7 @@ TEST_F(ResultFileTest, MissingFolderIsAnError) {
     const auto path = folder() / "missing" / name;
     const std::string message = error_of([&] { io::write(path, mesh, make_solution(mesh)); });
     EXPECT_EQ(message.find(path.string()), 0U) << message;
-    EXPECT_NE(message.find("No such file or directory"), std::string::npos) << message;
+    EXPECT_NE(message.find("there is no folder"), std::string::npos) << message;
   }
   EXPECT_TRUE(file_names().empty());
 }
@@ -376,6 +383,118 @@ TEST_F(AtomicFileTest, KeepsLinksAndReplacesWhatTheyPointTo) {
   io::write_stream_atomically(folder() / "link", [](std::ofstream& stream) { stream << "new"; });
   EXPECT_TRUE(std::filesystem::is_symlink(folder() / "link"));
   EXPECT_EQ(read_file(folder() / "elsewhere" / "file"), "new");
+}
+
+TEST_F(AtomicFileTest, KeepsThePermissionsAndTheProtection) {
+  const auto path = folder() / "file";
+  std::ofstream(path) << "old";
+  std::filesystem::permissions(path, std::filesystem::perms(0640));
+  io::write_stream_atomically(path, [](std::ofstream& stream) { stream << "new"; });
+  EXPECT_EQ(read_file(path), "new");
+  EXPECT_EQ(std::filesystem::status(path).permissions(), std::filesystem::perms(0640));
+  std::filesystem::permissions(path, std::filesystem::perms(0444));
+  const auto write = [&] {
+    io::write_stream_atomically(path, [](std::ofstream& stream) { stream << "newer"; });
+  };
+  EXPECT_NE(error_of(write).find("write-protected"), std::string::npos);
+  EXPECT_EQ(read_file(path), "new");
+}
+
+/// A process that makes a temporary file in `folder` and then lives on (until it is killed) or has
+/// been killed by the time this returns.
+pid_t writer(const std::filesystem::path& folder, bool is_killed) {
+  std::array<int, 2> pipe{};
+  EXPECT_EQ(::pipe(pipe.data()), 0);
+  const pid_t process = ::fork();
+  if (process == 0) {
+    const io::TemporaryFile file(folder, folder / "target");
+    std::ofstream(file.path()) << "half";
+    [[maybe_unused]] const auto n = ::write(pipe[1], "x", 1);
+    for (;;) ::pause();
+  }
+  char ready = 0;
+  EXPECT_EQ(::read(pipe[0], &ready, 1), 1);
+  ::close(pipe[0]);
+  ::close(pipe[1]);
+  if (is_killed) {
+    ::kill(process, SIGKILL);
+    ::waitpid(process, nullptr, 0);
+  }
+  return process;
+}
+
+// What a killed run has left goes; what a running one writes, what is not a file and what has
+// another name stays.
+TEST_F(AtomicFileTest, RemovesWhatKilledRunsLeft) {
+  (void)writer(folder(), true);
+  const pid_t running = writer(folder(), false);
+  const std::string kept = ".radiosity-" + std::to_string(running) + "-0.tmp";
+  std::filesystem::create_directory(folder() / ".radiosity-1-0.tmp");
+  ASSERT_EQ(::mkfifo((folder() / ".radiosity-1-1.tmp").c_str(), 0600), 0);
+  std::ofstream(folder() / "victim") << "x";
+  std::filesystem::create_symlink("victim", folder() / ".radiosity-1-2.tmp");
+  std::ofstream(folder() / ".radiosity-x-0.tmp") << "x";
+  std::ofstream(folder() / ".radiosity-1-3.tmp.bak") << "x";
+  std::ofstream(folder() / ".radiosity-99999999-7.tmp") << "stale";
+  std::set<std::string> others = {kept,
+                                  ".radiosity-1-0.tmp",
+                                  ".radiosity-1-1.tmp",
+                                  ".radiosity-1-2.tmp",
+                                  ".radiosity-x-0.tmp",
+                                  ".radiosity-1-3.tmp.bak",
+                                  "victim"};
+  ASSERT_EQ(file_names().size(), others.size() + 2);
+  io::write_stream_atomically(folder() / "out", [](std::ofstream& stream) { stream << "x"; });
+  others.insert("out");
+  EXPECT_EQ(file_names(), others);
+  ::kill(running, SIGKILL);
+  ::waitpid(running, nullptr, 0);
+  io::check_writable(folder() / "other");
+  others.erase(kept);
+  EXPECT_EQ(file_names(), others);
+}
+
+// Four processes write to one folder at once: none takes another's file for a stale one.
+TEST_F(AtomicFileTest, ManyWritersDoNotDisturbEachOther) {
+  std::vector<pid_t> writers;
+  for (int p = 0; p < 4; ++p) {
+    writers.push_back(::fork());
+    if (writers.back() != 0) continue;
+    try {
+      for (int i = 0; i < 50; ++i) {
+        io::write_stream_atomically(folder() / std::to_string(p),
+                                    [&](std::ofstream& stream) { stream << i; });
+      }
+    } catch (const std::exception&) {
+      ::_exit(1);
+    }
+    ::_exit(0);
+  }
+  for (const pid_t process : writers) {
+    int status = 0;
+    ::waitpid(process, &status, 0);
+    EXPECT_EQ(status, 0);
+  }
+  EXPECT_EQ(file_names(), (std::set<std::string>{"0", "1", "2", "3"}));
+  EXPECT_EQ(read_file(folder() / "2"), "49");
+}
+
+TEST_F(AtomicFileTest, KnowsSameFilesByAnyName) {
+  std::filesystem::create_directory(folder() / "sub");
+  std::ofstream(folder() / "a") << "x";
+  std::ofstream(folder() / "b") << "x";
+  std::filesystem::create_symlink("a", folder() / "soft");
+  std::filesystem::create_hard_link(folder() / "a", folder() / "hard");
+  std::filesystem::create_symlink("gone", folder() / "dangling");
+  std::filesystem::create_directory_symlink("sub", folder() / "way");
+  const auto same = [&](const char* a, const char* b) {
+    return io::is_same_file(folder() / a, folder() / b);
+  };
+  EXPECT_TRUE(same("a", "a") && same("a", "./sub/../a") && same("a", "soft") && same("a", "hard"));
+  EXPECT_TRUE(same("soft", "hard"));
+  EXPECT_TRUE(same("dangling", "gone") && same("sub/new", "way/new") && same("new", "./new"));
+  EXPECT_FALSE(same("a", "b") || same("a", "new") || same("new", "sub/new") || same("new", "newer"));
+  EXPECT_FALSE(same("missing/new", "missing/new"));
 }
 
 TEST_F(AtomicFileTest, RefusesFoldersAndDevices) {

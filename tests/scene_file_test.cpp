@@ -139,11 +139,11 @@ TEST_F(SceneFile, ReadsGltf) {
 
 TEST_F(SceneFile, SurfaceIsObjectAndMaterial) {
   (void)file("materials.mtl", "newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n");
-  const std::string start = "mtllib materials.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  const std::string start = "mtllib materials.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
   const Scene objects = read("a.obj", start +
-                                          "o wall\nusemtl red\nf 1 2 3\no light\nf 1 2 3\n"
+                                          "o wall\nusemtl red\nf 1 2 3\no light\nf 1 2 4\n"
                                           "o wall\nusemtl red\ng ignored\nf 3 2 1\n"
-                                          "usemtl blue\nf 1 2 3\n");
+                                          "usemtl blue\nf 1 3 4\n");
   ASSERT_EQ(objects.surfaces.size(), 3U);
   EXPECT_EQ(objects.surfaces[0].name, "wall");
   EXPECT_EQ(objects.surfaces[1].name, "light");
@@ -151,10 +151,10 @@ TEST_F(SceneFile, SurfaceIsObjectAndMaterial) {
   EXPECT_EQ(objects.polygon_surface, (std::vector<std::int32_t>{0, 1, 0, 2}));
   EXPECT_EQ(polygon(objects, 2)[0], Vec3(0, 1, 0));
 
-  const Scene groups = read("b.obj", start + "g one two\nf 1 2 3\ng three\nf 1 2 3\n");
+  const Scene groups = read("b.obj", start + "g one two\nf 1 2 3\ng three\nf 1 2 4\n");
   EXPECT_EQ(groups.surfaces[0].name, "one two");
   EXPECT_EQ(groups.surfaces[1].name, "three");
-  const Scene materials = read("c.obj", start + "f 1 2 3\nusemtl blue\nf 1 2 3\n");
+  const Scene materials = read("c.obj", start + "f 1 2 3\nusemtl blue\nf 1 2 4\n");
   EXPECT_EQ(materials.surfaces[0].name, "c");
   EXPECT_EQ(materials.surfaces[1].name, "blue");
 }
@@ -184,9 +184,9 @@ TEST_F(SceneFile, KeepsCornellBoxInFileOrder) {
 TEST_F(SceneFile, KeepsConcavePolygons) {
   const Scene scene = read("l.obj",
                            "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\n"
-                           "f 1 2 3 4 5 6\nf 1 2 1\n");
+                           "f 1 2 3 4 5 6\nf 1 2 3 3\n");
   EXPECT_EQ(scene.polygon(0).size(), 6U);
-  EXPECT_EQ(scene.polygon(1).size(), 3U);  // a repeated vertex is for meshing to judge
+  EXPECT_EQ(scene.polygon(1).size(), 4U);  // a repeated vertex is for meshing to judge
 }
 
 TEST_F(SceneFile, ConvertsUnits) {
@@ -229,15 +229,12 @@ TEST_F(SceneFile, ExplainsBadObj) {
       {"a.obj", points + "f 1 2 99999999999\n", "vertex 99999999999, but the file has 3"},
       {"a.obj", points + "f 1 2 0\n", "a.obj:4: face uses vertex 0"},
       {"a.obj", points + "f 1 2 -4\n", "vertex -4, but only 3 precede it"},
-      {"a.obj", points + "f 1 2\n", "a.obj:4: face has 2 vertices, expected at least 3"},
+      {"a.obj", points + "f 1 2\n", "a.obj: 1 polygon encloses no area"},
       {"a.obj", points + "f 1 2 x\n", "expected a vertex number, found \"x\""},
       {"a.obj", "v 0 nan 0\n", "a.obj:1: coordinate y is not finite: \"nan\""},
       {"a.obj", "v 0 0 -inf\n", "coordinate z is not finite: \"-inf\""},
       {"a.obj", "v 0 0\n", "a.obj:1: line ends where coordinate z is expected"},
       {"a.obj", "v 0 0 0,5\n", "expected a number for coordinate z, found \"0,5\""},
-      {"a.obj", points + "\nmtllib no.mtl\n", "a.obj:5: material file"},
-      {"a.obj", "usemtl red\n", "a.obj:1: unknown material \"red\": no mtllib"},
-      {"a.obj", "mtllib m.mtl\nusemtl green\n", "a.obj:2: unknown material \"green\""},
       {"a.obj", "mtllib bad.mtl\n", "bad.mtl:2: reflectance 1.2 is outside [0, 1]"},
       {"a.obj", "mtllib dark.mtl\n", "dark.mtl:3: radiance Ke is -1, expected"},
       {"a.obj", points, "a.obj: has no polygons"},
@@ -261,9 +258,9 @@ TEST_F(SceneFile, ExplainsBadOffAndStl) {
       {"a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n", "file ends after 2 of 3 vertices"},
       {"a.off", "OFF\n2000000000000 1 0\n0 0 0\n", "file ends after 1 of 2000000000000 vertices"},
       {"a.off", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "file ends after 1 of 2 faces"},
-      {"a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n", "face has 2 vertices"},
+      {"a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n", "1 polygon encloses no area"},
       {"a.off", "OFF\n-3 1 0\n", "a.off:2: found -3 vertices"},
-      {"a.off", "4OFF\n3 1 0\n", "a.off:1: expected \"OFF\", found \"4OFF\""},
+      {"a.off", "4OFF\n3 1 0\n", "a.off:1: expected \"OFF\", found a word of 4 bytes"},
       {"a.off", "OFF\n0 0 0\n", "a.off: has no polygons"},
       {"a.stl", binary_stl().substr(0, 150), "is truncated: found 150 bytes, expected 184"},
       {"a.stl", "no stl", "found 6 bytes, expected \"solid\""},
@@ -292,7 +289,7 @@ TEST_F(SceneFile, ExplainsBadPly) {
   const std::vector<BadFile> bad = {
       {"a.ply", ply("ascii", x, face) + points + "3 0 1 7\n",
        "a.ply:13: face uses vertex 7, but there are 3"},
-      {"a.ply", ply("ascii", x, face) + points + "2 0 1      \n", "face has 2 vertices"},
+      {"a.ply", ply("ascii", x, face) + points + "2 0 1      \n", "1 polygon encloses no area"},
       {"a.ply", ply("ascii", x, face) + "0 0 0\n1 0 0\n0 1.0000000000000 0\n",
        "file ends after 0 of 1 elements \"face\""},
       {"a.ply", ply("ascii", x, face) + "0 0 inf\n" + points,
@@ -338,9 +335,7 @@ TEST_F(SceneFile, SurvivesTruncationAtEveryByte) {
   };
   for (const auto& [name, content] : samples) {
     EXPECT_EQ(error_of(name, content), "");
-    // Assimp, which reads glTF, takes most of the time.
-    const std::size_t step = name.starts_with("cut.gl") ? 7 : 1;
-    for (std::size_t n = 0; n < content.size(); n += step) {
+    for (std::size_t n = 0; n < content.size(); ++n) {
       const std::string error = error_of(name, content.substr(0, n));
       if (!error.empty()) EXPECT_CONTAINS(error, "cut.");
     }

@@ -168,6 +168,7 @@ TEST_F(SceneWriter, KeepsCameras) {
 TEST_F(SceneWriter, MakesNamesThatCanBeToldApart) {
   Scene scene = make_scene();
   const Material material = scene.materials[0];
+  scene.vertices = {{0, 0, 0}, {1, 0, 0}};
   scene.materials.clear();
   scene.surfaces.clear();
   scene.polygon_surface = {};
@@ -179,7 +180,10 @@ TEST_F(SceneWriter, MakesNamesThatCanBeToldApart) {
     scene.materials.push_back(material);
     scene.materials.back().name = names[i];
     scene.surfaces.push_back({names[i], static_cast<int>(names.size() - 1 - i), i % 2 == 1});
-    scene.add_polygon(std::vector<std::int32_t>{0, 1, 2}, static_cast<std::int32_t>(i));
+    // Polygons that are all the same would be left out.
+    const auto corner = static_cast<std::int32_t>(scene.vertices.size());
+    scene.vertices.emplace_back(static_cast<double>(i), 3, 7);
+    scene.add_polygon(std::vector<std::int32_t>{0, 1, corner}, static_cast<std::int32_t>(i));
   }
   const Scene read = written_and_read(scene);
   const std::vector<std::string> expected = {
@@ -199,7 +203,7 @@ TEST_F(SceneWriter, MakesNamesThatCanBeToldApart) {
 /// Surfaces that share vertices and take turns in the list of polygons, one without any.
 TEST_F(SceneWriter, SortsPolygonsBySurface) {
   Scene scene = make_scene();
-  scene.vertices.push_back({5, 5, 5});
+  scene.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 5, 5}};
   scene.vertices.push_back({9, 9, 9});  // of no polygon
   scene.surfaces = {{"floor", 0, false}, {"nothing", 0, false}, {"wall", 0, true}};
   scene.add_polygon(std::vector<std::int32_t>{3, 0, 1}, 2);

@@ -3,12 +3,14 @@
 
 #include <chrono>
 #include <functional>
+#include <set>
 #include <thread>
 
 #include "io/form_factor_file.h"
 #include "io/result_file.h"
 #include "io/scene_file.h"
 #include "meshing/patches.h"
+#include "radiosity/error.h"
 #include "radiosity/radiometry.h"
 #include "tests/output_folder.h"
 #include "viewer/desk.h"
@@ -298,6 +300,10 @@ TEST_F(Results, OpenWithoutBeingSolvedAgain) {
   EXPECT_EQ(desk.session.light()->solution.radiosity_error, light.solution.radiosity_error);
   EXPECT_EQ(desk.session.model().mesh->vertices, mesh->vertices);
   EXPECT_FALSE(desk.session.model().factors);
+  fs::create_hard_link(vtp, folder() / "link.vtp");
+  for (const char* name : {"box.vtp", "./box.vtp", "link.vtp"}) {
+    EXPECT_THROW(viewer::save_result(desk, (folder() / name).string()), radiosity::OutputError);
+  }
 
   open(desk.session, h5);
   EXPECT_EQ(desk.session.light(), nullptr);
@@ -309,6 +315,39 @@ TEST_F(Results, OpenWithoutBeingSolvedAgain) {
 
   open(desk.session, json);
   EXPECT_LE(difference(desk.session.light()->solution.radiosity, light.solution.radiosity), 1e-7);
+  EXPECT_THROW(viewer::save_scene(desk, json), radiosity::OutputError);
+}
+
+// Neither a preview nor light without its errors, nor of a mix that is not the one shown, may leave
+// as a result.
+TEST_F(Results, AreSavedOnlyOnceTheyAre) {
+  viewer::Desk desk({.n_patches = 60});
+  desk.session.open(kBox);
+  const std::string file = (folder() / "box.csv").string();
+  std::set<Light::Kind> refused;
+  const auto save = [&] {
+    try {
+      viewer::save_result(desk, file);
+      return true;
+    } catch (const radiosity::OutputError&) {
+      return false;
+    }
+  };
+  while (!desk.session.is_settled() || desk.session.light() == nullptr) {
+    desk.session.update();
+    const bool is_result =
+        desk.session.light() != nullptr && desk.session.light()->kind == Light::Kind::complete;
+    EXPECT_EQ(save(), is_result);
+    if (desk.session.light() != nullptr && !is_result) refused.insert(desk.session.light()->kind);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  settle(desk.session);
+  EXPECT_TRUE(refused.contains(Light::Kind::preview));
+  EXPECT_TRUE(save());
+  desk.session.set_emitter(0, 0.25, true);
+  EXPECT_FALSE(save());
+  settle(desk.session);
+  EXPECT_TRUE(save());
 }
 
 // A lamp that is dimmed and a wall that is painted must be in the scene that is saved.

@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "io/output_check.h"
 #include "io/result_file.h"
 #include "io/scene_writer.h"
 #include "radiosity/error.h"
@@ -75,10 +76,24 @@ std::optional<Index> patch_at(const Desk& desk, double x, double y) {
   return hit->patch;
 }
 
+void check_output(const Desk& desk, const std::string& path) {
+  const Model& model = desk.session.model();
+  std::vector<std::filesystem::path> inputs = desk.kept_files;
+  if (!model.path.empty()) inputs.emplace_back(model.path);
+  if (model.scene) inputs.insert(inputs.end(), model.scene->files.begin(), model.scene->files.end());
+  io::check_not_input(path, inputs);
+}
+
 void save_result(const Desk& desk, const std::string& path) {
   if (desk.session.light() == nullptr) {
     throw radiosity::OutputError("there is no light yet that could be saved");
   }
+  if (!desk.session.has_result()) {
+    throw radiosity::OutputError(
+        path + ": not saved: the light that is shown is a preview, or its errors are still being "
+               "found; it can be saved once it is solved");
+  }
+  check_output(desk, path);
   io::write(path, *desk.session.model().mesh, desk.session.light()->solution,
             {.wavelengths = desk.session.model().bands.wavelengths});
 }
@@ -87,6 +102,7 @@ void save_scene(const Desk& desk, const std::string& path) {
   if (!desk.session.model().scene) {
     throw radiosity::OutputError("there is no scene that could be saved");
   }
+  check_output(desk, path);
   radiosity::Scene scene = mixed_scene(*desk.session.model().scene, desk.session.mix());
   scene.camera = desk.camera.camera();
   io::write_scene(path, scene);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,6 +41,7 @@ struct Desk {
   bool asks_light_path = false;           ///< for each patch that is selected
   Session::Versions facts_versions = {};  ///< at which the facts were found
   std::optional<std::string> screenshot;  ///< file that the next drawing shall be written to
+  std::vector<std::filesystem::path> kept_files = {};  ///< beside the scene's: not to be overwritten
 };
 
 /// Brings the session and what is told of the selected patch up to date. Whether anything changed.
@@ -57,7 +59,11 @@ void use_scene_camera(Desk& desk);
 /// left.
 std::optional<radiosity::Index> patch_at(const Desk& desk, double x, double y);
 
-/// Writes the light as .vtp, .csv or .ply. Throws OutputError, also if there is none.
+/// Throws OutputError if a file must not be written, since what is open is read from it.
+void check_output(const Desk& desk, const std::string& path);
+
+/// Writes the light as .vtp, .csv or .ply. Throws OutputError, also if there is none, or none yet
+/// that is a result: a preview, say, or one whose errors are not known.
 void save_result(const Desk& desk, const std::string& path);
 /// Writes the scene as the mix has it, and with the camera as it stands, as .json. Throws
 /// OutputError, also if there is none.

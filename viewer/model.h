@@ -25,6 +25,7 @@ struct SolveSettings {
   std::uint64_t seed = 0;                        ///< of the visibility samples
   std::optional<std::string> unit = {};          ///< of the file's coordinates
   std::optional<double> precision = {};          ///< of these, m; absent: as said or found
+  bool strict = false;                           ///< refuse files with faults that can be mended
 };
 
 /// Rows of form factors, from memory or from a file.
@@ -58,6 +59,7 @@ struct Light {
   Kind kind = Kind::preview;
   radiosity::Solution solution;
 
+  [[nodiscard]] bool is_solved() const { return kind != Kind::preview && kind != Kind::quick; }
   [[nodiscard]] bool has_errors() const { return kind == Kind::complete || kind == Kind::stored; }
 };
 

@@ -144,7 +144,7 @@ void draw_legend(const Desk& desk, ImDrawList& list, float scale) {
   }
 }
 
-/// What to say if what is to be shown is not there.
+/// What to say if what is to be shown is not there, or is no result yet.
 std::string missing_text(const Desk& desk) {
   const Session& session = desk.session;
   if (!session.is_open()) {
@@ -166,6 +166,8 @@ std::string missing_text(const Desk& desk) {
   }
   if (show != Show::true_color && show != Show::watched && !desk.legend) return "Not known yet";
   if (session.light() == nullptr && !session.status().is_busy) return "No light is known";
+  const bool is_preview = session.light() != nullptr && !session.light()->is_solved();
+  if (is_preview && show != Show::watched && show != Show::unshot) return "Preview, not solved yet";
   return "";
 }
 

@@ -44,7 +44,7 @@ std::string status_text(const Desk& desk) {
     if (status.total > 0) text += fmt::format(" {:.0f} %", 100 * status.done / status.total);
     const bool is_preview = session.light() && session.light()->kind == Light::Kind::preview;
     if (is_preview) text += fmt::format(" · unshot {:.1f} %", 100 * session.unshot_share());
-  } else if (session.light() != nullptr && session.light()->kind != Light::Kind::preview) {
+  } else if (session.light() != nullptr && session.light()->is_solved()) {
     text += session.light()->kind == Light::Kind::stored ? "result from a file" : "solved";
   } else {
     text += session.is_open() ? "not solved" : "no scene";
@@ -133,8 +133,7 @@ void Panels::draw_menu(Desk& desk) {
     }
     ImGui::Separator();
     if (ImGui::MenuItem("Save picture ...", "Ctrl+P")) begin_save(desk, Save::screenshot);
-    const bool has_light = desk.session.light() != nullptr;
-    if (ImGui::MenuItem("Save result ...", nullptr, false, has_light)) {
+    if (ImGui::MenuItem("Save result ...", nullptr, false, desk.session.has_result())) {
       begin_save(desk, Save::result);
     }
     const bool has_scene = desk.session.model().scene != nullptr;

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "io/atomic_file.h"
 #include "viewer/script_arguments.h"
 #include "viewer/state_report.h"
 
@@ -57,12 +58,6 @@ void check_patience(const Stage& stage, ScriptArguments& arguments) {
   if (stage.seconds > patience) {
     throw std::runtime_error(fmt::format("was not done within {} s", patience));
   }
-}
-
-bool is_solved(const Session& session) {
-  if (!session.is_open()) return false;
-  if (!session.model().scene) return true;  // nothing to solve
-  return session.light() != nullptr && session.light()->has_errors();
 }
 
 bool wait_solved(Stage& stage, ScriptArguments& arguments) {
@@ -238,10 +233,9 @@ void write_report(Stage& stage, ScriptArguments& arguments) {
   const std::string file = arguments.text("file");
   json report = state_report(stage.desk);
   report["frame_times"] = stage.host.frame_times();
-  std::ofstream stream(file);
-  stream << report.dump(1) << '\n';
-  stream.flush();
-  if (!stream) throw std::runtime_error(file + ": cannot be written");
+  check_output(stage.desk, file);
+  io::write_stream_atomically(
+      file, [&](std::ofstream& stream) { stream << report.dump(1) << '\n'; });
 }
 
 /// Waits until the picture has been drawn and written.
@@ -377,6 +371,12 @@ json parsed(const std::filesystem::path& path) {
 
 }  // namespace
 
+bool is_solved(const Session& session) {
+  if (!session.is_open()) return false;
+  if (!session.model().scene) return true;  // nothing to solve
+  return session.light() != nullptr && session.light()->has_errors();
+}
+
 struct Script::State {
   std::string path;
   std::vector<Action> actions;
@@ -403,6 +403,17 @@ Script::Script(const std::filesystem::path& path) : state_(std::make_unique<Stat
 Script::~Script() = default;
 Script::Script(Script&&) noexcept = default;
 Script& Script::operator=(Script&&) noexcept = default;
+
+std::vector<std::string> Script::outputs() const {
+  std::vector<std::string> files;
+  for (const Action& action : state_->actions) {
+    const bool is_writing = action.name == "report" || action.name == "screenshot" ||
+                            action.name == "save-result" || action.name == "save-scene";
+    if (!is_writing || !action.arguments.contains("file")) continue;
+    if (action.arguments["file"].is_string()) files.push_back(action.arguments["file"]);
+  }
+  return files;
+}
 
 bool Script::has_ended() const { return state_->next >= state_->actions.size(); }
 

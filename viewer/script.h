@@ -28,6 +28,9 @@ class ScriptHost {
   virtual void forget_frame_times() = 0;
 };
 
+/// Whether what is open is all that it can become: solved, if it is a scene.
+bool is_solved(const Session& session);
+
 /// A list of actions, docs/viewer.md, done one after the other as a person would do them.
 class Script {
  public:
@@ -41,6 +44,8 @@ class Script {
   /// ScriptError.
   void advance(Desk& desk, ScriptHost& host);
   [[nodiscard]] bool has_ended() const;
+  /// The files that its actions write.
+  [[nodiscard]] std::vector<std::string> outputs() const;
 
  private:
   struct State;

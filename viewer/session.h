@@ -53,6 +53,8 @@ class Session {
   [[nodiscard]] const SolveSettings& settings() const { return settings_; }
   /// Absent until there is some.
   [[nodiscard]] const Light* light() const { return light_ ? &*light_ : nullptr; }
+  /// Whether the light is a result: solved, with its errors, and of the mix as it is now.
+  [[nodiscard]] bool has_result() const { return light_ && light_->has_errors() && !changed_; }
   /// Seconds from the beginning until the light was solved; 0 if it is not.
   [[nodiscard]] double seconds_to_solve() const { return seconds_to_solve_; }
   /// Unshot share of the emitted power while light is a preview.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "io/image_file.h"
+#include "io/output_check.h"
 #include "radiosity/error.h"
 #include "viewer/desk.h"
 #include "viewer/input.h"
@@ -42,7 +43,13 @@ class Application final : public ScriptHost {
         window_({.width = options.width, .height = options.height, .scale = options.scale}),
         desk_(options.settings),
         panels_(options.settings) {
-    if (options.script) script_.emplace(*options.script);
+    if (!options.script) return;
+    script_.emplace(*options.script);
+    desk_.kept_files.push_back(*options.script);
+    for (const std::string& output : script_->outputs()) {
+      io::check_not_input(output, desk_.kept_files);
+      io::check_writable(output);
+    }
   }
 
   void run() {
@@ -110,6 +117,7 @@ class Application final : public ScriptHost {
 
   void save_screenshot(const io::RgbPicture& picture, const std::string& file) {
     try {
+      check_output(desk_, file);
       if (picture.bytes.empty()) throw radiosity::OutputError(file + ": the window has no size");
       io::write_png(file, picture);
       desk_.session.tell("saved " + file);
@@ -135,12 +143,13 @@ class Application final : public ScriptHost {
     if (!is_unattended() || (script_ && !script_->has_ended())) return false;
     if (!options_.screenshot) return true;
     if (!script_ && !desk_.session.is_settled()) return false;
-    if (!script_ && !desk_.session.is_open()) fail_unopened();
+    if (!script_ && !is_solved(desk_.session)) fail_unsolved();
     if (!is_last_asked_) desk_.screenshot = options_.screenshot->string();
     return std::exchange(is_last_asked_, true) && !desk_.screenshot;
   }
 
-  [[noreturn]] void fail_unopened() const {
+  /// A picture of the window shall show no preview as if it were the result.
+  [[noreturn]] void fail_unsolved() const {
     const auto& messages = desk_.session.messages();
     throw radiosity::SceneError(messages.empty() ? "there is no scene to show"
                                                  : messages.back().text);

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+
+namespace io {
+
+/// An array of a VTK XML file.
+struct VtpArray {
+  std::string type;                ///< VTK's name: "Float64", "Int32", "String"...
+  std::uint64_t n_components = 1;  ///< values in a row
+  std::string bytes;               ///< the values, row by row, as this machine has them; of texts
+                                   ///< the characters, a zero byte after each
+};
+
+/// What a file of polygons (.vtp) holds, by the names of the arrays. Values at points are left out.
+struct VtpFile {
+  using Arrays = std::map<std::string, VtpArray>;
+  std::uint64_t n_points = 0;
+  std::uint64_t n_polygons = 0;
+  std::uint64_t n_other_cells = 0;  ///< vertices, lines and strips
+  VtpArray points;
+  Arrays polygons;  ///< "connectivity" and "offsets"
+  Arrays cells;     ///< a row for each cell
+  Arrays fields;
+};
+
+/// Bytes of a value of VTK's type of this name; 0 if there is none. 1 for texts.
+std::size_t vtp_type_size(const std::string& type);
+
+/// Reads VTK XML of one piece: values as text, in base64, or appended raw or in base64; not
+/// compressed, or by zlib or LZ4. VTK's own reader follows what a damaged file says into any part
+/// of the memory; here all numbers are checked against each other and against what the file can
+/// hold before anything is allocated. Throws SceneError naming `path`.
+VtpFile read_vtp(const std::filesystem::path& path);
+
+}  // namespace io
