@@ -373,7 +373,8 @@ void ContactCutter::cut_cell(std::int32_t cell, const Segment& segment) {
   const Vec3 across = normal.cross(along);
   const double length = (segment[1] - segment[0]).norm();
   // Parts of a polygon that is not flat lie in other planes.
-  if (std::abs(normal.dot(segment[0] - at(cells_[cell].loop[0]))) > 8 * tolerance_ + kRounding * length) return;
+  const double height = normal.dot(segment[0] - at(cells_[cell].loop[0]));
+  if (std::abs(height) > 8 * tolerance_ + kRounding * length) return;
   while (true) {
     const Loop& loop = cells_[cell].loop;
     const std::size_t n = loop.size();
@@ -406,7 +407,8 @@ void ContactCutter::cut_cell(std::int32_t cell, const Segment& segment) {
       enters = std::min(enters, along.dot(point - segment[0]));
       leaves = std::max(leaves, along.dot(point - segment[0]));
     }
-    if (std::min(leaves, length) - std::max(enters, 0.0) <= std::max(2 * tolerance_, kLeastWidth * size)) return;
+    const double least = std::max(2 * tolerance_, kLeastWidth * size);
+    if (std::min(leaves, length) - std::max(enters, 0.0) <= least) return;
     if (!crossed) {
       const std::size_t from = on_line.front();
       const std::size_t to = on_line.back();

@@ -38,8 +38,8 @@ struct PatchChoice {
 /// The options for what was chosen. Without a choice there are kDefaultPatches, or
 /// kDefaultBeyondPolygons more than there are polygons: where these are many, the large ones shall
 /// show the shadows of the small ones, but from kDefaultPatches polygons on no edge below twice the
-/// usual length (the median of the polygons' longest edges) is divided. With `adaptive` there are no more than
-/// kDefaultPatches, since refinement makes its own.
+/// usual length (the median of the polygons' longest edges) is divided. With `adaptive` there are no
+/// more than kDefaultPatches, since refinement makes its own.
 PatchOptions make_patch_options(const PatchChoice& choice, const radiosity::Scene& scene,
                                 const radiosity::Progress& progress = {});
 

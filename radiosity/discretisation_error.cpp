@@ -76,7 +76,8 @@ double relative_error(const Eigen::VectorXd& area, const Eigen::MatrixXd& reflec
   for (Index c = 0; c < error.cols(); ++c) {
     const double mean = area.dot(reflected.col(c)) / area.sum();
     if (!(mean > 0)) continue;
-    const Eigen::VectorXd relative = error.col(c).cwiseQuotient(light_scale(area, reflected.col(c)));
+    const Eigen::VectorXd relative =
+        error.col(c).cwiseQuotient(light_scale(area, reflected.col(c)));
     largest = std::max(largest, std::sqrt(area.dot(relative.cwiseAbs2()) / area.sum()));
   }
   return largest;

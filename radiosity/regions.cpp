@@ -227,7 +227,9 @@ class RegionFinder {
                                    double margin) const {
     for (int k = 0; k < mesh_.n_corners(patch); ++k) {
       const Vec3 edge = (corner(patch, k + 1) - corner(patch, k)).normalized();
-      const auto distance = [&](const Vec3& x) { return (x - corner(patch, k)).cross(edge).norm(); };
+      const auto distance = [&](const Vec3& x) {
+        return (x - corner(patch, k)).cross(edge).norm();
+      };
       if (distance(segment[0]) <= margin && distance(segment[1]) <= margin) return true;
     }
     return false;

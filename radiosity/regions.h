@@ -16,8 +16,8 @@ namespace radiosity {
 ///
 /// About each edge the sides of the patches that meet there are joined to the next one around it,
 /// which gives the connected parts of all regions' borders; a part that is not the outer border of
-/// its region (by the sign of the volume within) is joined to what a ray meets that leaves it for good, at
-/// its furthest corner in some direction.
+/// its region (by the sign of the volume within) is joined to what a ray meets that leaves it for
+/// good, at its furthest corner in some direction.
 std::vector<std::int32_t> find_regions(const PatchMesh& mesh, const Visibility& visibility,
                                        double thickness);
 

@@ -9,7 +9,11 @@
 #include <map>
 #include <numeric>
 #include <random>
+#include <string>
+#include <vector>
 
+#include "io/rounding.h"
+#include "io/scene_file.h"
 #include "meshing/patches.h"
 #include "radiosity/discretisation_error.h"
 #include "radiosity/radiometry.h"
@@ -50,10 +54,9 @@ int count_t_vertices(const PatchMesh& mesh) {
   return count;
 }
 
-Solution solve_patches(const Scene& scene, const PatchMesh& mesh) {
+Solution solve_patches(const Scene& scene, const PatchMesh& mesh, Closed closed = Closed::no) {
   const Visibility visibility(mesh);
-  const auto transport =
-      make_transport(mesh, visibility, {.tolerance = 1e-3, .closed = Closed::no});
+  const auto transport = make_transport(mesh, visibility, {.tolerance = 1e-3, .closed = closed});
   const Solution solution = solve(*transport, exitance(scene, mesh), reflectance(scene, mesh));
   return with_discretisation_error(solution, discretisation_error(mesh, *transport, solution));
 }
@@ -61,7 +64,7 @@ Solution solve_patches(const Scene& scene, const PatchMesh& mesh) {
 /// Kinds by seed: sheets and boards (every third), turned (odd ones), all digits, 5 decimals and
 /// single precision. bench/walled_rooms_bench does more.
 class WalledRooms : public testing::TestWithParam<std::uint64_t> {};
-INSTANTIATE_TEST_SUITE_P(Seeds, WalledRooms, testing::Values(1, 2, 3, 4, 6, 7, 11));
+INSTANTIATE_TEST_SUITE_P(Seeds, WalledRooms, testing::Values(1, 2, 3, 11));
 
 TEST_P(WalledRooms, AreCutAndConform) {
   const WalledRoom room = test::make_walled_room(GetParam(), Hut::sealed);
@@ -102,7 +105,7 @@ TEST_P(WalledRooms, AreDarkWithin) {
 
 TEST_P(WalledRooms, ErrorsCoverFinerPatchesWhereTheyAreOpen) {
   const WalledRoom room = test::make_walled_room(GetParam(), Hut::open);
-  const PatchMesh mesh = make_patches(room.scene, {.n_patches = 200});
+  const PatchMesh mesh = make_patches(room.scene, {.n_patches = 150});
   const Solution solution = solve_patches(room.scene, mesh);
   const PatchMesh finer = test::divided_into_four(mesh);
   const Eigen::MatrixXd truth =
@@ -140,6 +143,60 @@ TEST_P(WalledRooms, RegionsDoNotSeeEachOther) {
       }
     }
   }
+}
+
+enum class Digits { all, six, single };
+
+Scene read_turned(const std::string& name, Digits digits) {
+  Scene scene = io::read_scene(RADIOSITY_TEST_DATA "/accuracy/" + name + ".json");
+  const Eigen::AngleAxisd turn(0.7, Vec3(1, 2, 3).normalized());
+  for (Vec3& vertex : scene.vertices) {
+    vertex = turn * vertex;
+    for (double& x : vertex) {
+      if (digits == Digits::six) x = std::round(x * 1e5) / 1e5;
+      if (digits == Digits::single) x = static_cast<float>(x);
+    }
+  }
+  if (digits != Digits::all) scene.precision = io::found_rounding(scene.vertices).precision;
+  return scene;
+}
+
+TEST(Leak, IsDarkInTheSealedBox) {
+  std::vector<Scene> scenes = {io::read_scene(RADIOSITY_TEST_DATA "/accuracy/leak.json")};
+  for (const Digits digits : {Digits::all, Digits::six, Digits::single}) {
+    scenes.push_back(read_turned("leak", digits));
+  }
+  for (const Scene& scene : scenes) {
+    for (const long n : {120, 600}) {
+      const PatchMesh mesh = make_patches(scene, {.n_patches = n});
+      const Solution solution = solve_patches(scene, mesh);
+      Index n_probe = 0;
+      for (Index i = 0; i < mesh.size(); ++i) {
+        if (mesh.surface_names[mesh.surface[i]] != "probe") continue;
+        ++n_probe;
+        EXPECT_EQ(solution.irradiance(i, 0), 0) << scene.precision << " " << n;
+        EXPECT_EQ(solution.radiosity_error(i, 0), 0);
+      }
+      EXPECT_GE(n_probe, 2);
+    }
+  }
+}
+
+TEST(CrossingBoxes, HaveErrorsThatCoverFinerPatches) {
+  const Scene scene = io::read_scene(RADIOSITY_TEST_DATA "/accuracy/error-bars-boxes.json");
+  const PatchMesh mesh = make_patches(scene, {.n_patches = 350});
+  const Solution solution = solve_patches(scene, mesh, Closed::yes);
+  const PatchMesh finer = test::divided_into_four(mesh);
+  const Eigen::MatrixXd truth =
+      test::means_of_four(finer, solve_patches(scene, finer, Closed::yes).radiosity);
+  const double rounding = 1e-9 * solution.radiosity.maxCoeff();
+  Index n_within = 0;
+  for (Index i = 0; i < mesh.size(); ++i) {
+    const double error = std::abs(solution.radiosity(i, 0) - truth(i, 0));
+    n_within += error <= 2 * solution.radiosity_error(i, 0) + rounding ? 1 : 0;
+  }
+  EXPECT_GE(static_cast<double>(n_within), 0.95 * static_cast<double>(mesh.size()))
+      << n_within << " of " << mesh.size();
 }
 
 /// A room of 12 triangles with a mesh of many in it: the large ones are divided, no others.
