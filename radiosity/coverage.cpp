@@ -16,6 +16,7 @@ constexpr double kRounding = 1e-6;
 /// their size and in thicknesses.
 constexpr std::size_t kTriedFacets = 32;
 constexpr double kGap = 1e-4;
+constexpr double kSameVolume = 1e-6;
 constexpr double kGaps = 16;
 
 /// A face of a solid, or a wall around a hollow, that may cover patches.
@@ -86,8 +87,11 @@ class CoverFinder {
   [[nodiscard]] bool stands_in(std::int32_t solid, std::int32_t hollow) {
     const auto [known, is_new] = stands_in_.try_emplace({solid, hollow}, false);
     if (!is_new) return known->second;
+    const SurfacePiece& around = pieces_.pieces[hollow];
     const std::vector<std::int32_t>& facets = pieces_.pieces[solid].facets;
     const std::size_t step = std::max<std::size_t>(1, facets.size() / kTriedFacets);
+    // Walled in by others, a solid is in the hollow that has all of it within, and more.
+    bool is_within = pieces_.pieces[solid].volume < (1 - kSameVolume) * -around.volume;
     for (std::size_t k = 0; k < facets.size() && !known->second; k += step) {
       const std::span<const Vec3> outline = pieces_.outline(facets[k]);
       Vec3 point = Vec3::Zero();
@@ -95,10 +99,11 @@ class CoverFinder {
       point /= static_cast<double>(outline.size());
       const Vec3& normal = pieces_.normal[facets[k]];
       const double gap = kGap * (outline[1] - outline[0]).norm() + kGaps * thickness_;
-      known->second =
-          winding_number(pieces_, pieces_.pieces[hollow], point + gap * normal) != 0 &&
-          !is_back_to_back(point, normal);
+      known->second = winding_number(pieces_, around, point + gap * normal) != 0 &&
+                      !is_back_to_back(point, normal);
+      is_within = is_within && winding_number(pieces_, around, point - gap * normal) != 0;
     }
+    known->second = known->second || is_within;
     return known->second;
   }
 

@@ -241,6 +241,18 @@ TEST(Coverage, OfABoxOnAFloorAndAgainstAnother) {
   for (Index i = 0; i < 18; ++i) EXPECT_NEAR(coverage.share[i], expected[i], 1e-9) << i;
 }
 
+// A cube in a corner of a room that touches nothing but walls and other cubes.
+TEST(Coverage, OfABoxThatIsWalledIn) {
+  PatchMesh mesh;
+  add_box(mesh, {0, 0, 0}, {3, 3, 3}, 1, Facing::inwards);
+  for (const Vec3& low : {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)}) {
+    add_box(mesh, low, low + Vec3::Ones(), 1, Facing::outwards);
+  }
+  const Coverage coverage = find_coverage(mesh, 1e-10);
+  for (const Index wall : {0, 2, 4}) EXPECT_NEAR(coverage.share[wall], 3.0 / 9, 1e-9) << wall;
+  for (Index i = 6; i < 12; ++i) EXPECT_EQ(coverage.share[i], 1) << i;
+}
+
 TEST(Coverage, WallsBackToBackCoverNothing) {
   PatchMesh mesh;
   add_box(mesh, {0, 0, 0}, {1, 1, 1}, 2, Facing::inwards);
