@@ -145,7 +145,10 @@ class ObjReader {
     if (!libraries_.insert(name).second) return;  // some programs name it before each object
     const auto path = find_library(name);
     if (path || !name.empty()) scene_.files.push_back(path ? *path : path_.parent_path() / name);
-    if (wanted_ == MeshMaterials::not_needed) return;
+    if (wanted_ == MeshMaterials::not_needed) {
+      if (path) add_pictures(*path);
+      return;
+    }
     if (!path) {
       missing_.add(where(), fmt::format("material file {} does not exist", in_quotes(name)));
       return;
@@ -164,6 +167,17 @@ class ObjReader {
     scene_.warnings.insert(scene_.warnings.end(), file.warnings.begin(), file.warnings.end());
     repairs_.insert(repairs_.end(), file.repairs.begin(), file.repairs.end());
     scene_.files.insert(scene_.files.end(), file.pictures.begin(), file.pictures.end());
+  }
+
+  /// Of a material file that is not needed and may be as bad as it likes: no output may be one of its
+  /// pictures.
+  void add_pictures(const std::filesystem::path& library) {
+    try {
+      const MtlFile file = read_mtl(library, progress_);
+      scene_.files.insert(scene_.files.end(), file.pictures.begin(), file.pictures.end());
+    } catch (const radiosity::SceneError&) {
+      return;
+    }
   }
 
   [[nodiscard]] std::string where() const {
