@@ -12,8 +12,12 @@
 namespace radiosity {
 namespace {
 
-/// Facets at a smaller angle around an edge lie in one plane with nothing between them.
+/// Facets at a smaller angle around an edge lie in one plane with nothing between them: the least
+/// such angle, the same in thicknesses over the facets' widths, since it is not known better, and
+/// the largest.
 constexpr double kSameAngle = 1e-5;
+constexpr double kSameThicknesses = 3;
+constexpr double kMostSameAngle = 0.5;
 
 class Joiner {
  public:
@@ -192,6 +196,15 @@ class Joiner {
     result_.neighbor[b] = a;
   }
 
+  /// How far the facet of a half-edge reaches from its line.
+  [[nodiscard]] double width(std::int32_t half_edge, const Vec3& axis) const {
+    double result = 0;
+    for (const Vec3& corner : result_.outline(result_.facet[half_edge])) {
+      result = std::max(result, axis.cross(corner - result_.corners[half_edge]).norm());
+    }
+    return result;
+  }
+
   void join_at_edge(std::span<const Edge> edges) {
     std::vector<std::int32_t> forward;
     std::vector<std::int32_t> backward;
@@ -220,8 +233,11 @@ class Joiner {
     for (const std::int32_t f : forward) {
       for (const std::int32_t b : backward) {
         double wedge = angle(f, 1) - angle(b, -1);
-        while (wedge <= kSameAngle) wedge += 2 * kPi;
-        while (wedge > 2 * kPi + kSameAngle) wedge -= 2 * kPi;
+        const double same = std::clamp(
+            kSameThicknesses * thickness_ * (1 / width(f, axis) + 1 / width(b, axis)), kSameAngle,
+            kMostSameAngle);
+        while (wedge <= same) wedge += 2 * kPi;
+        while (wedge > 2 * kPi + same) wedge -= 2 * kPi;
         wedges.push_back({wedge, f, b});
       }
     }
