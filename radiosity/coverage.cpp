@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "radiosity/body_finder.h"
+#include "radiosity/box_tree.h"
 #include "radiosity/occluders.h"
 #include "radiosity/surface_pieces.h"
 
@@ -47,10 +49,9 @@ class CoverFinder {
     add_caps();
     Coverage result{Eigen::VectorXd::Zero(mesh_.size()), {}};
     if (covers_.empty()) return result;
-    std::sort(covers_.begin(), covers_.end(), [](const Cover& a, const Cover& b) {
-      return a.box.min().x() < b.box.min().x();
-    });
-    for (const Cover& cover : covers_) widest_ = std::max(widest_, cover.box.sizes().x());
+    std::vector<Box3> boxes;
+    for (const Cover& cover : covers_) boxes.push_back(cover.box);
+    tree_.emplace(std::move(boxes));
     for (std::int32_t i = 0; i < mesh_.size(); ++i) cover_patch(i, result);
     return result;
   }
@@ -110,13 +111,13 @@ class CoverFinder {
   /// Whether a point of a facet lies on one that faces the other way, as on walls without thickness
   /// that have a polygon for either side.
   [[nodiscard]] bool is_back_to_back(const Vec3& point, const Vec3& normal) const {
-    const double first = point.x() - widest_ - thickness_;
-    auto cover = std::lower_bound(covers_.begin(), covers_.end(), first,
-                                  [](const Cover& c, double x) { return c.box.min().x() < x; });
-    for (; cover != covers_.end() && cover->box.min().x() <= point.x() + thickness_; ++cover) {
-      if (cover->normal.dot(normal) < -0.9 && holds(*cover, point)) return true;
-    }
-    return false;
+    bool result = false;
+    const Vec3 reach = Vec3::Constant(thickness_);
+    tree_->for_each_meeting(Box3(point - reach, point + reach), [&](std::int32_t k) {
+      const Cover& cover = covers_[k];
+      result = result || (cover.normal.dot(normal) < -0.9 && holds(cover, point));
+    });
+    return result;
   }
 
   [[nodiscard]] bool holds(const Cover& cover, const Vec3& point) const {
@@ -174,18 +175,15 @@ class CoverFinder {
     // Covers may overlap each other, so each is taken away from what the others left.
     std::vector<ConvexPolygon> open{patch};
     bool is_touched = false;
-    const double first = box.min().x() - widest_;
-    auto cover = std::lower_bound(covers_.begin(), covers_.end(), first,
-                                  [](const Cover& c, double x) { return c.box.min().x() < x; });
-    for (; cover != covers_.end() && cover->box.min().x() <= box.max().x(); ++cover) {
-      if (cover->normal.dot(mesh_.normal[i]) > -0.9 || !cover->box.intersects(box)) continue;
-      if (!is_in_plane(i, *cover)) continue;
-      if (cover->piece >= 0 && !is_before(*cover, i)) continue;
+    tree_->for_each_meeting(box, [&](std::int32_t k) {
+      const Cover& cover = covers_[k];
+      if (cover.normal.dot(mesh_.normal[i]) > -0.9 || !is_in_plane(i, cover)) return;
+      if (cover.piece >= 0 && !is_before(cover, i)) return;
       is_touched = true;
       std::vector<ConvexPolygon> left;
-      for (const ConvexPolygon& part : open) subtract(part, *cover, left);
+      for (const ConvexPolygon& part : open) subtract(part, cover, left);
       open = std::move(left);
-    }
+    });
     if (!is_touched) return;
     double area = 0;
     for (const ConvexPolygon& part : open) area += vector_area(part.points()).norm();
@@ -246,7 +244,7 @@ class CoverFinder {
   SurfacePieces pieces_;
   std::vector<std::int32_t> piece_of_patch_;
   std::vector<Cover> covers_;
-  double widest_ = 0;  // of the covers' boxes, along x
+  std::optional<BoxTree> tree_;  // of the covers
   std::map<std::pair<std::int32_t, std::int32_t>, bool> stands_in_;
 };
 
