@@ -76,16 +76,16 @@ void add_compute_options(CLI::App& command, ComputeOptions& options) {
                        ->check(check_positive)
                        ->type_name("L")
                        ->group(patches);
-  auto* n_patches = command
-                        .add_option("--patches", options.n_patches,
-                                    fmt::format("Divide into about N patches of about equal size; "
-                                                "without any of these three options {}, or {} more "
-                                                "than polygons, of which small ones stay whole",
-                                                meshing::kDefaultPatches,
-                                                meshing::kDefaultBeyondPolygons))
-                        ->check(check_positive)
-                        ->type_name("N")
-                        ->group(patches);
+  auto* n_patches =
+      command
+          .add_option("--patches", options.n_patches,
+                      fmt::format("Divide into about N patches of about equal size; "
+                                  "without any of these three options {}, or {} more "
+                                  "than polygons, of which small ones stay whole",
+                                  meshing::kDefaultPatches, meshing::kDefaultBeyondPolygons))
+          ->check(check_positive)
+          ->type_name("N")
+          ->group(patches);
   auto* as_is = command
                     .add_flag("--as-is", options.as_is,
                               "Each polygon of the file is one patch, in file order")

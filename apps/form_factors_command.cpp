@@ -117,8 +117,8 @@ void FormFactorsCommand::run() const {
   const radiosity::Fingerprint fingerprint = stream_fingerprint(patched.mesh, options);
   FactorSummary summary{.patched = patched, .min_factor = min_factor_, .outputs = common_.outputs};
   if (is_complete(fingerprint)) {
-    terminal.warn(fmt::format("{} is complete already; nothing was computed",
-                              common_.outputs.front()));
+    terminal.warn(
+        fmt::format("{} is complete already; nothing was computed", common_.outputs.front()));
     print_factors(summary, terminal);
     return;
   }

@@ -55,9 +55,8 @@ void check_outputs(const std::vector<std::string>& outputs, const fs::path& scen
       return io::is_same_file(*output, other);
     });
     if (same != output) {
-      throw radiosity::OutputError(
-          fmt::format("{}: cannot be written: it is the same file as the output {}", *output,
-                      *same));
+      throw radiosity::OutputError(fmt::format(
+          "{}: cannot be written: it is the same file as the output {}", *output, *same));
     }
     io::check_writable(*output);
   }

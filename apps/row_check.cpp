@@ -25,8 +25,7 @@ std::string cause(const Scene& scene) {
 }  // namespace
 
 void refuse_excess(const Scene& scene, const PatchMesh& mesh, const AssemblyReport& report,
-                   double tolerance,
-                   const std::function<Eigen::VectorXd(Index)>& row_error) {
+                   double tolerance, const std::function<Eigen::VectorXd(Index)>& row_error) {
   if (report.row_sums.size() == 0) return;
   Index worst = 0;
   const double sum = report.row_sums.maxCoeff(&worst);

@@ -34,9 +34,7 @@ std::string as_time(double time) {
 
 }  // namespace
 
-std::string one_line(std::string_view message) {
-  return io::printable(message);
-}
+std::string one_line(std::string_view message) { return io::printable(message); }
 
 TerminalProgress::Style TerminalProgress::fitting_style() {
   return ::isatty(STDERR_FILENO) != 0 ? Style::bar : Style::lines;

@@ -289,14 +289,13 @@ std::string inspect_text(const radiosity::Scene& scene, const meshing::Inspectio
                                    inspection.n_triangles, inspection.n_quads, inspection.n_other));
   text += line("area", fmt::format("{:.6g} m²", inspection.area));
   text += line("bounds", bounds_text(inspection.bounds));
-  text += line("precision", scene.precision > 0
-                                ? fmt::format("coordinates are rounded to {:.1g} m", scene.precision)
-                                : "coordinates are exact");
-  text += line("closed", fmt::format("{}: light {} ({} boundary edges)",
-                                     inspection.closed ? "yes" : "no",
-                                     inspection.closed ? "meets fronts only"
-                                                       : "escapes or meets backs",
-                                     inspection.n_boundary_edges));
+  text += line("precision", scene.precision > 0 ? fmt::format("coordinates are rounded to {:.1g} m",
+                                                              scene.precision)
+                                                : "coordinates are exact");
+  text += line("closed",
+               fmt::format("{}: light {} ({} boundary edges)", inspection.closed ? "yes" : "no",
+                           inspection.closed ? "meets fronts only" : "escapes or meets backs",
+                           inspection.n_boundary_edges));
   text += line("bands", fmt::format("{}", fmt::join(band_names(scene.bands), ", ")));
   return text + surface_table(scene, inspection) + finding_lines(inspection);
 }

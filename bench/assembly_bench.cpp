@@ -76,12 +76,8 @@ const std::vector<Packet>& undecided_packets(const Box& box) {
       }
       const auto a = static_cast<std::int32_t>(i);
       const auto b = static_cast<std::int32_t>(j);
-      const SampledPair pair{table.polygon(i),
-                             table.plane(i),
-                             table.polygon(j),
-                             table.plane(j),
-                             a,
-                             b};
+      const SampledPair pair{
+          table.polygon(i), table.plane(i), table.polygon(j), table.plane(j), a, b};
       SegmentSampler sampler(pair, pair_seed(0, a, b));
       for (int k = 0; k < 2; ++k) packets.push_back({sampler.next().segments, a, b});
     }

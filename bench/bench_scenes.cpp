@@ -101,19 +101,17 @@ class Builder {
   /// 20 x 4^level triangles; `radius` gives the distance from the centre in each direction.
   void add_ball(const Vec3& center, int level, const std::function<double(const Vec3&)>& radius) {
     const double g = (1 + std::sqrt(5.0)) / 2;
-    const std::vector<Vec3> v{{-1, g, 0}, {1, g, 0},   {-1, -g, 0}, {1, -g, 0},
-                              {0, -1, g}, {0, 1, g},   {0, -1, -g}, {0, 1, -g},
-                              {g, 0, -1}, {g, 0, 1},   {-g, 0, -1}, {-g, 0, 1}};
-    constexpr int kFaces[20][3] = {{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11},
-                                   {1, 5, 9}, {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
-                                   {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8}, {3, 8, 9},
-                                   {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}};
+    const std::vector<Vec3> v{{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0},
+                              {0, -1, g}, {0, 1, g}, {0, -1, -g}, {0, 1, -g},
+                              {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}};
+    constexpr int kFaces[20][3] = {{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
+                                   {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
+                                   {3, 9, 4},  {3, 4, 2},  {3, 2, 6},   {3, 6, 8},  {3, 8, 9},
+                                   {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}};
     const std::function<void(const Vec3&, const Vec3&, const Vec3&, int)> divide =
         [&](const Vec3& a, const Vec3& b, const Vec3& c, int depth) {
           if (depth == 0) {
-            const auto place = [&](const Vec3& way) {
-              return Vec3(center + radius(way) * way);
-            };
+            const auto place = [&](const Vec3& way) { return Vec3(center + radius(way) * way); };
             add_polygon({place(a), place(b), place(c)});
             return;
           }

@@ -14,8 +14,8 @@ radiosity::PatchMesh box_in_box(long n_cells);
 /// quads. m.
 radiosity::PatchMesh street_canyon(long n_facets);
 
-/// Two turned boxes in a room, `n_patches` quads and triangles or, if 0, each polygon as it is; with
-/// coordinates of so many significant digits. m.
+/// Two turned boxes in a room, `n_patches` quads and triangles or, if 0, each polygon as it is;
+/// with coordinates of so many significant digits. m.
 radiosity::PatchMesh turned_boxes(long n_patches, int digits);
 
 /// 80 separate turned boxes in a room, about `n_patches` patches. m.

@@ -57,8 +57,8 @@ void print_row(std::string_view name, const Findings& f, double seconds) {
       "{:>8.1e} {:>8.1e} {:>7.1f}\n",
       name, f.n_scenes - f.n_refused, f.n_patches, f.n_visible,
       f.n_wrong_visible + f.n_wrong_values, f.n_hidden, f.n_wrong_hidden, f.n_cluster_verdicts,
-      f.n_wrong_clusters, f.n_factors, f.n_wrong_factors, f.n_closed, f.n_not_closed,
-      f.n_open_rows, f.worst_row_sum, f.escaped, seconds);
+      f.n_wrong_clusters, f.n_factors, f.n_wrong_factors, f.n_closed, f.n_not_closed, f.n_open_rows,
+      f.worst_row_sum, f.escaped, seconds);
 }
 
 double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }

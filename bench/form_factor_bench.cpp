@@ -3,9 +3,9 @@
 /// with SCENE one of box-in-box (N cells along a wall, a multiple of 2: 15 N² triangles), canyon
 /// (about N facets) and, of about N patches, cornell-box, furnished-room, turned-boxes (or
 /// turned-boxes-9 for coordinates of 9 digits), many-boxes, spheres, bumpy-mesh, room, two-rooms,
-/// plates-8 (any number of sides) and cluttered-room-1 (any seed). A reference tolerance of 0 leaves
-/// the comparison out. `form_factor_bench cluttered-rooms N [TOLERANCE [REFERENCE_TOLERANCE]]`
-/// sums up 30 cluttered rooms. Set the number of threads with taskset.
+/// plates-8 (any number of sides) and cluttered-room-1 (any seed). A reference tolerance of 0
+/// leaves the comparison out. `form_factor_bench cluttered-rooms N [TOLERANCE
+/// [REFERENCE_TOLERANCE]]` sums up 30 cluttered rooms. Set the number of threads with taskset.
 
 #include <fmt/format.h>
 
@@ -211,7 +211,6 @@ int main(int argc, char** argv) {
     run_cluttered_rooms(n, tolerance, reference_tolerance > 0 ? reference_tolerance : 1e-5);
     return 0;
   }
-  run(name, n, tolerance, reference_tolerance,
-      argc > 5 ? std::strtoull(argv[5], nullptr, 10) : 0);
+  run(name, n, tolerance, reference_tolerance, argc > 5 ? std::strtoull(argv[5], nullptr, 10) : 0);
   return 0;
 }

@@ -37,10 +37,11 @@ int main(int argc, char** argv) {
   std::vector<std::string> formats(arguments.begin() + std::min<std::size_t>(2, arguments.size()),
                                    arguments.end());
   if (formats.empty()) formats = radiosity::test::fuzz_formats();
-  const auto folder = std::filesystem::temp_directory_path() /
-                      ("fuzz_readers_" + std::to_string(getpid()));
+  const auto folder =
+      std::filesystem::temp_directory_path() / ("fuzz_readers_" + std::to_string(getpid()));
   std::filesystem::create_directories(folder);
-  std::cout << "files in " << folder << ", mutants " << first << " to " << first + n - 1 << std::endl;
+  std::cout << "files in " << folder << ", mutants " << first << " to " << first + n - 1
+            << std::endl;
   [[maybe_unused]] const radiosity::test::LeaksAllowed leaks_of_libraries;
   std::size_t n_faults = 0;
   for (const std::string& format : formats) {

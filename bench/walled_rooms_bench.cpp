@@ -94,8 +94,8 @@ bool test_room(std::uint64_t seed, long n_patches) {
     if (errors.back() <= intervals.back() + kRounding) ++n_within;
   }
   const double share = static_cast<double>(n_within) / static_cast<double>(mesh.size());
-  fmt::print("{:5} {:8.1e} {:6} {:8.2e} {:6} {:8} {:8.1e} {:8.1f} {:10.2e} {:10.2e} {:8.1f}\n", seed,
-             room.scene.precision, dark.n_patches, dark.brightest, mesh.size(), crossed,
+  fmt::print("{:5} {:8.1e} {:6} {:8.2e} {:6} {:8} {:8.1e} {:8.1f} {:10.2e} {:10.2e} {:8.1f}\n",
+             seed, room.scene.precision, dark.n_patches, dark.brightest, mesh.size(), crossed,
              sharpest(mesh), 100 * share, median(errors), median(intervals), seconds);
   std::fflush(stdout);
   return dark.brightest == 0 && share >= kCoverage;
@@ -109,8 +109,8 @@ int main(int argc, char** argv) {
   const int first = argc > 2 ? std::atoi(argv[2]) : 1;
   const long n_patches = argc > 3 ? std::atol(argv[3]) : 700;
   fmt::print("{:>5} {:>8} {:>6} {:>8} {:>6} {:>8} {:>8} {:>8} {:>10} {:>10} {:>8}\n", "seed",
-             "digits/m", "inside", "light", "n", "crossed", "sine", "within/%", "|error|", "2 sigma",
-             "s");
+             "digits/m", "inside", "light", "n", "crossed", "sine", "within/%", "|error|",
+             "2 sigma", "s");
   int n_good = 0;
   for (int i = 0; i < n_rooms; ++i) n_good += test_room(first + i, n_patches) ? 1 : 0;
   fmt::print("{} of {} rooms are good\n", n_good, n_rooms);

@@ -31,9 +31,9 @@ void write_stream_atomically(const std::filesystem::path& path,
     if (stream) write_to(stream);
     stream.close();  // the last bytes may meet the full disk only here
     if (!stream) {
-      throw radiosity::OutputError(fmt::format("{}: cannot write: {}", path.string(),
-                                               errno != 0 ? std::strerror(errno)
-                                                          : "unknown error"));
+      throw radiosity::OutputError(
+          fmt::format("{}: cannot write: {}", path.string(),
+                      errno != 0 ? std::strerror(errno) : "unknown error"));
     }
   });
 }

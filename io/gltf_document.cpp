@@ -261,8 +261,7 @@ std::string_view GltfDocument::buffer(const JsonItem& index) {
 }
 
 std::string_view GltfDocument::load_buffer(const JsonItem& buffer, std::size_t index) {
-  const auto length =
-      static_cast<std::uint64_t>(gltf_integer(buffer.at("byteLength"), 1LL << 40));
+  const auto length = static_cast<std::uint64_t>(gltf_integer(buffer.at("byteLength"), 1LL << 40));
   std::string_view bytes;
   if (const auto uri = buffer.find("uri")) {
     const std::string text = uri->text();
@@ -278,7 +277,8 @@ std::string_view GltfDocument::load_buffer(const JsonItem& buffer, std::size_t i
       bytes = load_file(*uri);
     }
   } else {
-    if (index > 0 || !binary_chunk_) buffer.fail("has no \"uri\", and the file has no binary chunk");
+    if (index > 0 || !binary_chunk_)
+      buffer.fail("has no \"uri\", and the file has no binary chunk");
     bytes = *binary_chunk_;
   }
   if (bytes.size() < length) {
@@ -349,8 +349,8 @@ GltfValues GltfDocument::values(const JsonItem& accessor, std::string_view type)
   const auto sparse = accessor.find("sparse");
   if (!view_index && !sparse) accessor.fail("has no \"bufferView\": compressed or missing data");
   if (!view_index && result.count > kMostZeros) {
-    accessor.fail(fmt::format("has {} values and no buffer view, expected at most {}",
-                              result.count, kMostZeros));
+    accessor.fail(fmt::format("has {} values and no buffer view, expected at most {}", result.count,
+                              kMostZeros));
   }
   const auto allocate = [&] {
     result.values.resize(static_cast<std::size_t>(result.count * result.n_components));
@@ -358,8 +358,8 @@ GltfValues GltfDocument::values(const JsonItem& accessor, std::string_view type)
   if (view_index) {
     const View found = view(*view_index);
     const std::int64_t stride = found.stride > 0 ? found.stride : size;
-    const char* bytes = checked_start(accessor, found.bytes, offset_of(accessor), stride,
-                                      result.count, size);
+    const char* bytes =
+        checked_start(accessor, found.bytes, offset_of(accessor), stride, result.count, size);
     allocate();
     for (std::int64_t i = 0; i < result.count; ++i) {
       read_value(bytes + i * stride, result.values.data() + i * result.n_components);
@@ -377,8 +377,7 @@ GltfValues GltfDocument::values(const JsonItem& accessor, std::string_view type)
   const View value_view = view(given.at("bufferView"));
   const char* index_bytes = checked_start(indices, index_view.bytes, offset_of(indices),
                                           index_type.size, n, index_type.size);
-  const char* value_bytes =
-      checked_start(given, value_view.bytes, offset_of(given), size, n, size);
+  const char* value_bytes = checked_start(given, value_view.bytes, offset_of(given), size, n, size);
   for (std::int64_t i = 0; i < n; ++i) {
     const double at = component(index_bytes + i * index_type.size, index_type);
     if (!(at >= 0 && at < static_cast<double>(result.count))) {

@@ -94,8 +94,8 @@ Eigen::Vector3d base_color(const JsonItem& material) {
 Eigen::Vector3d radiance(const JsonItem& material) {
   const auto factor = material.find("emissiveFactor");
   if (!factor) return Eigen::Vector3d::Zero();
-  const auto strength = find_inside(
-      material, {"extensions", "KHR_materials_emissive_strength", "emissiveStrength"});
+  const auto strength =
+      find_inside(material, {"extensions", "KHR_materials_emissive_strength", "emissiveStrength"});
   return (strength ? strength->number() : 1.0) * color(*factor);
 }
 
@@ -159,7 +159,8 @@ class GltfReader {
       const std::string name = (*required)[i].text();
       if (std::find(kKnownExtensions.begin(), kKnownExtensions.end(), name) ==
           kKnownExtensions.end()) {
-        fail(path_, fmt::format("requires the extension {}, which is not supported", in_quotes(name)));
+        fail(path_,
+             fmt::format("requires the extension {}, which is not supported", in_quotes(name)));
       }
     }
   }
@@ -192,7 +193,8 @@ class GltfReader {
 
   [[nodiscard]] InstanceAccessors instances(const JsonItem& node) const {
     InstanceAccessors result;
-    const auto attributes = find_inside(node, {"extensions", "EXT_mesh_gpu_instancing", "attributes"});
+    const auto attributes =
+        find_inside(node, {"extensions", "EXT_mesh_gpu_instancing", "attributes"});
     if (!attributes) return result;
     std::optional<std::int64_t> count;
     const auto accessor = [&](std::string_view key) -> std::optional<JsonItem> {
@@ -239,7 +241,8 @@ class GltfReader {
 
   /// Refuses, before anything is made, what a small file multiplies beyond measure.
   void check_size(const GltfTree& tree) const {
-    std::map<std::size_t, MeshSize> sizes;  // each mesh is looked at once, however many nodes use it
+    std::map<std::size_t, MeshSize>
+        sizes;  // each mesh is looked at once, however many nodes use it
     double n_vertices = 0;
     double n_triangles = 0;
     double n_instances = 0;  // of meshes or, where these have several, primitives
@@ -322,7 +325,8 @@ class GltfReader {
                      const std::vector<Eigen::Affine3d>& transforms) {
     const std::int64_t drawn_as = mode(primitive);
     if (!TriangleList::is_known(drawn_as)) {
-      skipped_.add(path_.string(), fmt::format("surface {} has points or lines", in_quotes(object)));
+      skipped_.add(path_.string(),
+                   fmt::format("surface {} has points or lines", in_quotes(object)));
       return;
     }
     const auto position = primitive.at("attributes").find("POSITION");
@@ -375,8 +379,8 @@ class GltfReader {
                                                       : static_cast<double>(corners[k]));
       }
       // Strips are joined by triangles without area, which are none.
-      const bool is_joint = triangle[0] == triangle[1] || triangle[1] == triangle[2] ||
-                            triangle[2] == triangle[0];
+      const bool is_joint =
+          triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0];
       if (drawn_as == TriangleList::kStrip && is_joint) continue;
       result.insert(result.end(), triangle.begin(), triangle.end());
     }
@@ -399,9 +403,8 @@ class GltfReader {
     // A mirroring transform reverses the sense of a triangle's corners (glTF 2.0, 3.7.4).
     const bool is_mirrored = transform.linear().determinant() < 0;
     for (std::size_t c = 0; c < corners.size(); c += 3) {
-      std::array<std::int32_t, 3> triangle = {first_vertex + corners[c],
-                                              first_vertex + corners[c + 1],
-                                              first_vertex + corners[c + 2]};
+      std::array<std::int32_t, 3> triangle = {
+          first_vertex + corners[c], first_vertex + corners[c + 1], first_vertex + corners[c + 2]};
       if (is_mirrored) std::swap(triangle[0], triangle[2]);
       scene_.add_polygon(triangle, surface);
     }

@@ -107,9 +107,8 @@ class JsonCheck : public Json::json_sax_t {
 /// Whether it can be an object, behind a byte order mark, perhaps. What the parser's message has
 /// read last is, in another kind of file, not ours to tell.
 bool begins_object(std::string_view text) {
-  const auto first = std::find_if(text.begin(), text.end(), [](unsigned char c) {
-    return c < 0x80 && std::isspace(c) == 0;
-  });
+  const auto first = std::find_if(text.begin(), text.end(),
+                                  [](unsigned char c) { return c < 0x80 && std::isspace(c) == 0; });
   return first != text.end() && *first == '{';
 }
 

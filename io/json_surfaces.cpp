@@ -203,9 +203,9 @@ void add_mesh(const JsonItem& item, const Surface& given, const std::filesystem:
   if (lower_extension(file) == ".json") {
     item.at("mesh").fail("is a scene, expected a mesh file: .obj, .off, .ply, .stl, .gltf, .glb");
   }
-  const FileScene read = read_mesh(
-      folder / file, given.material < 0 ? MeshMaterials::wanted : MeshMaterials::not_needed,
-      progress);
+  const FileScene read =
+      read_mesh(folder / file,
+                given.material < 0 ? MeshMaterials::wanted : MeshMaterials::not_needed, progress);
   const Scene& mesh = read.scene;
   scene.files.push_back(folder / file);
   scene.files.insert(scene.files.end(), mesh.files.begin(), mesh.files.end());

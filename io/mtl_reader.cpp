@@ -25,7 +25,7 @@ constexpr std::array<std::string_view, 6> kPictures = {"bump", "disp", "decal",
 /// What `map_Kd -s 1 1 1 wood.png` may mean: names have blanks in them, too. Bounded, or a line of
 /// many words would make as many names as long as itself.
 void add_pictures(const std::filesystem::path& path, Words words, MtlFile& file) {
-  constexpr int kMostWords = 32;         // all options together have fewer
+  constexpr int kMostWords = 32;          // all options together have fewer
   constexpr std::size_t kLongest = 4096;  // that systems open
   for (int k = 0; k < kMostWords && !words.rest().empty(); ++k) {
     if (words.rest().size() <= kLongest) file.pictures.push_back(path.parent_path() / words.rest());

@@ -17,7 +17,7 @@ inline constexpr double kDefaultReflectance = 0.5;
 struct MtlFile {
   std::vector<radiosity::Material> materials;
   std::vector<std::string> warnings;
-  std::vector<std::string> repairs;  ///< see FileScene
+  std::vector<std::string> repairs;             ///< see FileScene
   std::vector<std::filesystem::path> pictures;  ///< that it may mean, which are not read
 };
 

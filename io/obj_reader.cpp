@@ -169,8 +169,8 @@ class ObjReader {
     scene_.files.insert(scene_.files.end(), file.pictures.begin(), file.pictures.end());
   }
 
-  /// Of a material file that is not needed and may be as bad as it likes: no output may be one of its
-  /// pictures.
+  /// Of a material file that is not needed and may be as bad as it likes: no output may be one of
+  /// its pictures.
   void add_pictures(const std::filesystem::path& library) {
     try {
       const MtlFile file = read_mtl(library, progress_);
@@ -214,7 +214,7 @@ class ObjReader {
   std::string object_;
   int material_ = -1;
   std::string unknown_material_;  // its name if it is not there
-  std::int32_t surface_ = -1;  // of the next face; -1 = to be looked up
+  std::int32_t surface_ = -1;     // of the next face; -1 = to be looked up
   std::vector<std::int32_t> face_;
   std::int64_t largest_forward_ = 0;  // largest vertex number used before that vertex was given
   long largest_forward_line_ = 0;

@@ -30,7 +30,8 @@ Counts read_counts(LineReader& lines) {
   if (!lines.next_content()) lines.fail("file ends before the counts of vertices and faces");
   Words words(lines.line());
   if (const auto first = Words(words).next(); !parse_number<std::int64_t>(first)) {
-    if (!is_header(first)) lines.fail(fmt::format("expected \"OFF\", found {}", lines.shown(first)));
+    if (!is_header(first))
+      lines.fail(fmt::format("expected \"OFF\", found {}", lines.shown(first)));
     lines.recognise();
     words.next();
     if (words.rest() == "BINARY") lines.fail("binary OFF is not supported, expected ascii");
@@ -96,8 +97,8 @@ FileScene read_off(const std::filesystem::path& path, const radiosity::Progress&
   long n_lines = 0;
   while (lines.next_content()) ++n_lines;
   if (n_lines > 0) {
-    result.repairs.push_back(fmt::format("{}: {} more lines after the last face are ignored",
-                                         path.string(), n_lines));
+    result.repairs.push_back(
+        fmt::format("{}: {} more lines after the last face are ignored", path.string(), n_lines));
   }
   return result;
 }

@@ -40,7 +40,7 @@ fs::path without_links(fs::path path) {
 }
 
 std::optional<struct stat> status_of(const fs::path& path) {
-  struct stat status{};
+  struct stat status {};
   if (::stat(path.c_str(), &status) != 0) return std::nullopt;
   return status;
 }

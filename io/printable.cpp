@@ -8,9 +8,9 @@
 namespace io {
 namespace {
 
-constexpr std::size_t kLongestWord = 240;    // bytes; paths are seldom longer
-constexpr std::size_t kLongestText = 2000;   // bytes
-constexpr std::size_t kLongestQuoted = 40;   // bytes
+constexpr std::size_t kLongestWord = 240;   // bytes; paths are seldom longer
+constexpr std::size_t kLongestText = 2000;  // bytes
+constexpr std::size_t kLongestQuoted = 40;  // bytes
 constexpr std::string_view kGap = "...";
 
 /// A character of UTF-8: its code and its length in bytes; 0 bytes if it is none.

@@ -142,7 +142,8 @@ Rounding single_rounding(std::span<const Vec3> points, double quantised) {
 std::optional<std::string> rounding_warning(const Rounding& rounding) {
   if (rounding.of_digits <= 10 * rounding.precision) return std::nullopt;
   return fmt::format(
-      "the coordinates are rounded to {:.1g} of their unit, which is coarse for the size of what they "
+      "the coordinates are rounded to {:.1g} of their unit, which is coarse for the size of what "
+      "they "
       "describe; move it to the origin before its digits are cut",
       rounding.of_digits);
 }

@@ -27,8 +27,8 @@ std::vector<std::string_view> cells(std::string_view line) {
 std::size_t column_index(LineReader& lines, const std::string& name) {
   const auto names = cells(lines.line());
   if (names.front() != "wavelength_nm") {
-    lines.fail(fmt::format("the first column is {}, expected wavelength_nm",
-                           lines.shown(names.front())));
+    lines.fail(
+        fmt::format("the first column is {}, expected wavelength_nm", lines.shown(names.front())));
   }
   lines.recognise();
   const auto found = std::find(names.begin() + 1, names.end(), name);

@@ -4,7 +4,6 @@
 
 #include "io/file_scene.h"
 #include "radiosity/progress.h"
-#include "io/file_scene.h"
 
 namespace io {
 

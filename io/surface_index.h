@@ -22,8 +22,7 @@ class SurfaceIndex {
   /// The surface of object `object` (empty: none) with `material`, an index into scene.materials
   /// or -1 for none; `wanted` is then the name of a material that is not there, if any. Makes it
   /// if it is new.
-  std::int32_t find_or_add(const std::string& object, int material,
-                           const std::string& wanted = {});
+  std::int32_t find_or_add(const std::string& object, int material, const std::string& wanted = {});
 
   /// `wanted`, or if that is taken `wanted-2`, `wanted-3`...
   [[nodiscard]] std::string unused_name(const std::string& wanted);

@@ -41,20 +41,20 @@ bool lock_new(int descriptor) {
   // Some file systems have no locks: others can then not lock it either, and leave it alone.
   while (::flock(descriptor, LOCK_EX) != 0 && errno == EINTR) {
   }
-  struct stat status{};
+  struct stat status {};
   return ::fstat(descriptor, &status) == 0 && status.st_nlink > 0;
 }
 
 void remove_if_stale(const fs::path& path) {
   const int descriptor = ::open(path.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
   if (descriptor < 0) return;
-  struct stat status{};
-  const bool is_ours = ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) &&
-                       status.st_uid == ::geteuid();
+  struct stat status {};
+  const bool is_ours =
+      ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) && status.st_uid == ::geteuid();
   if (is_ours && ::flock(descriptor, LOCK_EX | LOCK_NB) == 0) {
     // Whoever held the lock may have put the file in place since, and another may have made one of
     // this name.
-    struct stat named{};
+    struct stat named {};
     if (::lstat(path.c_str(), &named) == 0 && named.st_ino == status.st_ino &&
         named.st_dev == status.st_dev) {
       ::unlink(path.c_str());
@@ -91,7 +91,7 @@ void TemporaryFile::put_in_place(const fs::path& target) {
   const auto fail = [&](const char* what) {
     throw OutputError(fmt::format("{}: {}: {}", shown_.string(), what, std::strerror(errno)));
   };
-  struct stat replaced{};
+  struct stat replaced {};
   if (::stat(target.c_str(), &replaced) == 0) {
     constexpr mode_t kPermissions = S_IRWXU | S_IRWXG | S_IRWXO;
     (void)::fchmod(descriptor_, replaced.st_mode & kPermissions);

@@ -82,8 +82,8 @@ vtkSmartPointer<vtkAbstractArray> make_texts(const VtpArray& values) {
 }
 
 vtkSmartPointer<vtkDataArray> make_numbers(const VtpArray& values) {
-  auto array = vtkSmartPointer<vtkDataArray>::Take(
-      vtkDataArray::CreateDataArray(vtk_type(values.type)));
+  auto array =
+      vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(vtk_type(values.type)));
   const std::size_t n_values = values.bytes.size() / vtp_type_size(values.type);
   array->SetNumberOfComponents(static_cast<int>(values.n_components));
   array->SetNumberOfTuples(static_cast<vtkIdType>(n_values / values.n_components));

@@ -164,8 +164,7 @@ bool is_known_compressor(std::string_view name) {
 }
 
 std::optional<std::string> read_vtp_data(const VtpSource& source, const VtpEncoding& encoding,
-                                         std::optional<std::uint64_t> n_bytes,
-                                         std::uint64_t most) {
+                                         std::optional<std::uint64_t> n_bytes, std::uint64_t most) {
   if (!encoding.compressor.empty()) return read_compressed(source, encoding, n_bytes, most);
   const auto size = read_word(source, encoding);
   if (!size || !is_allowed(*size, n_bytes, most)) return std::nullopt;

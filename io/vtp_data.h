@@ -12,8 +12,8 @@ namespace io {
 /// How a VTK XML file stores the values of its arrays.
 struct VtpEncoding {
   std::endian order = std::endian::little;
-  std::size_t word = 4;       ///< bytes of each length that stands before values, 4 or 8
-  std::string compressor{};   ///< VTK's class; empty = not compressed
+  std::size_t word = 4;      ///< bytes of each length that stands before values, 4 or 8
+  std::string compressor{};  ///< VTK's class; empty = not compressed
 };
 
 /// Takes the next bytes of where values are stored; false if they are not there.

@@ -57,8 +57,7 @@ bool append_text(std::string_view word, const std::string& type, std::string& by
   if (type == "UInt32") return append_number<std::uint32_t>(word, bytes);
   if (type == "Int64") return append_number<std::int64_t>(word, bytes);
   if (type == "UInt64") return append_number<std::uint64_t>(word, bytes);
-  return type == "Float32" ? append_number<float>(word, bytes)
-                           : append_number<double>(word, bytes);
+  return type == "Float32" ? append_number<float>(word, bytes) : append_number<double>(word, bytes);
 }
 
 void swap_bytes(std::string& bytes, std::size_t size) {

@@ -195,8 +195,7 @@ void Cleaner::find_non_manifold(std::vector<std::string>& repairs) const {
     if (meeting.empty() || n_edges++ > 0) continue;
     first = std::to_string(meeting.size()) + " at the edge from " +
             place(polygons_.vertices[edges.ends[e][0]]) + " to " +
-            place(polygons_.vertices[edges.ends[e][1]]) + " of " +
-            polygon_name(scene_, meeting[0]);
+            place(polygons_.vertices[edges.ends[e][1]]) + " of " + polygon_name(scene_, meeting[0]);
   }
   if (n_edges == 0) return;
   repairs.push_back(source_prefix(scene_) + "more than two polygons of one surface meet at " +

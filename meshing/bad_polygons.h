@@ -16,11 +16,11 @@ struct CleanScene {
 };
 
 /// Leaves out polygons that enclose no area (fewer than three distinct corners, or all on one
-/// line), whose outline crosses itself or has more than 10,000 corners, or that are the same as another one, on the same side: of
-/// those one stays, which emits if any does. Keeps those that repeat a corner, which then counts
-/// once, and edges at which more than two polygons of one one-sided surface meet. The polygons
-/// that stay keep their order, and all surfaces, vertices and materials stay. Vertices must be
-/// finite.
+/// line), whose outline crosses itself or has more than 10,000 corners, or that are the same as
+/// another one, on the same side: of those one stays, which emits if any does. Keeps those that
+/// repeat a corner, which then counts once, and edges at which more than two polygons of one
+/// one-sided surface meet. The polygons that stay keep their order, and all surfaces, vertices and
+/// materials stay. Vertices must be finite.
 CleanScene leave_out_bad_polygons(radiosity::Scene scene);
 
 }  // namespace meshing

@@ -7,9 +7,9 @@
 #include <unordered_map>
 #include <utility>
 
-#include "radiosity/box_tree.h"
 #include "meshing/halfedge.h"
 #include "meshing/triangulate.h"
+#include "radiosity/box_tree.h"
 
 namespace meshing {
 namespace {
@@ -99,7 +99,7 @@ class ContactCutter {
   std::vector<std::vector<std::int32_t>> cells_at_;  // per vertex
   std::vector<std::vector<std::int32_t>> cells_of_;  // per patch; of the front of two
   std::unordered_map<Edge, std::vector<std::int32_t>, EdgeHash> cells_on_;
-  std::optional<BoxTree> tree_;          // of patches that may be cut
+  std::optional<BoxTree> tree_;           // of patches that may be cut
   std::vector<std::int32_t> tree_patch_;  // what its boxes belong to
   double tolerance_;
 };

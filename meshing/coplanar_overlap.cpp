@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "radiosity/box_tree.h"
 #include "meshing/findings.h"
 #include "meshing/text.h"
 #include "meshing/triangulate.h"
+#include "radiosity/box_tree.h"
 
 namespace meshing {
 namespace {
@@ -164,15 +164,16 @@ double OverlapFinder::relative_overlap(Index a, Index b) const {
   return common * frame.unit() * frame.unit() / smaller;
 }
 
-/// What the smaller polygon may overlap the other along its edges for the sake of rounding, relative
-/// to its area.
+/// What the smaller polygon may overlap the other along its edges for the sake of rounding,
+/// relative to its area.
 double OverlapFinder::least_overlap(Index a, Index b) const {
   const PolygonShape& shape_a = examined_.shapes[a];
   const PolygonShape& shape_b = examined_.shapes[b];
   const PolygonShape& smaller =
       shape_a.vector_area.norm() < shape_b.vector_area.norm() ? shape_a : shape_b;
   constexpr double kSides = 2;  // of the length of its extent at most, in a convex polygon
-  return std::max(kOverlap, kSides * smaller.extent * examined_.thickness / smaller.vector_area.norm());
+  return std::max(kOverlap,
+                  kSides * smaller.extent * examined_.thickness / smaller.vector_area.norm());
 }
 
 void OverlapFinder::report(Index a, Index b, double overlap) {

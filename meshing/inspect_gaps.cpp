@@ -3,9 +3,9 @@
 #include <set>
 #include <utility>
 
-#include "radiosity/box_tree.h"
 #include "meshing/findings.h"
 #include "meshing/text.h"
+#include "radiosity/box_tree.h"
 
 namespace meshing {
 namespace {
@@ -127,7 +127,8 @@ void GapFinder::compare_ends(std::int32_t vertex, std::int32_t end, std::int32_t
   const Vec3& p = examined_.polygons.vertices[vertex];
   const double distance = (p - examined_.polygons.vertices[end]).norm();
   const double limit = std::min(boundary_.shortest_at[vertex], boundary_.shortest_at[end]);
-  if (distance <= examined_.thickness || distance > kAlmostMeet * examined_.size || distance > kNarrow * limit) {
+  if (distance <= examined_.thickness || distance > kAlmostMeet * examined_.size ||
+      distance > kNarrow * limit) {
     return;
   }
   const bool is_rounding = distance < kSamePlace * examined_.size;

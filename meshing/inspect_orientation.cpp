@@ -3,9 +3,9 @@
 #include <optional>
 #include <utility>
 
-#include "radiosity/box_tree.h"
 #include "meshing/findings.h"
 #include "meshing/text.h"
+#include "radiosity/box_tree.h"
 
 namespace meshing {
 namespace {

@@ -38,8 +38,8 @@ struct PatchChoice {
 /// The options for what was chosen. Without a choice there are kDefaultPatches, or
 /// kDefaultBeyondPolygons more than there are polygons: where these are many, the large ones shall
 /// show the shadows of the small ones, but from kDefaultPatches polygons on no edge below twice the
-/// usual length (the median of the polygons' longest edges) is divided. With `adaptive` there are no
-/// more than kDefaultPatches, since refinement makes its own.
+/// usual length (the median of the polygons' longest edges) is divided. With `adaptive` there are
+/// no more than kDefaultPatches, since refinement makes its own.
 PatchOptions make_patch_options(const PatchChoice& choice, const radiosity::Scene& scene,
                                 const radiosity::Progress& progress = {});
 
@@ -50,9 +50,10 @@ inline constexpr double kPlanarQuad = 1e-6;
 
 /// Subdivides the scene's polygons into well-shaped patches: quads stay quads, triangles are split
 /// without slivers, an edge shared by two polygons (same vertex positions) is divided alike on both
-/// sides. What `crossed_patches` finds in the result could not be cut. Deterministic. Patches come in
-/// the order of their polygons. Throws MeshError naming surface and polygon for zero-area polygons
-/// and polygons that cross themselves (leave_out_bad_polygons() makes scenes without them).
+/// sides. What `crossed_patches` finds in the result could not be cut. Deterministic. Patches come
+/// in the order of their polygons. Throws MeshError naming surface and polygon for zero-area
+/// polygons and polygons that cross themselves (leave_out_bad_polygons() makes scenes without
+/// them).
 radiosity::PatchMesh make_patches(const radiosity::Scene& scene, const PatchOptions& options = {});
 
 /// One line on the patches that reach to both sides of what stands on them (`crossed_patches`), if

@@ -102,8 +102,8 @@ PolygonShape polygon_shape(std::span<const Vec3> polygon, double precision) {
   } else {
     shape.deviation = polygon_deviation(polygon, shape.vector_area);
     const double planar = std::max(kPlanarQuad * shape.extent, kPolygonPrecisions * precision);
-    shape.kind = shape.deviation > planar ? PolygonKind::non_planar_polygon
-                                          : PolygonKind::planar_polygon;
+    shape.kind =
+        shape.deviation > planar ? PolygonKind::non_planar_polygon : PolygonKind::planar_polygon;
   }
   return shape;
 }

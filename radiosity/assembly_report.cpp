@@ -5,8 +5,8 @@
 namespace radiosity {
 
 AssemblyReport make_report(const Census& census, const Eigen::VectorXd& row_sums,
-                           const std::vector<std::int32_t>& order,
-                           const std::vector<double>& areas, const Eigen::VectorXd& covered) {
+                           const std::vector<std::int32_t>& order, const std::vector<double>& areas,
+                           const Eigen::VectorXd& covered) {
   AssemblyReport report;
   report.facing = census.facing;
   report.visible = census.visible;

@@ -8,8 +8,8 @@ namespace radiosity {
 /// The report of finished tiles: census, row sums and how far they are from 1. `row_sums` are
 /// Σ_j G_ij, m², by row; `areas` those of the patches, m²; `covered` the shares of these that are.
 AssemblyReport make_report(const Census& census, const Eigen::VectorXd& row_sums,
-                           const std::vector<std::int32_t>& order,
-                           const std::vector<double>& areas, const Eigen::VectorXd& covered);
+                           const std::vector<std::int32_t>& order, const std::vector<double>& areas,
+                           const Eigen::VectorXd& covered);
 
 /// Adds what of the power that reaches no front meets backs, and how many of `open_rows`, of the
 /// rows, miss more than that. `row_sums` are Σ_j G_ij after any correction, m², by row.

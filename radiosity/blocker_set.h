@@ -33,7 +33,6 @@ struct BlockerSet {
   }
 };
 
-
 /// The patches of a mesh as blockers. One-sided pieces of surface that bound a convex body become
 /// one blocker, as do those that lack only a face in a plane with the whole scene on one side, such
 /// as a box on the floor: nothing sees in through there. The others become convex polygons.

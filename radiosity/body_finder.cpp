@@ -114,9 +114,8 @@ class BodyFinder {
     const HalfSpace plane{normal, offset};
     if (normal.squaredNorm() == 0 || !is_in(plane, rim)) return false;
     const bool is_outer =
-        std::all_of(mesh_.vertices.begin(), mesh_.vertices.end(), [&](const Vec3& vertex) {
-          return normal.dot(vertex) <= offset + thickness_;
-        });
+        std::all_of(mesh_.vertices.begin(), mesh_.vertices.end(),
+                    [&](const Vec3& vertex) { return normal.dot(vertex) <= offset + thickness_; });
     if (!is_outer) return false;
     cap_ = static_cast<int>(body_.faces.size());
     body_.faces.push_back(plane);

@@ -6,8 +6,7 @@
 
 namespace radiosity {
 
-BoxTree::BoxTree(std::vector<Box3> boxes)
-    : boxes_(std::move(boxes)), order_(boxes_.size()) {
+BoxTree::BoxTree(std::vector<Box3> boxes) : boxes_(std::move(boxes)), order_(boxes_.size()) {
   std::iota(order_.begin(), order_.end(), 0);
   if (!order_.empty()) build(0, static_cast<std::int32_t>(order_.size()));
 }

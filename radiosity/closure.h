@@ -22,7 +22,7 @@ class UncertainExchange : public AdjustableExchange {
 /// What the closure correction did.
 struct ClosureCorrection {
   std::vector<Index> open_rows;  ///< rows too far from closed to be an error; left as they are
-  RowSums sums;           ///< wanted are the areas; the mask is 0 in open rows
+  RowSums sums;                  ///< wanted are the areas; the mask is 0 in open rows
 };
 
 /// Whether every row sum equals its area (m²) within what the entries' errors explain and the

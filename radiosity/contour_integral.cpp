@@ -297,10 +297,10 @@ Estimate contour_exchange_area_adaptive(std::span<const Vec3> polygon1,
                                         std::span<const Vec3> polygon2, double tolerance) {
   const double per_pair =
       tolerance / static_cast<double>(polygon1.size() * polygon2.size()) * 2 * kPi;
-  return sum_over_edges(
-      polygon1, polygon2, [per_pair](const Edge& e1, const Edge& e2, double) -> Estimate {
-        return integrate_adaptively(e1, e2, per_pair);
-      });
+  return sum_over_edges(polygon1, polygon2,
+                        [per_pair](const Edge& e1, const Edge& e2, double) -> Estimate {
+                          return integrate_adaptively(e1, e2, per_pair);
+                        });
 }
 
 }  // namespace radiosity

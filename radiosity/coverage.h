@@ -21,9 +21,9 @@ struct Coverage {
   [[nodiscard]] bool is_covered(std::int32_t patch) const { return share[patch] >= 1; }
 };
 
-/// Finds what is covered. Solids are closed outward-facing pieces of surface, and convex bodies that
-/// stand on a plane which has the whole mesh on one side and lack only the face there. What a solid
-/// turns towards the wall of the closed room that it stands in is covered, too. `thickness`
+/// Finds what is covered. Solids are closed outward-facing pieces of surface, and convex bodies
+/// that stand on a plane which has the whole mesh on one side and lack only the face there. What a
+/// solid turns towards the wall of the closed room that it stands in is covered, too. `thickness`
 /// is how far off a plane points may be and still count as on it, m.
 Coverage find_coverage(const PatchMesh& mesh, double thickness);
 

@@ -28,9 +28,9 @@ constexpr double kKernelShare = 1e-4;
 /// Up to this many patches it is exact: time is no matter there.
 constexpr Index kExactPatches = 512;
 constexpr double kExactTolerance = 1e-11;
-/// Pairs that are tried, from so many patches on, so many for each and at most, to find what errors they may have; what the sum
-/// of standard errors then aims at, in tolerances: the sum of true errors is some 0.8 of it; and by
-/// how much a pair's may change.
+/// Pairs that are tried, from so many patches on, so many for each and at most, to find what errors
+/// they may have; what the sum of standard errors then aims at, in tolerances: the sum of true
+/// errors is some 0.8 of it; and by how much a pair's may change.
 constexpr std::int32_t kFewestTried = 256;
 constexpr Index kTriedOfPatch = 3;
 constexpr Index kMostTried = 8192;
@@ -472,9 +472,9 @@ class Assembler {
         const auto unoccluded = [&] {
           return exchange_area(part_i.points(), part_j.points(), table_.tolerance());
         };
-        const PairEstimate estimate = work.estimator.estimate(
-            {part_i, table_.plane(i), part_j, table_.plane(j), i, j}, work.blockers,
-            unoccluded, ++seed);
+        const PairEstimate estimate =
+            work.estimator.estimate({part_i, table_.plane(i), part_j, table_.plane(j), i, j},
+                                    work.blockers, unoccluded, ++seed);
         sum.value += estimate.value;
         sum.rays += estimate.rays;
         sum.is_partial |= estimate.is_partial;
@@ -495,7 +495,7 @@ class Assembler {
   ClusterTree tree_;
   BlockerSet blockers_;
   const Coverage& coverage_;
-  std::vector<std::int32_t> region_;             // per patch
+  std::vector<std::int32_t> region_;  // per patch
   std::vector<std::int32_t> region_of_cluster_;
   std::vector<std::int32_t> strips_;            // clusters
   std::vector<std::int32_t> strip_of_cluster_;  // per cluster, or -1
@@ -508,8 +508,7 @@ class Assembler {
 }  // namespace
 
 void assemble_tiles(const PatchMesh& mesh, const Visibility& visibility,
-                    const TransportOptions& options, const Coverage& coverage,
-                    TileSink& sink) {
+                    const TransportOptions& options, const Coverage& coverage, TileSink& sink) {
   Assembler(mesh, visibility, options, coverage).run(sink);
 }
 

@@ -241,8 +241,8 @@ void GroupGather::add_partial(const Target& target, const Source& source) {
     n_shadows_ = n_common;
     bool is_hidden = false;
     for (const std::int32_t k : point_by_point_) {
-      const Blocking blocking = add_point_shadow(scene_.blockers.blocker(k), point.position, part.points(),
-                                                 scene_.thickness, next_shadow());
+      const Blocking blocking = add_point_shadow(scene_.blockers.blocker(k), point.position,
+                                                 part.points(), scene_.thickness, next_shadow());
       is_hidden |= blocking == Blocking::all;
       if (blocking == Blocking::some) ++n_shadows_;
     }

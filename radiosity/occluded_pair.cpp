@@ -24,8 +24,9 @@ constexpr std::size_t kMostQuarterings = 7;
 
 // The cost model. With n samples the error of a pair of exchange area G falls like G n^-p, so that
 // the sum of all errors is least for a given cost if each pair's error is in proportion to
-// G^(1 / (1 + p)); p = ⅔ for quasi-random rays, which give 3/5. Were all pairs partly hidden and all
-// of one size, each might have the tolerance as its relative error; few are, so that more will do.
+// G^(1 / (1 + p)); p = ⅔ for quasi-random rays, which give 3/5. Were all pairs partly hidden and
+// all of one size, each might have the tolerance as its relative error; few are, so that more will
+// do.
 
 constexpr double kErrorPower = 2.0 / 5;
 /// Form factor that a pair may be off by, in tolerances: a few such may meet in a row.
@@ -77,8 +78,8 @@ constexpr double kChanceError = 0.1;
 constexpr double kMissed = 0.5;
 /// The same of what their rule misses of the unobstructed kernel.
 constexpr double kPeakError = 0.3;
-/// The standard error of what happens between the twenty points of a piece and its quarters, such as
-/// a strip along its border from which alone the target is seen, as a share of all.
+/// The standard error of what happens between the twenty points of a piece and its quarters, such
+/// as a strip along its border from which alone the target is seen, as a share of all.
 constexpr double kUnseen = 0.005;
 /// Points for a pair at most: what does not settle by then has the error that it has.
 constexpr int kMostPoints = 300;
@@ -131,8 +132,7 @@ class PairHull {
     int n_beyond = 0;
     for (int k = 0; k < kPlanes; ++k) {
       const double center = x_[k] * x + y_[k] * y + z_[k] * z;
-      const double reach =
-          std::abs(x_[k]) * wide + std::abs(y_[k]) * deep + std::abs(z_[k]) * high;
+      const double reach = std::abs(x_[k]) * wide + std::abs(y_[k]) * deep + std::abs(z_[k]) * high;
       n_beyond += center - reach >= 2 * offset_[k] ? 1 : 0;
     }
     return n_beyond > 0;
@@ -378,8 +378,7 @@ Blocking OccludedPairEstimator::find_shadows(const ConvexPolygon& source,
     if (verdict.divides_source != nullptr) level.dividing.push_back(n_kept);
     if (level.source_divider == nullptr) level.source_divider = verdict.divides_source;
     if (level.target_divider == nullptr) level.target_divider = verdict.divides_target;
-    const bool stands_on_source =
-        candidate->box.exteriorDistance(source_box) <= options_.thickness;
+    const bool stands_on_source = candidate->box.exteriorDistance(source_box) <= options_.thickness;
     if (stands_on_source && level.border == nullptr) level.border = verdict.divides_source;
   }
   return level.blockers.empty() ? Blocking::none : Blocking::some;
@@ -517,8 +516,7 @@ OccludedPairEstimator::PointSums OccludedPairEstimator::apply_rule(const View& v
   for_each_quadrature_point(piece.points(), kOrder, [&](const Vec3& point, double weight) {
     const std::size_t corner = kCornerOfPoint[n_points++ % 4];
     --points_left_;
-    const double whole =
-        facing_point_to_polygon(point, view.source_normal, view.target->points());
+    const double whole = facing_point_to_polygon(point, view.source_normal, view.target->points());
     if (!(whole > 0)) return;  // in the target's plane but for rounding
     const double visible = visible_from(point, whole);
     sums.whole += weight * whole;
@@ -570,7 +568,8 @@ void OccludedPairEstimator::add_parts(const View& view, const ConvexPolygon& pie
   // Where the kernel peaks between the points, what is seen there is not known.
   variance += square(kPeakError * (total.whole - coarse.whole));
   variance += square(kUnseen * total.whole);
-  variance += square(total.whole * missed_share(piece, view.source_normal, levels_[depth].blockers));
+  variance +=
+      square(total.whole * missed_share(piece, view.source_normal, levels_[depth].blockers));
   const bool is_good = coarse.has_quarters && variance <= square(goal);
   if (is_good || depth + 1 >= last_depth || points_left_ <= 0) {
     total.variance += variance + square(kChanceError * goal);

@@ -49,7 +49,7 @@ class OccludedPairEstimator {
   /// What is kept of a pair, and of the parts into which it is divided, at each depth.
   struct Level {
     std::vector<const Blocker*> blockers;
-    std::vector<Shadow> shadows;       ///< of the blockers; empty where it depends on the point
+    std::vector<Shadow> shadows;        ///< of the blockers; empty where it depends on the point
     std::vector<std::size_t> dividing;  ///< blockers with a plane that divides the source
     const HalfSpace* source_divider = nullptr;  ///< a face's plane that cuts the polygon
     const HalfSpace* target_divider = nullptr;
@@ -64,7 +64,7 @@ class OccludedPairEstimator {
     const ConvexPolygon* target;
     Vec3 source_normal;
     double source_area;  ///< m²
-    double distance;  ///< of their middles, m
+    double distance;     ///< of their middles, m
     bool is_near;
   };
   /// Sums over points of the source, per area of the kernel.

@@ -243,7 +243,9 @@ class Merger {
     const Vec3 u = normal.unitOrthogonal();
     const Vec3 v = normal.cross(u);
     const Vec3 origin = mesh_.centroid[group.patches.front()];
-    const auto flatten = [&](const Vec3& p) { return Point2(u.dot(p - origin), v.dot(p - origin)); };
+    const auto flatten = [&](const Vec3& p) {
+      return Point2(u.dot(p - origin), v.dot(p - origin));
+    };
     std::vector<Point2> points;
     std::vector<Vec3> corners;
     std::vector<std::vector<Point2>> outlines;
@@ -337,8 +339,8 @@ class Merger {
       add_occluder(group.outline, group.plane);
       return;
     }
-    const auto [left, right] = halved(patches, group.plane.normal,
-                                      [&](std::int32_t i) { return mesh_.centroid[i]; });
+    const auto [left, right] =
+        halved(patches, group.plane.normal, [&](std::int32_t i) { return mesh_.centroid[i]; });
     merge_patches(left);
     merge_patches(right);
   }

@@ -27,8 +27,7 @@ Vec3 random_point(const PatchMesh& mesh, std::int32_t patch, double choice, doub
   const Vec3& c = mesh.corner(patch, 2);
   const Vec3& b = mesh.corner(patch, 1);
   const bool is_second =
-      mesh.n_corners(patch) == 4 &&
-      choice * mesh.area[patch] > 0.5 * (b - a).cross(c - a).norm();
+      mesh.n_corners(patch) == 4 && choice * mesh.area[patch] > 0.5 * (b - a).cross(c - a).norm();
   const Vec3& p = is_second ? c : b;
   const Vec3& q = is_second ? mesh.corner(patch, 3) : c;
   const double root = std::sqrt(u);
@@ -94,8 +93,8 @@ bool is_enclosed(const PatchMesh& mesh, const Visibility& visibility, double tol
                  std::uint64_t seed) {
   const Coverage coverage = find_coverage(mesh, plane_thickness(mesh));
   std::vector<std::int32_t> asked;
-  const auto step = static_cast<Index>(
-      std::ceil(static_cast<double>(mesh.size()) * kFewestRays / kRays));
+  const auto step =
+      static_cast<Index>(std::ceil(static_cast<double>(mesh.size()) * kFewestRays / kRays));
   for (Index i = 0; i < mesh.size(); i += step) {
     // What is covered in part has rays that start in the dark.
     if (coverage.share[i] == 0) asked.push_back(static_cast<std::int32_t>(i));

@@ -16,7 +16,8 @@ constexpr double kShort = 1e-7;
 /// Bodies within are made smaller by this share, so that nothing is hidden by what is left out.
 constexpr double kMargin = 1e-6;
 
-/// A face under construction: corners, each with the number of the plane that cut the edge after it.
+/// A face under construction: corners, each with the number of the plane that cut the edge after
+/// it.
 struct Corner {
   Vec3 point;
   int edge;

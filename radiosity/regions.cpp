@@ -303,8 +303,7 @@ class RegionFinder {
     const double half = std::sqrt(reach_ * reach_ - least * least) / std::sqrt(squared);
     const double t0 = u.dot(p + std::max(0.0, at - half) * d);
     const double t1 = u.dot(p + std::min(1.0, at + half) * d);
-    const double overlap =
-        std::min(length, std::max(t0, t1)) - std::max(0.0, std::min(t0, t1));
+    const double overlap = std::min(length, std::max(t0, t1)) - std::max(0.0, std::min(t0, t1));
     return overlap > std::max(4 * reach_, kLongTouch * std::min(length, d.norm()));
   }
 

@@ -11,8 +11,9 @@ namespace radiosity {
 /// The region of free space that each patch looks into, n_patches: no straight line leads from a
 /// patch to one of another region, since surfaces that hang together without a gap are between
 /// them. What is closer than `thickness` (m) touches. All 0 if nothing is shut off. Patches
-/// of different numbers are proved not to see each other; equal numbers prove nothing: where patches
-/// pass through each other or lie on each other, the regions on all their sides count as one.
+/// of different numbers are proved not to see each other; equal numbers prove nothing: where
+/// patches pass through each other or lie on each other, the regions on all their sides count as
+/// one.
 ///
 /// About each edge the sides of the patches that meet there are joined to the next one around it,
 /// which gives the connected parts of all regions' borders; a part that is not the outer border of

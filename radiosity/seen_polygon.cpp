@@ -23,16 +23,11 @@ SeenPolygon::SeenPolygon(const Vec3& point, const ConvexPolygon& polygon) {
     const double volume = std::abs(a_.dot(b.cross(c)));
     if (!(lengths > 0) || !(volume > 0)) continue;  // seen edge-on
     // Van Oosterom & Strackee 1983
-    const double angle =
-        2 * std::atan2(volume, 1 + a_.dot(b) + b.dot(c) + c.dot(a_));
+    const double angle = 2 * std::atan2(volume, 1 + a_.dot(b) + b.dot(c) + c.dot(a_));
     const double cosine = normal_b.dot(normal_c) / lengths;
-    triangles_[n_triangles_++] = {b,
-                                  (c - c.dot(a_) * a_).normalized(),
-                                  a_.dot(b),
-                                  cosine,
-                                  volume / lengths,
-                                  solid_angle_,
-                                  angle};
+    triangles_[n_triangles_++] = {
+        b,    (c - c.dot(a_) * a_).normalized(), a_.dot(b), cosine, volume / lengths, solid_angle_,
+        angle};
     solid_angle_ += angle;
   }
 }

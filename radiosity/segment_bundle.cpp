@@ -249,9 +249,9 @@ SegmentBundle::Verdict SegmentBundle::test(const Blocker& blocker, Shadow* shado
   if (!blocker.outer.empty()) {
     if (misses(blocker.outer[0])) return {Blocking::none};
     if (!blocker.inner.empty()) {
-      const bool hides = blocker.is_flat() ? test(blocker.inner[0]).blocking == Blocking::all
-                                           : is_end_outside(blocker.outer[0]) &&
-                                                 is_pierced(blocker.inner[0]);
+      const bool hides = blocker.is_flat()
+                             ? test(blocker.inner[0]).blocking == Blocking::all
+                             : is_end_outside(blocker.outer[0]) && is_pierced(blocker.inner[0]);
       if (hides) return {Blocking::all};
     }
   }

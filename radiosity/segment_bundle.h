@@ -95,8 +95,8 @@ class SegmentBundle {
   [[nodiscard]] bool find_heights(const Blocker& blocker, Heights& heights) const;
   [[nodiscard]] Side side(const Range& height) const;
   [[nodiscard]] bool is_on(const Range& height) const;
-  /// The proofs as seen from one end; `from_source` tells which. The shadow is appended if it is the
-  /// source and nothing else is found.
+  /// The proofs as seen from one end; `from_source` tells which. The shadow is appended if it is
+  /// the source and nothing else is found.
   [[nodiscard]] Outlook look(const Blocker& blocker, const Heights& heights, bool from_source,
                              Shadow* shadow) const;
   [[nodiscard]] Blocking look_from_inside(const Blocker& blocker, const End& end,
@@ -117,9 +117,9 @@ class SegmentBundle {
   End source_;
   End target_;
   Box3 box_;
-  Vec3 axis_;                 // from the source's centre to the target's
-  double radius_ = 0;         // of a capsule about it that holds all segments
-  std::size_t n_lines_ = 0;   // padded to whole lanes
+  Vec3 axis_;                // from the source's centre to the target's
+  double radius_ = 0;        // of a capsule about it that holds all segments
+  std::size_t n_lines_ = 0;  // padded to whole lanes
   // Plücker coordinates of the lines between corners, (direction, moment).
   std::array<std::array<double, kMostLines>, 6> lines_;
 };

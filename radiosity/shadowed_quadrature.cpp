@@ -14,8 +14,8 @@ namespace {
 /// what is left undivided costs accuracy.
 constexpr std::size_t kMostPieces = 64;
 constexpr std::size_t kMostAdaptivePieces = 256;
-/// One sigma of what rules may miss between their points where events were left out, as a share of a
-/// piece.
+/// One sigma of what rules may miss between their points where events were left out, as a share of
+/// a piece.
 constexpr double kUnseen = 5e-3;
 /// Polygons with this many corners are halved or not cut further, to stay within their capacity.
 constexpr std::size_t kMostCorners = 9;
@@ -99,8 +99,7 @@ VisibleShare ShadowedQuadrature::integrate(const ShadowedPair& pair, double tole
   if (total.whole <= 0) return result;
   result.value = total.visible / total.whole;
   result.error = std::sqrt(total.variance) / total.whole;
-  result.is_exact =
-      is_single && is_divided_ && !(total.any_visible && total.any_hidden);
+  result.is_exact = is_single && is_divided_ && !(total.any_visible && total.any_hidden);
   if (!total.any_hidden) result.value = 1;
   if (!total.any_visible) result.value = 0;
   return result;

@@ -56,7 +56,7 @@ struct SolveOptions {
 struct EnergyBalance {
   Eigen::VectorXd emitted;   ///< Σ A M_e
   Eigen::VectorXd absorbed;  ///< Σ A (1 - ρ) H, and what backs and covers take
-  Eigen::VectorXd escaped;  ///< Σ A B (1 - covered - backs - row sum): leaves the scene
+  Eigen::VectorXd escaped;   ///< Σ A B (1 - covered - backs - row sum): leaves the scene
 };
 
 /// The radiosity of every patch, and what is known about its error. The energy norm of a field B is

@@ -217,8 +217,7 @@ class Joiner {
     }
     if (forward.empty() || backward.empty()) return;
     // Seen along the edge, the matter of a facet that runs forward is clockwise of it.
-    const Vec3 axis =
-        (result_.corners[edges[0].high] - result_.corners[edges[0].low]).normalized();
+    const Vec3 axis = (result_.corners[edges[0].high] - result_.corners[edges[0].low]).normalized();
     const Vec3 u = axis.unitOrthogonal();
     const Vec3 v = axis.cross(u);
     const auto angle = [&](std::int32_t half_edge, double way) {
@@ -233,9 +232,9 @@ class Joiner {
     for (const std::int32_t f : forward) {
       for (const std::int32_t b : backward) {
         double wedge = angle(f, 1) - angle(b, -1);
-        const double same = std::clamp(
-            kSameThicknesses * thickness_ * (1 / width(f, axis) + 1 / width(b, axis)), kSameAngle,
-            kMostSameAngle);
+        const double same =
+            std::clamp(kSameThicknesses * thickness_ * (1 / width(f, axis) + 1 / width(b, axis)),
+                       kSameAngle, kMostSameAngle);
         while (wedge <= same) wedge += 2 * kPi;
         while (wedge > 2 * kPi + same) wedge -= 2 * kPi;
         wedges.push_back({wedge, f, b});

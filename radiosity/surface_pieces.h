@@ -39,8 +39,9 @@ struct SurfacePieces {
 };
 
 /// Joins the given one-sided patches of a mesh where edges run opposite ways between the same
-/// points; an edge that has ends of others within is several. Where more than two facets meet at an edge (solids that touch), those are joined that
-/// have matter between them and nothing else. `thickness` is how far off points may be, m.
+/// points; an edge that has ends of others within is several. Where more than two facets meet at an
+/// edge (solids that touch), those are joined that have matter between them and nothing else.
+/// `thickness` is how far off points may be, m.
 SurfacePieces find_surface_pieces(const PatchMesh& mesh, const std::vector<std::int32_t>& patches,
                                   double thickness);
 

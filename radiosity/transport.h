@@ -24,8 +24,8 @@ struct AssemblyReport {
   bool closed = false;         ///< the scene was taken as closed
   Eigen::VectorXd row_sums;    ///< Σ_j F_ij before any correction, n_patches
   std::int64_t open_rows = 0;  ///< closed scenes: rows further from 1 than errors and backs explain
-  /// Share of each patch that lies on a solid's face and looks into it, n_patches: nothing leaves it
-  /// and nothing reaches it, so that a row of a closed scene sums to 1 less this.
+  /// Share of each patch that lies on a solid's face and looks into it, n_patches: nothing leaves
+  /// it and nothing reaches it, so that a row of a closed scene sums to 1 less this.
   Eigen::VectorXd covered;
   /// Share of each patch's power that meets the backs of one-sided surfaces, n_patches, by rays.
   Eigen::VectorXd backs;

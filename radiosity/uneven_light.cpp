@@ -71,8 +71,8 @@ struct Variation {
   Eigen::MatrixXd light;    ///< D_j, W/m², n x k
 };
 
-Variation find_variation(const Transport& transport, const Places& places,
-                         const Solution& solution, const Progress& progress) {
+Variation find_variation(const Transport& transport, const Places& places, const Solution& solution,
+                         const Progress& progress) {
   const Index n = transport.size();
   const Index k = solution.radiosity.cols();
   const Index n_bands = solution.reflectance.cols();
@@ -95,8 +95,8 @@ Variation find_variation(const Transport& transport, const Places& places,
     for (Index c = 0; c < k; ++c) {
       const Eigen::ArrayXd h =
           solution.irradiance.col(c).segment(rows.first, size).array() - mean[c];
-      const Eigen::ArrayXd square = second_moment.col(c).array() -
-                                    2 * h * first_moment.col(c).array() + h.square() * sum;
+      const Eigen::ArrayXd square =
+          second_moment.col(c).array() - 2 * h * first_moment.col(c).array() + h.square() * sum;
       variation.light.col(c).segment(rows.first, size) =
           solution.reflectance.col(c % n_bands).segment(rows.first, size).array() *
           square.max(0).sqrt();
@@ -138,9 +138,9 @@ Received receive(const PatchMesh& mesh, const Transport& transport, const Places
     const Index size = rows.factors.cols();
     Eigen::MatrixXd weight(n, size);
     for (Index i = 0; i < size; ++i) {
-      weight.col(i) = rows.factors.col(i) *
-                      ((places.size / rows.distance.col(i)).min(kLargestVariation) -
-                       variation.exchange);
+      weight.col(i) =
+          rows.factors.col(i) *
+          ((places.size / rows.distance.col(i)).min(kLargestVariation) - variation.exchange);
     }
     received.probes.middleRows(rows.first, size) = weight.transpose() * signed_light;
     received.local.middleRows(rows.first, size) =

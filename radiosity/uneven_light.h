@@ -17,9 +17,10 @@ namespace radiosity {
 /// what one patch gets more the others get less, F_jk varies by F_jk c_jk, c_jk = v_jk - Σ_m F_jm
 /// v_jm, so that light stuck in a narrow gap is missed everywhere else. Of j's own light it makes
 ///     D_j² = ρ_j² Σ_k (F_jk v_jk (B_k - H_j))²,
-/// and s_i² = ρ_i² Σ_j (F_ij c_ji D_j)² is received wrongly; a patch that is half covered by another
-/// in contact with it comes out right. Reflections of that are added by a few solutions in which
-/// neighbours share a random sign. Costs all rows of F twice and those solutions. Deterministic.
+/// and s_i² = ρ_i² Σ_j (F_ij c_ji D_j)² is received wrongly; a patch that is half covered by
+/// another in contact with it comes out right. Reflections of that are added by a few solutions in
+/// which neighbours share a random sign. Costs all rows of F twice and those solutions.
+/// Deterministic.
 Eigen::MatrixXd uneven_light_error(const PatchMesh& mesh, const Transport& transport,
                                    const Solution& solution, const Progress& progress = {});
 

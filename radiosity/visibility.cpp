@@ -69,7 +69,7 @@ struct Visibility::Implementation {
   std::vector<std::array<unsigned, 3>> triangles;
   std::vector<std::int32_t> patch_of_triangle;
   std::vector<std::int32_t> twin;
-  std::vector<Plane> planes;                       // per patch, scaled coordinates
+  std::vector<Plane> planes;  // per patch, scaled coordinates
   double end_gap = kEndGap;
   double coplanar = kCoplanar;
   bool is_large = false;  // so that packets are traced faster than their rays one by one
@@ -332,9 +332,7 @@ std::optional<Hit> Visibility::Implementation::first_hit(const Vec3& origin, con
   return hit;
 }
 
-double Visibility::end_gap() const {
-  return implementation_->end_gap / implementation_->scale;
-}
+double Visibility::end_gap() const { return implementation_->end_gap / implementation_->scale; }
 
 std::optional<Hit> Visibility::first_hit(const Vec3& origin, const Vec3& direction,
                                          std::int32_t source) const {

@@ -13,7 +13,8 @@ constexpr int kPacket = SegmentSampler::kPacket;
 using Lanes = SegmentSampler::Lanes;
 
 /// The standard error of n quasi-random points, as a share of that of random ones: kEven times
-/// (kPacket / n)^kEvenness. Measured over partly hidden pairs of a furnished room and of many boxes.
+/// (kPacket / n)^kEvenness. Measured over partly hidden pairs of a furnished room and of many
+/// boxes.
 constexpr double kEven = 0.52;
 constexpr double kEvenness = 0.15;
 /// Blocks from which on their disagreement counts, and its share of the error of all samples if it
@@ -68,9 +69,9 @@ constexpr SobolDimension make_sobol(unsigned degree, unsigned coefficients,
   return result;
 }
 
-constexpr std::array<SobolDimension, 4> kSobol{
-    make_sobol(0, 0, {}), make_sobol(1, 0, {1}), make_sobol(2, 1, {1, 3}),
-    make_sobol(3, 1, {1, 3, 1})};
+constexpr std::array<SobolDimension, 4> kSobol{make_sobol(0, 0, {}), make_sobol(1, 0, {1}),
+                                               make_sobol(2, 1, {1, 3}),
+                                               make_sobol(3, 1, {1, 3, 1})};
 
 /// Samples in all that get the error down to what is asked.
 int samples_for(const VisibleFraction& fraction, const RayEffort& effort) {

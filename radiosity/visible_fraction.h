@@ -36,7 +36,8 @@ class SegmentSampler {
   /// The polygons may not change while segments are drawn.
   SegmentSampler(const SampledPair& pair, std::uint64_t seed, Sampling sampling = Sampling::areas);
 
-  /// Segments and their weights: the kernel cosθ_i cosθ_j / r² over their density, up to a constant.
+  /// Segments and their weights: the kernel cosθ_i cosθ_j / r² over their density, up to a
+  /// constant.
   struct Packet {
     SegmentPacket segments;
     alignas(64) Lanes weight;

@@ -56,8 +56,7 @@ const std::string kBox = kBoxVertices + kBoxFaces;
 constexpr const char* kMark = "\xef\xbb\xbf";
 
 TEST_F(AsFoundFiles, ByteOrderMarksAndBlankLinesAreReadOver) {
-  for (const char* name : {"bom-v.obj", "bom.stl", "blankline.stl",
-                           "comment-backslash.obj"}) {
+  for (const char* name : {"bom-v.obj", "bom.stl", "blankline.stl", "comment-backslash.obj"}) {
     SCOPED_TRACE(name);
     const Scene scene = io::read_scene(kFolder / name, {.strict = true});
     EXPECT_NEAR(area(scene), 6, 1e-12);
@@ -140,8 +139,9 @@ TEST_F(AsFoundFiles, OfEqualPolygonsTheOneThatEmitsStays) {
 }
 
 TEST_F(AsFoundFiles, NonManifoldEdgesAreKept) {
-  expect_repair("a.obj", kBox + "v 0 -1 0\nv 1 -1 0\nf 1 9 10 2\n", 7,
-                "more than two polygons of one surface meet at 1 edge, and are kept: 3 at the edge");
+  expect_repair(
+      "a.obj", kBox + "v 0 -1 0\nv 1 -1 0\nf 1 9 10 2\n", 7,
+      "more than two polygons of one surface meet at 1 edge, and are kept: 3 at the edge");
 }
 
 TEST_F(AsFoundFiles, BytesAfterTheEndAreIgnored) {
@@ -193,7 +193,8 @@ TEST_F(AsFoundFiles, GltfIsBounded) {
   const auto triangle = many.find("{\"attributes\"");
   many.replace(triangle, many.find("]}", triangle) - triangle, all);
   many.replace(many.find("\"byteLength\": 44"), 16, "\"byteLength\": 1000000000");
-  EXPECT_CONTAINS(error_of("many.gltf", many), "1100000 triangles in all, expected at most 1000000");
+  EXPECT_CONTAINS(error_of("many.gltf", many),
+                  "1100000 triangles in all, expected at most 1000000");
 
   std::string empty = "{\"attributes\": {}}";
   for (int k = 1; k < 2000; ++k) empty += ", {\"attributes\": {}}";

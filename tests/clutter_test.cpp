@@ -42,7 +42,8 @@ double compare(const PatchMesh& mesh, const Transport& transport, const Transpor
     sum += mesh.area[i] * truth.sum();
     for (Index j = 0; j < mesh.size(); ++j) {
       if (error[j] == 0) {
-        // Ten times what the kernel promises: 1e-7, of near pairs of F < 1e-4 no less than of those.
+        // Ten times what the kernel promises: 1e-7, of near pairs of F < 1e-4 no less than of
+        // those.
         EXPECT_LE(gap[j], 1e-6 * std::max(truth[j], 1e-4)) << i << " " << j;
         continue;
       }
@@ -68,8 +69,7 @@ TEST_P(ClutteredRooms, KeepTheToleranceAndTheirErrors) {
     const auto transport =
         make_transport(mesh, visibility, {.tolerance = tolerance, .closed = Closed::no});
     const auto reference = make_transport(
-        mesh, visibility,
-        {.tolerance = kReference * tolerance, .closed = Closed::no, .seed = 1});
+        mesh, visibility, {.tolerance = kReference * tolerance, .closed = Closed::no, .seed = 1});
     EXPECT_LE(compare(mesh, *transport, *reference, errors), tolerance) << "seed " << seed;
   }
   const auto share = [&](double n) { return n / errors.n_uncertain; };

@@ -128,8 +128,7 @@ TEST_P(WalledRooms, RegionsDoNotSeeEachOther) {
     const WalledRoom room = test::make_walled_room(GetParam(), hut);
     const PatchMesh mesh = make_patches(room.scene, {.n_patches = 300});
     const Visibility visibility(mesh);
-    const std::vector<std::int32_t> region =
-        find_regions(mesh, visibility, plane_thickness(mesh));
+    const std::vector<std::int32_t> region = find_regions(mesh, visibility, plane_thickness(mesh));
     std::mt19937_64 random(GetParam());
     std::normal_distribution<double> normal;
     for (Index i = 0; i < mesh.size(); ++i) {
@@ -242,8 +241,7 @@ TEST(DefaultPatches, AreSmallBesideManyPolygons) {
   bumps.polygon_surface.erase(bumps.polygon_surface.begin(), bumps.polygon_surface.begin() + 12);
   bumps.corners.erase(bumps.corners.begin(), bumps.corners.begin() + 36);
   bumps.first_corner.resize(bumps.polygon_surface.size() + 1);
-  EXPECT_EQ(make_patches(bumps, meshing::make_patch_options({}, bumps)).size(),
-            bumps.n_polygons());
+  EXPECT_EQ(make_patches(bumps, meshing::make_patch_options({}, bumps)).size(), bumps.n_polygons());
 }
 
 /// What is too thin to be cut off is told.

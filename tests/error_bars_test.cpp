@@ -41,8 +41,7 @@ TEST_P(HungBoxes, FinerPatchesAreWithinTwoStandardErrors) {
   const PatchMesh mesh = meshing::make_patches(scene, {.n_patches = 130});
   const Solution solution = solve_patches(scene, mesh);
   const PatchMesh finer = test::divided_into_four(mesh);
-  const Eigen::MatrixXd truth =
-      test::means_of_four(finer, solve_patches(scene, finer).radiosity);
+  const Eigen::MatrixXd truth = test::means_of_four(finer, solve_patches(scene, finer).radiosity);
   std::vector<double> errors;
   std::vector<double> intervals;
   Index n_within = 0;
@@ -68,8 +67,7 @@ TEST(UnevenLight, IsRightForAHalfCoveredPatch) {
   Eigen::Matrix2d exchange;
   exchange << 0, factor, factor, 0;
   const testing::DenseTestTransport transport(exchange, Eigen::Vector2d::Ones());
-  const Solution solution =
-      solve(transport, Eigen::Vector2d(0, 1), Eigen::Vector2d::Constant(rho));
+  const Solution solution = solve(transport, Eigen::Vector2d(0, 1), Eigen::Vector2d::Constant(rho));
   const Eigen::MatrixXd error = uneven_light_error(mesh, transport, solution);
   // The covered half has ρ, the other half nothing; the emitter sees the covered half alone.
   const double evenly_lit = rho * factor * (rho * factor);

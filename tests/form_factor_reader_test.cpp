@@ -306,8 +306,7 @@ void copy_without_checksums(hid_t from, hid_t to, const std::string& name) {
   }
   const hid_t links = H5Pcreate(H5P_LINK_CREATE);
   H5Pset_create_intermediate_group(links, 1);
-  const hid_t copy =
-      H5Dcreate2(to, name.c_str(), stored, space, links, H5P_DEFAULT, H5P_DEFAULT);
+  const hid_t copy = H5Dcreate2(to, name.c_str(), stored, space, links, H5P_DEFAULT, H5P_DEFAULT);
   EXPECT_GE(H5Dwrite(copy, stored, H5S_ALL, H5S_ALL, H5P_DEFAULT, source), 0) << name;
   H5Pclose(links);
   H5Dclose(copy);
@@ -321,11 +320,10 @@ TEST_F(FormFactorReader, ReadsFilesWithoutChecksums) {
   const auto old = folder() / "old.h5";
   const hid_t from = H5Fopen(path_.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   const hid_t to = H5Fcreate(old.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
-  for (const char* name :
-       {"patches/area", "patches/centroid", "patches/normal", "patches/surface", "patches/polygon",
-        "patches/corners", "patches/twin", "vertices", "surfaces/name", "surfaces/two_sided",
-        "closure", "form_factors/data", "form_factors/error", "form_factors/indices",
-        "form_factors/indptr"}) {
+  for (const char* name : {"patches/area", "patches/centroid", "patches/normal", "patches/surface",
+                           "patches/polygon", "patches/corners", "patches/twin", "vertices",
+                           "surfaces/name", "surfaces/two_sided", "closure", "form_factors/data",
+                           "form_factors/error", "form_factors/indices", "form_factors/indptr"}) {
     copy_without_checksums(from, to, name);
   }
   for (const char* name : {"version", "tolerance", "min_factor", "closed", "fingerprint"}) {

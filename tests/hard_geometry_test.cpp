@@ -276,10 +276,8 @@ TEST(HardGeometry, TinyBesideHugeWithoutObstacles) {
     EXPECT_NEAR(exchange_area(above, ground) / kArea, seen_from_above(r), kKernel);
     EXPECT_NEAR(exchange_area(ground, above) / kArea, seen_from_above(r), kKernel);
     // Upright on the ground it sees half of it but for what ends at r.
-    const std::vector<Vec3> upright = {{-kHalf, 0, 0},
-                                       {-kHalf, 0, 2 * kHalf},
-                                       {kHalf, 0, 2 * kHalf},
-                                       {kHalf, 0, 0}};
+    const std::vector<Vec3> upright = {
+        {-kHalf, 0, 0}, {-kHalf, 0, 2 * kHalf}, {kHalf, 0, 2 * kHalf}, {kHalf, 0, 0}};
     EXPECT_NEAR(exchange_area(upright, ground) / kArea, 0.5, kHalf / r + kKernel);
   }
 }

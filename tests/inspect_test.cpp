@@ -245,7 +245,8 @@ TEST(Inspect, OverlapOfManyPolygonsIsCountedOnce) {
 
 TEST(Inspect, TwoSidedPolygonsOverlapEitherWay) {
   Scene scene = clean_scene();
-  add_surface(scene, "picture", kWhite, {{{0.2, 0.2, 0}, {0.2, 0.4, 0}, {0.4, 0.4, 0}, {0.4, 0.2, 0}}});
+  add_surface(scene, "picture", kWhite,
+              {{{0.2, 0.2, 0}, {0.2, 0.4, 0}, {0.4, 0.4, 0}, {0.4, 0.2, 0}}});
   EXPECT_EQ(only(inspect(scene), Kind::coplanar_overlap).severity, Severity::note);
   EXPECT_FALSE(meshing::overlap_finding(scene));
   scene.surfaces.back().two_sided = true;

@@ -144,8 +144,7 @@ TEST(Certificates, AreNeverWrong) {
       const auto b = static_cast<std::int32_t>(j);
       const SampledPair pair{
           table.polygon(i), table.plane(i), table.polygon(j), table.plane(j), a, b};
-      const SegmentPacket packet =
-          SegmentSampler(pair, pair_seed(kSeed, a, b)).next().segments;
+      const SegmentPacket packet = SegmentSampler(pair, pair_seed(kSeed, a, b)).next().segments;
       const std::uint32_t blocked = visibility.blocked(packet, a, b);
       const auto point = [&](const auto& lanes, int ray) {
         return Vec3(center + Vec3(lanes[0][ray], lanes[1][ray], lanes[2][ray]));
@@ -154,9 +153,9 @@ TEST(Certificates, AreNeverWrong) {
         const bool is_blocked = (blocked >> ray & 1U) != 0;
         if (is_blocked != is_visible) continue;
         // A hidden pair's free ray must graze something, a visible pair's blocked ray, too.
-        const bool is_surely = is_blocked_surely(mesh, point(packet.from, ray),
-                                                 point(packet.to, ray), i, j,
-                                                 is_visible ? kMargin : -kMargin);
+        const bool is_surely =
+            is_blocked_surely(mesh, point(packet.from, ray), point(packet.to, ray), i, j,
+                              is_visible ? kMargin : -kMargin);
         if (is_surely == is_visible) ++n_wrong;
       }
     });

@@ -30,8 +30,7 @@ class Outputs : public Program {
   Outputs() {
     write_file("my wood.png", "a picture");
     write_file("a.mtl", "newmtl a\nKd 0.5 0.5 0.5\nmap_Kd -s 1 1 1 my wood.png\n");
-    write_file("a.obj",
-               "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nusemtl a\nf 1 2 3 4\n");
+    write_file("a.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nusemtl a\nf 1 2 3 4\n");
     write_file("a.ply",
                "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
                "property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
@@ -46,7 +45,8 @@ class Outputs : public Program {
   static std::string scene(const std::string& mesh, const std::string& spectrum) {
     return R"({"bands": [450, 550], "materials": {"m": {"reflectance": {"csv": ")" + spectrum +
            R"(", "column": "a"}, "exitance": 1}},
-      "surfaces": [{"name": "s", "mesh": ")" + mesh + R"(", "material": "m"}],
+      "surfaces": [{"name": "s", "mesh": ")" +
+           mesh + R"(", "material": "m"}],
       "camera": {"position": [0.5, 0.5, 3], "direction": [0, 0, -1]}})";
   }
 
@@ -148,16 +148,26 @@ bool steers_terminal(const std::string& text) {
 }
 
 TEST_F(Outputs, NothingInAFileSteersTheTerminal) {
-  const std::string evil = "\x1b[31m\x07 \x9b" "31m\xc2\x9b" "31m\x7f\xe2\x80\xae" "evil";
+  const std::string evil =
+      "\x1b[31m\x07 \x9b"
+      "31m\xc2\x9b"
+      "31m\x7f\xe2\x80\xae"
+      "evil";
   write_file("evil.mtl", "newmtl " + evil + "\nKd 0.5 0.5 0.5\nKe 1 1 1\n" + evil + " 1\n");
   const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
-  const std::string good = write_file(
-      "evil.obj", "mtllib evil.mtl\n" + square + "o " + evil + "\nusemtl " + evil +
-                      "\nf 1 2 3 4\n" + evil + "\n");
+  const std::string good =
+      write_file("evil.obj", "mtllib evil.mtl\n" + square + "o " + evil + "\nusemtl " + evil +
+                                 "\nf 1 2 3 4\n" + evil + "\n");
   const std::string bad = write_file("bad.obj", square + "f 1 2 " + evil + "\n");
   const std::string unknown = write_file("unknown.obj", square + "usemtl " + evil + "\n");
-  const std::string named = write_file("\x1b]0;t\x07" "a\xc2\x9b.obj", "v 1 2\n");
-  const std::string json = write_file("key.json", "{\"" "\xc2\x9b\xe2\x80\xae" "k\": 1}");
+  const std::string named = write_file(
+      "\x1b]0;t\x07"
+      "a\xc2\x9b.obj",
+      "v 1 2\n");
+  const std::string json = write_file("key.json",
+                                      "{\""
+                                      "\xc2\x9b\xe2\x80\xae"
+                                      "k\": 1}");
   for (const Arguments& arguments : std::vector<Arguments>{
            {"inspect", good},
            {"inspect", good, "--json"},
@@ -209,10 +219,10 @@ TEST_F(Outputs, DamagedFormFactorsAreNotTakenForComplete) {
 }
 
 TEST_F(Outputs, NamesAreNoFormulasInSpreadsheets) {
-  const std::string file = write_file(
-      "formula.obj",
-      "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\no =HYPERLINK(\"x\",\"y\")\nf 1 2 3 4\n"
-      "o @a\nf 4 3 2 1\n");
+  const std::string file =
+      write_file("formula.obj",
+                 "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\no =HYPERLINK(\"x\",\"y\")\nf 1 2 3 4\n"
+                 "o @a\nf 4 3 2 1\n");
   const Outcome outcome =
       run({"form-factors", file, "--as-is", "-o", result("f.csv"), "--by", "surface"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;

@@ -33,11 +33,23 @@ TEST(Printable, ReplacesWhatSteersTerminals) {
   EXPECT_EQ(io::printable("a\nb\tc\r\n"), "a b c  ");
   EXPECT_EQ(io::printable("\x1b[31mred\x1b]0;title\x07"), "?[31mred?]0;title?");
   EXPECT_EQ(io::printable("del\x7f"), "del?");
-  EXPECT_EQ(io::printable("raw \x9b" "31m"), "raw ?31m");
-  EXPECT_EQ(io::printable("utf \xc2\x9b" "31m"), "utf ?31m");
-  EXPECT_EQ(io::printable("a\xc2\x85" "b\xe2\x80\xa8" "c"), "a b c");         // NEL, line separator
-  EXPECT_EQ(io::printable("gpj.\xe2\x80\xae" "exe"), "gpj.?exe");             // right-to-left
-  EXPECT_EQ(io::printable("a\xe2\x81\xa6" "b\xef\xbb\xbf" "c"), "a?b?c");     // isolate, BOM
+  EXPECT_EQ(io::printable("raw \x9b"
+                          "31m"),
+            "raw ?31m");
+  EXPECT_EQ(io::printable("utf \xc2\x9b"
+                          "31m"),
+            "utf ?31m");
+  EXPECT_EQ(io::printable("a\xc2\x85"
+                          "b\xe2\x80\xa8"
+                          "c"),
+            "a b c");  // NEL, line separator
+  EXPECT_EQ(io::printable("gpj.\xe2\x80\xae"
+                          "exe"),
+            "gpj.?exe");  // right-to-left
+  EXPECT_EQ(io::printable("a\xe2\x81\xa6"
+                          "b\xef\xbb\xbf"
+                          "c"),
+            "a?b?c");                                                          // isolate, BOM
   EXPECT_EQ(io::printable("\xc0\x8a|\xed\xa0\x80|\xf5\x80\x80\x80|\xe2\x82"),  // no UTF-8
             "??|???|????|??");
 }

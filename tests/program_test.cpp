@@ -437,10 +437,10 @@ TEST_F(Program, StrictReadingRefusesFaults) {
   const std::string scene = write_file("flawed.obj",
                                        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
                                        "f 1 2 3 4\nf 1 2 2\n");
-  for (const Arguments& command : std::vector<Arguments>{{"inspect", scene},
-                                                         {"solve", scene, "--as-is"},
-                                                         {"form-factors", scene, "--as-is", "-o",
-                                                          result("F.csv")}}) {
+  for (const Arguments& command :
+       std::vector<Arguments>{{"inspect", scene},
+                              {"solve", scene, "--as-is"},
+                              {"form-factors", scene, "--as-is", "-o", result("F.csv")}}) {
     EXPECT_EQ(run(command).exit_code, 0) << command[0];
     Arguments strict = command;
     strict.emplace_back("--strict");

@@ -1,5 +1,5 @@
-/// What proofs rest on: contact judged alike from both ends, bodies around and within others, pieces
-/// of surface, and what solids cover.
+/// What proofs rest on: contact judged alike from both ends, bodies around and within others,
+/// pieces of surface, and what solids cover.
 
 #include <gtest/gtest.h>
 
@@ -201,7 +201,8 @@ void append(PatchMesh& mesh, const PatchMesh& other, Index first, Index last) {
   }
 }
 
-// As adaptive refinement leaves them: a box whose faces have corners within their neighbours' edges.
+// As adaptive refinement leaves them: a box whose faces have corners within their neighbours'
+// edges.
 TEST(SurfacePieces, HangTogetherHoweverTheyAreDivided) {
   PatchMesh coarse;
   PatchMesh fine;
@@ -234,10 +235,10 @@ TEST(Coverage, OfABoxOnAFloorAndAgainstAnother) {
   add_box(mesh, {2, 1, 0.5}, {2.5, 2, 0.75}, 1, Facing::outwards);  // 12 to 17, touches its side
   const Coverage coverage = find_coverage(mesh, 1e-10);
   std::vector<double> expected(18, 0.0);
-  expected[0] = 2.0 / 16;       // the floor, under the box
-  expected[6] = 1;              // the box's bottom on the floor
-  expected[9] = 0.25 / 2;       // its side, behind the smaller one
-  expected[14] = 1;             // the smaller one's end
+  expected[0] = 2.0 / 16;  // the floor, under the box
+  expected[6] = 1;         // the box's bottom on the floor
+  expected[9] = 0.25 / 2;  // its side, behind the smaller one
+  expected[14] = 1;        // the smaller one's end
   for (Index i = 0; i < 18; ++i) EXPECT_NEAR(coverage.share[i], expected[i], 1e-9) << i;
 }
 

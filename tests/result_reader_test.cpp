@@ -236,8 +236,7 @@ TEST_F(ResultReader, RefusesNumbersThatDoNotFit) {
       const std::size_t end = whole.find('"', first);
       for (const char* value : {"-1", "7", "2147483647", "18446744073709551615", "1e9", "x", ""}) {
         if (whole.substr(first, end - first) == value) continue;
-        write_bytes(folder() / "changed.vtp",
-                    whole.substr(0, first) + value + whole.substr(end));
+        write_bytes(folder() / "changed.vtp", whole.substr(0, first) + value + whole.substr(end));
         const std::string message = test::outcome<SceneError>(
             folder() / "changed.vtp", [](const auto& file) { (void)io::read_result(file); });
         // Texts may be in any number; what was of one row may have one text more.
@@ -246,11 +245,12 @@ TEST_F(ResultReader, RefusesNumbersThatDoNotFit) {
     }
   }
   EXPECT_GT(n_changed, 200);
-  write_bytes(folder() / "deep.vtp", "<VTKFile type=\"PolyData\">" + [] {
-    std::string tags;
-    for (int i = 0; i < 400000; ++i) tags += "<a>";
-    return tags;
-  }() + "</VTKFile>");
+  write_bytes(
+      folder() / "deep.vtp", "<VTKFile type=\"PolyData\">" + [] {
+        std::string tags;
+        for (int i = 0; i < 400000; ++i) tags += "<a>";
+        return tags;
+      }() + "</VTKFile>");
   EXPECT_CONTAINS(error_of(folder() / "deep.vtp"), "is damaged: its XML is not well formed");
 }
 

@@ -286,8 +286,7 @@ TEST_F(SceneFile, MessagesDoNotRepeatFilesThatAreNoScene) {
     }
     (void)file("passwd", secret);
     scenes.push_back(file("m.obj", "mtllib passwd\n" + square));
-    scenes.push_back(file(
-        "s.json", R"({"bands": [450], "materials": {"m": {"reflectance":
+    scenes.push_back(file("s.json", R"({"bands": [450], "materials": {"m": {"reflectance":
           {"csv": "passwd", "column": "a"}}}, "surfaces": [{"name": "s", "mesh": "a.obj",
           "material": "m"}]})"));
     for (const auto& path : scenes) {

@@ -86,8 +86,8 @@ TEST(FractionSampler, IsRightForPatchesThatTouch) {
   };
   constexpr double kScreen = 0.4;
   constexpr double kTop = 0.25;
-  add({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, 0);                              // floor
-  add({{0, 0, 0}, {0, 1, 0}, {0, 1, 1}, {0, 0, 1}}, 1);                              // wall
+  add({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, 0);                                // floor
+  add({{0, 0, 0}, {0, 1, 0}, {0, 1, 1}, {0, 0, 1}}, 1);                                // wall
   add({{kScreen, 0, 0}, {kScreen, 0, kTop}, {kScreen, 1, kTop}, {kScreen, 1, 0}}, 2);  // screen
   const Visibility visibility(mesh);
 

@@ -364,12 +364,12 @@ TEST_F(View, SoakLeavesMemoryAsItIs) {
   std::mt19937 random(kSeed);
   RecordProperty("seed", static_cast<int>(kSeed));
   json actions = {{{"load", kBox}}, "wait-solved"};
-  constexpr int kRounds = 4;
+  constexpr int kRounds = 3;
   for (int round = 0; round < kRounds; ++round) {
     // Names that both scenes have, whichever is open.
     actions.push_back({{"load", kBox}});
     actions.push_back("wait-solved");
-    for (json& action : random_actions(random, 30)) {
+    for (json& action : random_actions(random, 24)) {
       const bool is_of_the_box = action.is_object() && action.contains("set-reflectance");
       if (is_of_the_box) actions.push_back({{"load", kBox}});
       if (is_of_the_box) actions.push_back("wait-solved");

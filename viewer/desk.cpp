@@ -93,8 +93,9 @@ void save_result(const Desk& desk, const std::string& path) {
   }
   if (!desk.session.has_result()) {
     throw radiosity::OutputError(
-        path + ": not saved: the light that is shown is a preview, or its errors are still being "
-               "found; it can be saved once it is solved");
+        path +
+        ": not saved: the light that is shown is a preview, or its errors are still being "
+        "found; it can be saved once it is solved");
   }
   check_output(desk, path);
   io::write(path, *desk.session.model().mesh, desk.session.light()->solution,

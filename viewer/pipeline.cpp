@@ -171,9 +171,10 @@ void open_result(const std::string& path, const PipelineEvents& events) {
 
 Scene read_whole_scene(const std::string& path, const SolveSettings& settings,
                        const PipelineEvents& events, const Progress& progress) {
-  Scene scene = io::read_scene(
-      path, {.unit = settings.unit, .precision = settings.precision, .strict = settings.strict,
-             .progress = progress});
+  Scene scene = io::read_scene(path, {.unit = settings.unit,
+                                      .precision = settings.precision,
+                                      .strict = settings.strict,
+                                      .progress = progress});
   if (scene.n_polygons() == 0) throw radiosity::SceneError(path + ": the scene has no polygons");
   warn_of_findings(scene, events);
   return scene;

@@ -234,8 +234,8 @@ void write_report(Stage& stage, ScriptArguments& arguments) {
   json report = state_report(stage.desk);
   report["frame_times"] = stage.host.frame_times();
   check_output(stage.desk, file);
-  io::write_stream_atomically(
-      file, [&](std::ofstream& stream) { stream << report.dump(1) << '\n'; });
+  io::write_stream_atomically(file,
+                              [&](std::ofstream& stream) { stream << report.dump(1) << '\n'; });
 }
 
 /// Waits until the picture has been drawn and written.

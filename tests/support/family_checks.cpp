@@ -65,10 +65,10 @@ class SceneCheck {
     found_.n_scenes = 1;
     found_.n_patches = mesh_.size();
     // The correction of closed scenes leaves certified entries as they are.
-    const auto transport = make_transport(
-        mesh_, visibility_,
-        {.tolerance = options_.tolerance,
-         .closed = family_scene_.is_closed ? Closed::automatic : Closed::no});
+    const auto transport =
+        make_transport(mesh_, visibility_,
+                       {.tolerance = options_.tolerance,
+                        .closed = family_scene_.is_closed ? Closed::automatic : Closed::no});
     check_pairs(*transport);
     check_clusters();
     check_factors(*transport);
@@ -176,8 +176,8 @@ class SceneCheck {
     const double allowed = kKernelError + digits;
     if (factor > whole * (1 + allowed) + kLeastFactor) {
       ++found_.n_wrong_values;
-      fail("value", "F " + number(factor) + " above " + number(whole) + " from " +
-                        name(i) + " to " + name(j));
+      fail("value", "F " + number(factor) + " above " + number(whole) + " from " + name(i) +
+                        " to " + name(j));
     }
     // What is cut exactly is certified, too, but as partly hidden.
     const bool is_visible = factor >= whole * (1 - kKernelError);
@@ -190,8 +190,8 @@ class SceneCheck {
       if (!(is_visible ? is_shut : s.is_free)) continue;
       ++(is_visible ? found_.n_wrong_visible : found_.n_wrong_hidden);
       fail(is_visible ? "proved visible, but blocked" : "proved hidden, but free",
-           name(i) + " and " + name(j) + ", unobstructed F " + number(whole) +
-               ", from " + vector_text(s.from + oracle_.center()) + " to " +
+           name(i) + " and " + name(j) + ", unobstructed F " + number(whole) + ", from " +
+               vector_text(s.from + oracle_.center()) + " to " +
                vector_text(s.to + oracle_.center()));
       break;
     }
@@ -215,8 +215,7 @@ class SceneCheck {
     }
   }
 
-  void check_verdict(const ClusterTree& tree, const Cluster& a, const Cluster& b,
-                     bool is_visible) {
+  void check_verdict(const ClusterTree& tree, const Cluster& a, const Cluster& b, bool is_visible) {
     constexpr int kSegments = 8;
     const auto any_of = [&](const Cluster& c) -> Index {
       return tree.order[c.begin + static_cast<Index>(random_() % (c.end - c.begin))];
@@ -377,8 +376,8 @@ double unexplained_difference(const SurfaceFactors& a, const SurfaceFactors& b,
   double worst = 0;
   for (Index s = 0; s < a.factors.rows(); ++s) {
     for (Index t = 0; t < a.factors.cols(); ++t) {
-      const double difference = std::abs(a.factors(s, t) - b.factors(s, t)) -
-                                kSigmas * (a.errors(s, t) + b.errors(s, t));
+      const double difference =
+          std::abs(a.factors(s, t) - b.factors(s, t)) - kSigmas * (a.errors(s, t) + b.errors(s, t));
       if (difference <= worst) continue;
       worst = difference;
       std::ostringstream text;

@@ -61,7 +61,6 @@ std::optional<SurfaceFactors> surface_factors_of(const FamilyScene& family_scene
 
 /// The largest difference between two results that their errors, five of each, do not explain;
 /// `where` says where, in words.
-double unexplained_difference(const SurfaceFactors& a, const SurfaceFactors& b,
-                              std::string& where);
+double unexplained_difference(const SurfaceFactors& a, const SurfaceFactors& b, std::string& where);
 
 }  // namespace radiosity::test

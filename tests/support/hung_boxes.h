@@ -8,9 +8,9 @@
 
 namespace radiosity::test {
 
-/// A closed room, grey, 2 to 4 m wide, with 2 to 8 boxes in it, half of them turned, each 1 to 20 cm
-/// off a wall, the floor, the ceiling or another box; none touch, no two faces share a plane. The
-/// first one emits. Reflectances from 0.2 to 0.8. One surface per wall and box. Same seed, same
+/// A closed room, grey, 2 to 4 m wide, with 2 to 8 boxes in it, half of them turned, each 1 to 20
+/// cm off a wall, the floor, the ceiling or another box; none touch, no two faces share a plane.
+/// The first one emits. Reflectances from 0.2 to 0.8. One surface per wall and box. Same seed, same
 /// room.
 Scene make_hung_boxes(std::uint64_t seed);
 

@@ -319,8 +319,7 @@ void Oracle::shoot_from(std::int32_t start, bool is_back, std::int64_t n_rays,
   Shapes shapes;
   for (std::size_t k = 0; k < shapes_.size(); ++k) {
     const std::int32_t other = shapes_.face[k];
-    if (other == start ||
-        std::binary_search(face.coplanar.begin(), face.coplanar.end(), other)) {
+    if (other == start || std::binary_search(face.coplanar.begin(), face.coplanar.end(), other)) {
       continue;
     }
     const auto& corners = faces_[other].corners;

@@ -78,8 +78,8 @@ class Oracle {
     bool two_sided;
     Piece piece;
     std::vector<Vec3> corners;
-    std::vector<Vec3> inwards;         // per edge: unit normal in the plane
-    std::vector<double> edge_length;   // m
+    std::vector<Vec3> inwards;           // per edge: unit normal in the plane
+    std::vector<double> edge_length;     // m
     std::vector<std::int32_t> coplanar;  // other faces in its plane
   };
   /// Triangles and parallelograms as arrays: plane, and two affine coordinates that are at least 0

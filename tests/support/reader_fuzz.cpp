@@ -23,7 +23,7 @@ namespace {
 
 using Random = std::mt19937_64;
 
-constexpr double kLongest = 10;             // s
+constexpr double kLongest = 10;              // s
 constexpr std::size_t kLargest = 1'000'000;  // bytes of a mutant
 constexpr std::size_t kLongestMessage = 2100;
 
@@ -77,11 +77,24 @@ void repeat_line(std::string& text, Random& random) {
 
 /// Digits become another number.
 void replace_number(std::string& text, Random& random) {
-  static constexpr std::array<std::string_view, 18> kNumbers = {
-      "0",     "-1",   "1",           "2",          "255",
-      "65536", "1e308", "-1e308",     "1e-320",     "nan",
-      "inf",   "1e999", "2147483647", "2147483648", "4294967295",
-      "9223372036854775807", "-9223372036854775808", "99999999999999999999999"};
+  static constexpr std::array<std::string_view, 18> kNumbers = {"0",
+                                                                "-1",
+                                                                "1",
+                                                                "2",
+                                                                "255",
+                                                                "65536",
+                                                                "1e308",
+                                                                "-1e308",
+                                                                "1e-320",
+                                                                "nan",
+                                                                "inf",
+                                                                "1e999",
+                                                                "2147483647",
+                                                                "2147483648",
+                                                                "4294967295",
+                                                                "9223372036854775807",
+                                                                "-9223372036854775808",
+                                                                "99999999999999999999999"};
   const std::string_view digits = "0123456789";
   const std::size_t at = text.find_first_of(digits, below(random, text.size() + 1));
   if (at == std::string::npos) return;
@@ -91,9 +104,18 @@ void replace_number(std::string& text, Random& random) {
 
 /// Bytes become a number as binary files hold it.
 void replace_binary_number(std::string& text, Random& random) {
-  static constexpr std::array<std::uint64_t, 12> kNumbers = {
-      0, 1, 0xff, 0x7f, 0xffff, 0x7fffffff, 0x80000000, 0xffffffff, 0x7fffffffffffffff,
-      0xffffffffffffffff, 0x7f800000, 0x7fc00000};
+  static constexpr std::array<std::uint64_t, 12> kNumbers = {0,
+                                                             1,
+                                                             0xff,
+                                                             0x7f,
+                                                             0xffff,
+                                                             0x7fffffff,
+                                                             0x80000000,
+                                                             0xffffffff,
+                                                             0x7fffffffffffffff,
+                                                             0xffffffffffffffff,
+                                                             0x7f800000,
+                                                             0x7fc00000};
   const std::size_t size = std::size_t{1} << below(random, 4);
   if (text.size() < size) return;
   text.replace(below(random, text.size() - size + 1), size,
@@ -101,8 +123,8 @@ void replace_binary_number(std::string& text, Random& random) {
 }
 
 void nest(std::string& text, Random& random) {
-  static constexpr std::array<std::string_view, 6> kOpening = {"[",  "{\"a\":", "[{\"children\":",
-                                                               "(", "<a>",     "o \\\n"};
+  static constexpr std::array<std::string_view, 6> kOpening = {
+      "[", "{\"a\":", "[{\"children\":", "(", "<a>", "o \\\n"};
   const std::string opening = pick(random, kOpening);
   const std::size_t n = std::size_t{1} << below(random, 17);
   std::string many;
@@ -111,9 +133,19 @@ void nest(std::string& text, Random& random) {
 }
 
 void put_in_token(std::string& text, Random& random) {
-  static constexpr std::array<std::string_view, 12> kTokens = {
-      "\xef\xbb\xbf", "\xff\xfe", "\x1b[31m", "\x7f",  "\xc2\x9b" "1m", "../../",
-      "#",            "\\\n",     "/",        "%2e",   "\n\n\n",        "-"};
+  static constexpr std::array<std::string_view, 12> kTokens = {"\xef\xbb\xbf",
+                                                               "\xff\xfe",
+                                                               "\x1b[31m",
+                                                               "\x7f",
+                                                               "\xc2\x9b"
+                                                               "1m",
+                                                               "../../",
+                                                               "#",
+                                                               "\\\n",
+                                                               "/",
+                                                               "%2e",
+                                                               "\n\n\n",
+                                                               "-"};
   const std::size_t at = below(random, text.size() + 1);
   if (below(random, 4) == 0) {
     text.insert(at, std::string(std::size_t{1} << below(random, 18), 'x'));
@@ -125,8 +157,8 @@ void put_in_token(std::string& text, Random& random) {
 void mutate(std::string& text, Random& random) {
   using Change = void (*)(std::string&, Random&);
   static constexpr std::array<Change, 12> kChanges = {
-      flip,        flip,        replace_byte,   replace_number,        replace_number, cut_off,
-      take_out,    double_part, repeat_line,    replace_binary_number, nest,           put_in_token};
+      flip,     flip,        replace_byte, replace_number,        replace_number, cut_off,
+      take_out, double_part, repeat_line,  replace_binary_number, nest,           put_in_token};
   const std::size_t n = 1 + below(random, 4);
   for (std::size_t k = 0; k < n; ++k) kChanges[below(random, kChanges.size())](text, random);
   if (text.size() > kLargest) text.resize(kLargest);

@@ -70,8 +70,8 @@ void turn_over(std::vector<Points>& polygons) {
   for (Points& polygon : polygons) std::reverse(polygon.begin(), polygon.end());
 }
 
-void Builder::add_box(const std::string& name, const Vec3& low, const Vec3& high,
-                      Division division, Piece piece) {
+void Builder::add_box(const std::string& name, const Vec3& low, const Vec3& high, Division division,
+                      Piece piece) {
   std::vector<Points> faces = box_faces(low, high);
   if (piece == Piece::hollow) turn_over(faces);
   add_piece(name, faces, piece, division);
@@ -224,8 +224,8 @@ void make_shelves(Builder& builder, Random& random) {
     const double from = panels[bay] + thickness;
     const double to = panels[bay + 1];
     for (int k = 0; k < n_boards; ++k) {
-      const double z = floor + (top - floor) * (k + (is_in_line ? 0.5 : random.uniform(0.2, 0.8))) /
-                                   n_boards;
+      const double z =
+          floor + (top - floor) * (k + (is_in_line ? 0.5 : random.uniform(0.2, 0.8))) / n_boards;
       const double front = is_in_line ? depth : random.uniform(0, depth);
       builder.add_box("board", {from, -front, z}, {to, front, z + 0.9 * thickness}, division);
     }
@@ -296,8 +296,8 @@ void make_grid_boxes(Builder& builder, Random& random) {
                   any_division(random), Piece::hollow);
   builder.result.is_closed = true;
   const double share = random.uniform(0.15, 0.5);
-  const Division division = random.integer(0, 3) > 0 ? Division::one_surface
-                                                     : Division::surface_per_face;
+  const Division division =
+      random.integer(0, 3) > 0 ? Division::one_surface : Division::surface_per_face;
   int n_boxes = 0;
   for (int x = 0; x < n; ++x) {
     for (int y = 0; y < n; ++y) {
@@ -388,12 +388,12 @@ void make_prisms(Builder& builder, Random& random) {
 /// An icosahedron whose triangles are divided into four, `level` times; corners on the unit sphere.
 std::vector<Points> sphere_triangles(int level) {
   const double g = (1 + std::sqrt(5.0)) / 2;
-  const Points p{{-1, g, 0}, {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
+  const Points p{{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
                  {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
   constexpr std::array<std::array<int, 3>, 20> kTriangles{
-      {{0, 11, 5}, {0, 5, 1}, {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
-       {11, 10, 2}, {10, 7, 6}, {7, 1, 8}, {3, 9, 4}, {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
-       {3, 8, 9},  {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}};
+      {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+       {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+       {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}};
   std::vector<Points> triangles;
   for (const auto& t : kTriangles) {
     triangles.push_back({p[t[0]].normalized(), p[t[1]].normalized(), p[t[2]].normalized()});
@@ -548,9 +548,9 @@ void make_canyon(Builder& builder, Random& random) {
       const double height = random.uniform(0.2, 0.9);
       std::vector<Points> faces = box_faces({x0, y0, ground}, {x1, y1, ground + height});
       if (!has_bottoms) faces.erase(faces.begin() + 4);
-      builder.add_piece("house", faces, has_bottoms ? Piece::solid : Piece::sheet,
-                        random.integer(0, 2) > 0 ? Division::one_surface
-                                                 : Division::surface_per_face);
+      builder.add_piece(
+          "house", faces, has_bottoms ? Piece::solid : Piece::sheet,
+          random.integer(0, 2) > 0 ? Division::one_surface : Division::surface_per_face);
     }
   }
 }

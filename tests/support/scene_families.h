@@ -42,10 +42,10 @@ enum class Family : std::uint8_t {
   crossing,      ///< polygons that pass through each other, needles among them
   canyon         ///< streets between buildings, open
 };
-inline constexpr std::array kFamilies{
-    Family::plates, Family::storeys,    Family::lamps,        Family::shelves,
-    Family::stacks, Family::grid_boxes, Family::turned_boxes, Family::prisms,
-    Family::curved, Family::furniture,  Family::crossing,     Family::canyon};
+inline constexpr std::array kFamilies{Family::plates,       Family::storeys,  Family::lamps,
+                                      Family::shelves,      Family::stacks,   Family::grid_boxes,
+                                      Family::turned_boxes, Family::prisms,   Family::curved,
+                                      Family::furniture,    Family::crossing, Family::canyon};
 std::string_view family_name(Family family);
 
 /// A scene of some 1 m to 2 m, with coordinates up to 1 m but for rounding.

@@ -146,8 +146,7 @@ class RoomMaker {
 
 bool WalledRoom::looks_inside(const PatchMesh& mesh, Index patch) const {
   constexpr double kStep = 1e-3;
-  const Vec3 point =
-      rotation.transpose() * (mesh.centroid[patch] + kStep * mesh.normal[patch]);
+  const Vec3 point = rotation.transpose() * (mesh.centroid[patch] + kStep * mesh.normal[patch]);
   if (point.z() < 0 || point.z() > height) return false;
   for (std::size_t k = 0; k < plan.size(); ++k) {
     const Vec3 along = plan[(k + 1) % plan.size()] - plan[k];
