@@ -30,7 +30,7 @@ constexpr std::size_t kMostQuarterings = 7;
 
 constexpr double kErrorPower = 2.0 / 5;
 /// Form factor that a pair may be off by, in tolerances: a few such may meet in a row.
-constexpr double kRowShare = 0.25;
+constexpr double kRowShare = 0.22;
 /// n rays have the error kRaySpread n^-⅔.
 constexpr double kRaySpread = 0.36;
 constexpr double kRayPower = 3.0 / 2;
