@@ -40,11 +40,6 @@ Solved solve_patches(const Scene& scene, const PatchMesh& mesh) {
   return {std::move(transport), std::move(solution), seconds};
 }
 
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
-}
-
 /// The share of patches within two standard errors.
 double test_room(std::uint64_t seed) {
   const Scene scene = test::make_hung_boxes(seed);
@@ -63,19 +58,12 @@ double test_room(std::uint64_t seed) {
   const Solved fine = solve_patches(scene, finer);
   const Eigen::MatrixXd truth = test::means_of_four(finer, fine.solution.radiosity);
 
-  std::vector<double> errors;
-  std::vector<double> intervals;
-  Index n_within = 0;
-  for (Index i = 0; i < mesh.size(); ++i) {
-    errors.push_back(std::abs(solution.radiosity(i, 0) - truth(i, 0)));
-    intervals.push_back(2 * solution.radiosity_error(i, 0));
-    if (errors.back() <= intervals.back()) ++n_within;
-  }
-  const double share = static_cast<double>(n_within) / static_cast<double>(mesh.size());
+  const test::IntervalCheck check = test::check_intervals(solution, truth);
+  const double share = static_cast<double>(check.n_within) / static_cast<double>(mesh.size());
   fmt::print(
       "{:5} {:6} {:6} {:8.1f} {:10.2e} {:10.2e} {:8.1f} {:6.2f} {:8.2f} {:8.2f} {:5} {:8.1e}\n",
-      seed, scene.surfaces.size() - 6, mesh.size(), 100 * share, median(errors), median(intervals),
-      median(intervals) / median(errors), discretisation.order, coarse.assembly_seconds, seconds,
+      seed, scene.surfaces.size() - 6, mesh.size(), 100 * share, check.error, check.interval,
+      check.interval / check.error, discretisation.order, coarse.assembly_seconds, seconds,
       fine.transport->report().open_rows, fine.transport->report().closure_max);
   std::fflush(stdout);
   return share;

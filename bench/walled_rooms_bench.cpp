@@ -37,11 +37,6 @@ Solution solve_patches(const Scene& scene, const PatchMesh& mesh, bool estimates
   return with_discretisation_error(solution, discretisation_error(mesh, *transport, solution));
 }
 
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
-}
-
 /// Smallest sine of a patch's corner.
 double sharpest(const PatchMesh& mesh) {
   double least = 1;
@@ -85,18 +80,11 @@ bool test_room(std::uint64_t seed, long n_patches) {
   const PatchMesh finer = test::divided_into_four(mesh);
   const Eigen::MatrixXd truth =
       test::means_of_four(finer, solve_patches(room.scene, finer, false).radiosity);
-  std::vector<double> errors;
-  std::vector<double> intervals;
-  Index n_within = 0;
-  for (Index i = 0; i < mesh.size(); ++i) {
-    errors.push_back(std::abs(solution.radiosity(i, 0) - truth(i, 0)));
-    intervals.push_back(2 * solution.radiosity_error(i, 0));
-    if (errors.back() <= intervals.back() + kRounding) ++n_within;
-  }
-  const double share = static_cast<double>(n_within) / static_cast<double>(mesh.size());
+  const test::IntervalCheck check = test::check_intervals(solution, truth, kRounding);
+  const double share = static_cast<double>(check.n_within) / static_cast<double>(mesh.size());
   fmt::print("{:5} {:8.1e} {:6} {:8.2e} {:6} {:8} {:8.1e} {:8.1f} {:10.2e} {:10.2e} {:8.1f}\n",
              seed, room.scene.precision, dark.n_patches, dark.brightest, mesh.size(), crossed,
-             sharpest(mesh), 100 * share, median(errors), median(intervals), seconds);
+             sharpest(mesh), 100 * share, check.error, check.interval, seconds);
   std::fflush(stdout);
   return dark.brightest == 0 && share >= kCoverage;
 }

@@ -138,13 +138,9 @@ void ContactCutter::make_cells() {
     cells_.push_back({Loop(corners.begin(), corners.begin() + mesh_.n_corners(i)), patch});
     enter(cells_of_[i].back());
     if (lines_[mesh_.polygon[i]].empty()) continue;
-    Box3 box;
-    for (int k = 0; k < mesh_.n_corners(i); ++k) box.extend(mesh_.corner(i, k));
+    const Box3 box = patch_box(mesh_, i);
     // Corners may move.
-    const double margin = tolerance_ + kLongestMove * box.diagonal().norm();
-    box.min().array() -= margin;
-    box.max().array() += margin;
-    boxes.push_back(box);
+    boxes.push_back(radiosity::grown(box, tolerance_ + kLongestMove * box.diagonal().norm()));
     tree_patch_.push_back(patch);
   }
   tree_.emplace(std::move(boxes));
@@ -162,9 +158,7 @@ std::vector<std::int32_t> ContactCutter::patches_near(const Box3& box, std::int3
 Box3 box_of(const Segment& segment, double margin) {
   Box3 box;
   for (const Vec3& end : segment) box.extend(end);
-  box.min().array() -= margin;
-  box.max().array() += margin;
-  return box;
+  return radiosity::grown(box, margin);
 }
 
 /// Where two segments in one plane cross, if they do.

@@ -20,14 +20,6 @@ using radiosity::Vec3;
 /// count as crossed.
 constexpr double kAlongEdge = 1e-5;
 
-Box3 patch_box(const PatchMesh& mesh, Index i, double margin) {
-  Box3 box;
-  for (int k = 0; k < mesh.n_corners(i); ++k) box.extend(mesh.corner(i, k));
-  box.min().array() -= margin;
-  box.max().array() += margin;
-  return box;
-}
-
 /// The segment in which patch `other` meets the plane of patch `i`, if it reaches in front of it.
 std::optional<Segment> meeting(const PatchMesh& mesh, Index i, Index other, double thickness) {
   const Vec3& normal = mesh.normal[i];
@@ -79,25 +71,14 @@ std::optional<Segment> part_within(const PatchMesh& mesh, Index i, const Segment
   return Segment{segment[0] + from * step, segment[0] + to * step};
 }
 
-/// Whether a segment lies along an edge of a closed outline, closer than `margin`.
-template <typename Outline>
-bool is_along_edge(const Segment& segment, const Outline& outline, std::size_t n, double margin) {
-  for (std::size_t k = 0; k < n; ++k) {
-    const Vec3& a = outline(k);
-    const Vec3 edge = (outline((k + 1) % n) - a).normalized();
-    const auto distance = [&](const Vec3& x) { return (x - a).cross(edge).norm(); };
-    if (distance(segment[0]) <= margin && distance(segment[1]) <= margin) return true;
-  }
-  return false;
-}
-
 /// Calls visit(i, segment) for what others make of each patch i, from several threads but each i
 /// from one.
 template <typename Visit>
 void for_each_contact(const PatchMesh& mesh, double thickness, const Visit& visit) {
   std::vector<Box3> boxes;
   boxes.reserve(mesh.size());
-  for (Index i = 0; i < mesh.size(); ++i) boxes.push_back(patch_box(mesh, i, thickness));
+  for (Index i = 0; i < mesh.size(); ++i)
+    boxes.push_back(radiosity::grown(patch_box(mesh, i), thickness));
   const BoxTree tree(boxes);
   constexpr Index kGrain = 64;
   radiosity::parallel_for(
@@ -119,11 +100,9 @@ std::vector<std::vector<Segment>> lines_off_edges(const PatchMesh& mesh, double 
                                                   double share_of_size) {
   std::vector<std::vector<Segment>> lines(mesh.size());
   for_each_contact(mesh, thickness, [&](Index i, const Segment& segment) {
-    const auto corner = [&](std::size_t k) -> const Vec3& {
-      return mesh.corner(i, static_cast<int>(k));
-    };
+    const auto corner = [&](int k) -> const Vec3& { return mesh.corner(i, k); };
     const double margin = std::max(4 * thickness, share_of_size * std::sqrt(mesh.area[i]));
-    if (is_along_edge(segment, corner, mesh.n_corners(i), margin)) return;
+    if (radiosity::is_along_edge(segment[0], segment[1], mesh.n_corners(i), corner, margin)) return;
     lines[i].push_back(segment);
   });
   return lines;
@@ -140,8 +119,9 @@ std::vector<std::vector<Segment>> polygon_contact_lines(const PatchMesh& as_is) 
   std::vector<std::vector<Segment>> of_patch(as_is.size());
   for_each_contact(as_is, thickness, [&](Index i, const Segment& segment) {
     const std::span<const Vec3> outline = as_is.outline(as_is.polygon[i]);
-    const auto corner = [&](std::size_t k) -> const Vec3& { return outline[k]; };
-    if (is_along_edge(segment, corner, outline.size(), 2 * thickness)) return;
+    const auto n = static_cast<int>(outline.size());
+    const auto corner = [&](int k) -> const Vec3& { return outline[k]; };
+    if (radiosity::is_along_edge(segment[0], segment[1], n, corner, 2 * thickness)) return;
     of_patch[i].push_back(segment);
   });
   std::vector<std::vector<Segment>> lines(as_is.n_polygons());

@@ -47,7 +47,7 @@ class Builder {
     cluster.end = end;
     for (Index k = begin; k < end; ++k) {
       const std::int32_t patch = tree_.order[k];
-      for (int c = 0; c < mesh_.n_corners(patch); ++c) cluster.box.extend(mesh_.corner(patch, c));
+      cluster.box.extend(patch_box(mesh_, patch));
     }
     find_outline(cluster);
     tree_.clusters.push_back(cluster);

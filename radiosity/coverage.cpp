@@ -112,8 +112,7 @@ class CoverFinder {
   /// that have a polygon for either side.
   [[nodiscard]] bool is_back_to_back(const Vec3& point, const Vec3& normal) const {
     bool result = false;
-    const Vec3 reach = Vec3::Constant(thickness_);
-    tree_->for_each_meeting(Box3(point - reach, point + reach), [&](std::int32_t k) {
+    tree_->for_each_meeting(grown(Box3(point, point), thickness_), [&](std::int32_t k) {
       const Cover& cover = covers_[k];
       result = result || (cover.normal.dot(normal) < -0.9 && holds(cover, point));
     });
@@ -165,17 +164,11 @@ class CoverFinder {
 
   void cover_patch(std::int32_t i, Coverage& result) {
     ConvexPolygon patch;
-    Box3 box;
-    for (int k = 0; k < mesh_.n_corners(i); ++k) {
-      patch.push_back(mesh_.corner(i, k));
-      box.extend(patch[k]);
-    }
-    box.min().array() -= thickness_;
-    box.max().array() += thickness_;
+    for (int k = 0; k < mesh_.n_corners(i); ++k) patch.push_back(mesh_.corner(i, k));
     // Covers may overlap each other, so each is taken away from what the others left.
     std::vector<ConvexPolygon> open{patch};
     bool is_touched = false;
-    tree_->for_each_meeting(box, [&](std::int32_t k) {
+    tree_->for_each_meeting(grown(patch_box(mesh_, i), thickness_), [&](std::int32_t k) {
       const Cover& cover = covers_[k];
       if (cover.normal.dot(mesh_.normal[i]) > -0.9 || !is_in_plane(i, cover)) return;
       if (cover.piece >= 0 && !is_before(cover, i)) return;

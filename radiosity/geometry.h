@@ -24,4 +24,26 @@ inline Vec3 vector_area(std::span<const Vec3> polygon) {
   return 0.5 * sum;
 }
 
+inline double square(double x) { return x * x; }
+
+/// The box with all its sides moved outwards by `margin`, m.
+inline Box3 grown(Box3 box, double margin) {
+  box.min().array() -= margin;
+  box.max().array() += margin;
+  return box;
+}
+
+/// Whether the segment from `start` to `end` lies along an edge of a closed outline of n corners,
+/// both ends no further than `margin` from its line. `corner(k)` is a corner, k < n.
+template <typename Corner>
+bool is_along_edge(const Vec3& start, const Vec3& end, int n, const Corner& corner, double margin) {
+  for (int k = 0; k < n; ++k) {
+    const Vec3& a = corner(k);
+    const Vec3 edge = (corner((k + 1) % n) - a).normalized();
+    const auto distance = [&](const Vec3& x) { return (x - a).cross(edge).norm(); };
+    if (distance(start) <= margin && distance(end) <= margin) return true;
+  }
+  return false;
+}
+
 }  // namespace radiosity

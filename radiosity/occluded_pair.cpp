@@ -210,8 +210,6 @@ double packets_for(double error) {
   return std::max(1.0, std::pow(kRaySpread / error, kRayPower) / SegmentSampler::kPacket);
 }
 
-double square(double x) { return x * x; }
-
 /// Whether a point is inside a blocker, or on its surface with nothing of the target beyond.
 bool is_inside(const Blocker& blocker, const Vec3& point, const ConvexPolygon& target,
                double thickness) {
@@ -393,7 +391,7 @@ PairEstimate OccludedPairEstimator::estimate_unproved(const SampledPair& pair, c
   const Method method = choose_method(view, level, error);
   const bool is_source_large = view.source->size() > kMostCorners;
   const bool is_large = is_source_large || view.target->size() > kMostCorners;
-  if (method == Method::rays) return cast_rays(pair, whole, error, seed);
+  if (method == Method::rays) return cast_rays(pair, view, whole, error, seed);
   if (may_divide && is_large) {
     return divide(pair, is_source_large == view.from_i,
                   divide_about_corners(is_source_large ? *view.source : *view.target), depth, seed);
@@ -402,7 +400,7 @@ PairEstimate OccludedPairEstimator::estimate_unproved(const SampledPair& pair, c
     return divide(pair, !view.from_i,
                   halves(*view.target, *level.target_divider, options_.thickness), depth, seed);
   }
-  if (is_large || level.target_divider != nullptr) return cast_rays(pair, whole, error, seed);
+  if (is_large || level.target_divider != nullptr) return cast_rays(pair, view, whole, error, seed);
   const HalfSpace* divider = method == Method::cuts ? level.source_divider : level.border;
   if (divider != nullptr && may_divide) {
     return divide(pair, view.from_i, halves(*view.source, *divider, options_.thickness), depth,
@@ -467,9 +465,10 @@ PairEstimate OccludedPairEstimator::cut_shadows(const View& view, std::span<cons
           0};
 }
 
-PairEstimate OccludedPairEstimator::cast_rays(const SampledPair& pair, double whole, double error,
+PairEstimate OccludedPairEstimator::cast_rays(const SampledPair& pair, const View& view,
+                                              double whole, double error,
                                               std::uint64_t seed) const {
-  const Sampling sampling = View(pair).is_near ? Sampling::directions : Sampling::areas;
+  const Sampling sampling = view.is_near ? Sampling::directions : Sampling::areas;
   return weigh(sample_visible_fraction(visibility_, pair, {error, kMostRays}, seed, sampling),
                whole);
 }

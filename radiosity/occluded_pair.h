@@ -95,8 +95,8 @@ class OccludedPairEstimator {
                       std::span<const ConvexPolygon> pieces, std::size_t depth, std::uint64_t seed);
   [[nodiscard]] PairEstimate cut_shadows(const View& view, std::span<const Shadow> shadows,
                                          double whole, double error);
-  [[nodiscard]] PairEstimate cast_rays(const SampledPair& pair, double whole, double error,
-                                       std::uint64_t seed) const;
+  [[nodiscard]] PairEstimate cast_rays(const SampledPair& pair, const View& view, double whole,
+                                       double error, std::uint64_t seed) const;
   /// From points of the source, with the shadows that each of them sees.
   [[nodiscard]] PairEstimate sample_points(const View& view, double whole, double error,
                                            std::size_t depth);

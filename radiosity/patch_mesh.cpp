@@ -38,11 +38,15 @@ void PatchMesh::add_patch(const std::array<std::int32_t, 4>& patch_corners,
   centroid.push_back(center);
 }
 
+Box3 patch_box(const PatchMesh& mesh, Index i) {
+  Box3 box;
+  for (int k = 0; k < mesh.n_corners(i); ++k) box.extend(mesh.corner(i, k));
+  return box;
+}
+
 Box3 bounds(const PatchMesh& mesh) {
   Box3 box;
-  for (Index i = 0; i < mesh.size(); ++i) {
-    for (int k = 0; k < mesh.n_corners(i); ++k) box.extend(mesh.corner(i, k));
-  }
+  for (Index i = 0; i < mesh.size(); ++i) box.extend(patch_box(mesh, i));
   return box;
 }
 

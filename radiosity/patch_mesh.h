@@ -53,6 +53,9 @@ struct PatchMesh {
                  std::int32_t patch_polygon, std::int32_t patch_twin = -1);
 };
 
+/// The box around patch i.
+Box3 patch_box(const PatchMesh& mesh, Index i);
+
 /// The box around all patches. Empty if there are none.
 Box3 bounds(const PatchMesh& mesh);
 

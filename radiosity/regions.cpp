@@ -72,12 +72,9 @@ class RegionFinder {
   using Joints = std::vector<std::pair<Index, Index>>;
 
   static std::vector<Box3> make_boxes(const PatchMesh& mesh, double margin) {
-    std::vector<Box3> boxes(mesh.size());
-    for (Index i = 0; i < mesh.size(); ++i) {
-      for (int k = 0; k < mesh.n_corners(i); ++k) boxes[i].extend(mesh.corner(i, k));
-      boxes[i].min().array() -= margin;
-      boxes[i].max().array() += margin;
-    }
+    std::vector<Box3> boxes;
+    boxes.reserve(mesh.size());
+    for (Index i = 0; i < mesh.size(); ++i) boxes.push_back(grown(patch_box(mesh, i), margin));
     return boxes;
   }
 
@@ -225,14 +222,9 @@ class RegionFinder {
 
   [[nodiscard]] bool is_along_edge(std::int32_t patch, const std::array<Vec3, 2>& segment,
                                    double margin) const {
-    for (int k = 0; k < mesh_.n_corners(patch); ++k) {
-      const Vec3 edge = (corner(patch, k + 1) - corner(patch, k)).normalized();
-      const auto distance = [&](const Vec3& x) {
-        return (x - corner(patch, k)).cross(edge).norm();
-      };
-      if (distance(segment[0]) <= margin && distance(segment[1]) <= margin) return true;
-    }
-    return false;
+    const auto corner_of = [&](int k) -> const Vec3& { return mesh_.corner(patch, k); };
+    return radiosity::is_along_edge(segment[0], segment[1], mesh_.n_corners(patch), corner_of,
+                                    margin);
   }
 
   /// Joins the sides about edge k of patch i with those next to them.
@@ -374,10 +366,7 @@ class RegionFinder {
         if (furthest == nullptr || direction.dot(x) > direction.dot(*furthest)) furthest = &x;
       }
     }
-    Box3 around(*furthest, *furthest);
-    around.min().array() -= start;
-    around.max().array() += start;
-    tree_.for_each_meeting(around, [&](std::int32_t patch) {
+    tree_.for_each_meeting(grown(Box3(*furthest, *furthest), start), [&](std::int32_t patch) {
       // What is closer than rays start.
       const double distance = mesh_.normal[patch].dot(*furthest - mesh_.centroid[patch]);
       if (std::abs(distance) > start + reach_) return;

@@ -47,8 +47,6 @@ constexpr int kMostDivisions = 6;
 /// does not settle by then has the error that it has.
 constexpr double kMostPoints = 4000;
 
-double square(double x) { return x * x; }
-
 /// Calls visit(point, weight) for a product rule on a convex polygon, which is cut into quads and
 /// perhaps a triangle.
 template <typename Visit>

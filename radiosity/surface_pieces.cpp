@@ -175,9 +175,7 @@ class Joiner {
     if (length <= 2 * thickness_) return {};
     Box3 box(start, start);
     box.extend(result_.corners[result_.next(h)]);
-    box.min().array() -= thickness_;
-    box.max().array() += thickness_;
-    tree.for_each_meeting(box, [&](std::int32_t k) {
+    tree.for_each_meeting(grown(box, thickness_), [&](std::int32_t k) {
       const std::int32_t point = points[k];
       if (point == point_[h] || point == point_[result_.next(h)]) return;
       const Vec3 off = result_.corners[point] - start;

@@ -28,8 +28,6 @@ constexpr double kPower = 0.65;
 /// Samples grow at most so much before the error is estimated anew.
 constexpr int kMostGrowth = 8;
 
-double square(double x) { return x * x; }
-
 std::uint64_t mix(std::uint64_t x) {
   x += 0x9e3779b97f4a7c15ULL;
   x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9ULL;
@@ -125,6 +123,8 @@ SegmentSampler::Fan::Fan(const ConvexPolygon& polygon, const HalfSpace& other) {
 SegmentSampler::SegmentSampler(const SampledPair& pair, std::uint64_t seed, Sampling sampling)
     : pair_(pair),
       sampling_(sampling),
+      from_i_(vector_area(pair.polygon_i.points()).squaredNorm() <=
+              vector_area(pair.polygon_j.points()).squaredNorm()),
       fan_i_(pair.polygon_i, pair.plane_j),
       fan_j_(pair.polygon_j, pair.plane_i),
       scale_(static_cast<float>(1 / (pair.polygon_i[1] - pair.polygon_j[0]).norm())) {
@@ -190,15 +190,13 @@ __attribute__((target_clones("arch=x86-64-v3", "default"))) void SegmentSampler:
 }
 
 void SegmentSampler::aim(const std::array<Lanes, 4>& at) {
-  const bool from_i = vector_area(pair_.polygon_i.points()).squaredNorm() <=
-                      vector_area(pair_.polygon_j.points()).squaredNorm();
-  const ConvexPolygon& target = from_i ? pair_.polygon_j : pair_.polygon_i;
-  const Vec3& normal = from_i ? pair_.plane_i.normal : pair_.plane_j.normal;
-  const HalfSpace& plane = from_i ? pair_.plane_j : pair_.plane_i;
-  auto& from = from_i ? packet_.segments.from : packet_.segments.to;
-  auto& to = from_i ? packet_.segments.to : packet_.segments.from;
+  const ConvexPolygon& target = from_i_ ? pair_.polygon_j : pair_.polygon_i;
+  const Vec3& normal = from_i_ ? pair_.plane_i.normal : pair_.plane_j.normal;
+  const HalfSpace& plane = from_i_ ? pair_.plane_j : pair_.plane_i;
+  auto& from = from_i_ ? packet_.segments.from : packet_.segments.to;
+  auto& to = from_i_ ? packet_.segments.to : packet_.segments.from;
   alignas(64) Lanes heights;
-  place(from_i ? fan_i_ : fan_j_, at[0], at[1], from, heights);
+  place(from_i_ ? fan_i_ : fan_j_, at[0], at[1], from, heights);
   for (int k = 0; k < kPacket; ++k) {
     const Vec3 point(from[0][k], from[1][k], from[2][k]);
     const SeenPolygon seen(point, target);

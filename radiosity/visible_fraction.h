@@ -66,6 +66,7 @@ class SegmentSampler {
 
   const SampledPair& pair_;
   Sampling sampling_;
+  bool from_i_;  // whether that polygon is the smaller one
   Fan fan_i_;
   Fan fan_j_;
   float scale_;  // of lengths, so that weights are near 1, 1/m

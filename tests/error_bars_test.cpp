@@ -25,12 +25,6 @@ Solution solve_patches(const Scene& scene, const PatchMesh& mesh) {
   return with_discretisation_error(solution, discretisation_error(mesh, *transport, solution));
 }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 class HungBoxes : public ::testing::TestWithParam<std::uint64_t> {};
 
 // Rooms in which 59 to 83 % were within while the errors came from coarser patches only.
@@ -42,18 +36,11 @@ TEST_P(HungBoxes, FinerPatchesAreWithinTwoStandardErrors) {
   const Solution solution = solve_patches(scene, mesh);
   const PatchMesh finer = test::divided_into_four(mesh);
   const Eigen::MatrixXd truth = test::means_of_four(finer, solve_patches(scene, finer).radiosity);
-  std::vector<double> errors;
-  std::vector<double> intervals;
-  Index n_within = 0;
-  for (Index i = 0; i < mesh.size(); ++i) {
-    errors.push_back(std::abs(solution.radiosity(i, 0) - truth(i, 0)));
-    intervals.push_back(2 * solution.radiosity_error(i, 0));
-    if (errors.back() <= intervals.back()) ++n_within;
-  }
-  EXPECT_GE(n_within, 0.95 * static_cast<double>(mesh.size()));
+  const test::IntervalCheck check = test::check_intervals(solution, truth);
+  EXPECT_GE(check.n_within, 0.95 * static_cast<double>(mesh.size()));
   // 3 if errors are normal; twice that, as the finer patches have half the error at order 1, and
   // twice that for a guess that is good to a factor.
-  EXPECT_LE(median(intervals), 12 * median(errors));
+  EXPECT_LE(check.interval, 12 * check.error);
 }
 
 /// A patch with a lamp in contact with its half: the lamp gets back more than from an evenly lit

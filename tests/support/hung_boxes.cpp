@@ -233,4 +233,24 @@ Eigen::MatrixXd means_of_four(const PatchMesh& finer, const Eigen::MatrixXd& val
   return result;
 }
 
+IntervalCheck check_intervals(const Solution& solution, const Eigen::MatrixXd& truth,
+                              double rounding) {
+  std::vector<double> errors;
+  std::vector<double> intervals;
+  IntervalCheck check;
+  for (Index i = 0; i < truth.rows(); ++i) {
+    errors.push_back(std::abs(solution.radiosity(i, 0) - truth(i, 0)));
+    intervals.push_back(2 * solution.radiosity_error(i, 0));
+    if (errors.back() <= intervals.back() + rounding) ++check.n_within;
+  }
+  const auto median = [](std::vector<double>& values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+  };
+  check.error = median(errors);
+  check.interval = median(intervals);
+  return check;
+}
+
 }  // namespace radiosity::test

@@ -5,6 +5,7 @@
 
 #include "radiosity/patch_mesh.h"
 #include "radiosity/scene.h"
+#include "radiosity/solve.h"
 
 namespace radiosity::test {
 
@@ -21,5 +22,16 @@ PatchMesh divided_into_four(const PatchMesh& mesh);
 /// Area-weighted means over four rows each: values per patch of `finer` for the patches that were
 /// divided.
 Eigen::MatrixXd means_of_four(const PatchMesh& finer, const Eigen::MatrixXd& values);
+
+/// How the first band of a solution fares against a better one of the same patches.
+struct IntervalCheck {
+  Index n_within = 0;   ///< patches off by two of their standard errors at most
+  double error = 0;     ///< median of the patches, W/m²
+  double interval = 0;  ///< median of two standard errors, W/m²
+};
+
+/// `rounding` (W/m²) is no error.
+IntervalCheck check_intervals(const Solution& solution, const Eigen::MatrixXd& truth,
+                              double rounding = 0);
 
 }  // namespace radiosity::test
