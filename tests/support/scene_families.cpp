@@ -349,6 +349,66 @@ Points regular_polygon(int n, double radius, const Vec3& center, double phase) {
   return points;
 }
 
+/// Cells of a 3 x 3 plan of uneven widths, 3 to 8 of them and hanging together by their sides, up
+/// to one height: its faces, each cell's by itself.
+std::vector<Points> recessed_faces(Random& random, const Vec3& corner, double size, double height) {
+  constexpr int kCells = 3;
+  const int n_cells = random.integer(3, 8);
+  std::array<std::array<bool, kCells>, kCells> is_full{};
+  const auto full = [&](int x, int y) {
+    return x >= 0 && x < kCells && y >= 0 && y < kCells && is_full[x][y];
+  };
+  is_full[1][0] = true;
+  for (int n = 1; n < n_cells;) {
+    const int x = random.integer(0, kCells - 1);
+    const int y = random.integer(0, kCells - 1);
+    const bool is_beside = full(x - 1, y) || full(x + 1, y) || full(x, y - 1) || full(x, y + 1);
+    if (is_full[x][y] || !is_beside) continue;
+    is_full[x][y] = true;
+    ++n;
+  }
+  std::array<std::array<double, kCells + 1>, 2> line{};
+  for (auto& of_axis : line) of_axis = {0, random.uniform(0.2, 0.4), random.uniform(0.6, 0.8), 1};
+  const auto at = [&](int x, int y, double z) {
+    return Vec3(corner + Vec3(size * line[0][x], size * line[1][y], z));
+  };
+  std::vector<Points> faces;
+  const auto add_side = [&](int x0, int y0, int x1, int y1) {
+    faces.push_back({at(x0, y0, 0), at(x1, y1, 0), at(x1, y1, height), at(x0, y0, height)});
+  };
+  for (int x = 0; x < kCells; ++x) {
+    for (int y = 0; y < kCells; ++y) {
+      if (!is_full[x][y]) continue;
+      const Points bottom{at(x, y, 0), at(x, y + 1, 0), at(x + 1, y + 1, 0), at(x + 1, y, 0)};
+      faces.push_back(bottom);
+      faces.push_back(
+          {at(x, y, height), at(x + 1, y, height), at(x + 1, y + 1, height), at(x, y + 1, height)});
+      if (!full(x, y - 1)) add_side(x, y, x + 1, y);
+      if (!full(x + 1, y)) add_side(x + 1, y, x + 1, y + 1);
+      if (!full(x, y + 1)) add_side(x + 1, y + 1, x, y + 1);
+      if (!full(x - 1, y)) add_side(x, y + 1, x, y);
+    }
+  }
+  return faces;
+}
+
+void make_recessed(Builder& builder, Random& random) {
+  Vec3 low;
+  Vec3 high;
+  add_room(builder, random, low, high);
+  const int n_solids = random.integer(1, 2);
+  for (int k = 0; k < n_solids; ++k) {
+    // On the floor or above it, against a wall or off it.
+    const Vec3 corner(low.x() + (random.coin() ? 0 : random.uniform(0.1, 0.2)),
+                      low.y() + 0.1 + 0.65 * k,
+                      low.z() + (random.coin() ? 0 : random.uniform(0.05, 0.15)));
+    const double size = random.uniform(0.4, 0.6);
+    const double height = random.uniform(0.2, 0.8);
+    builder.add_piece("solid", recessed_faces(random, corner, size, height), Piece::solid,
+                      Division::one_surface);
+  }
+}
+
 void make_prisms(Builder& builder, Random& random) {
   const bool has_room = random.integer(0, 3) > 0;
   Vec3 low(-1, -1, -0.8);
@@ -575,6 +635,8 @@ std::string_view family_name(Family family) {
       return "turned boxes";
     case Family::prisms:
       return "prisms";
+    case Family::recessed:
+      return "recessed";
     case Family::curved:
       return "curved";
     case Family::furniture:
@@ -617,6 +679,9 @@ FamilyScene make_family_scene(Family family, std::uint64_t seed) {
       break;
     case Family::prisms:
       make_prisms(builder, random);
+      break;
+    case Family::recessed:
+      make_recessed(builder, random);
       break;
     case Family::curved:
       make_curved(builder, random);

@@ -37,15 +37,16 @@ enum class Family : std::uint8_t {
   grid_boxes,    ///< boxes of an integer grid: they touch by faces, edges and corners
   turned_boxes,  ///< boxes turned any way in a room
   prisms,        ///< upright prisms and plates of 3 to 96 sides
+  recessed,      ///< closed solids that are not convex: L, U, T and rings
   curved,        ///< spheres and bumpy closed meshes of triangles
   furniture,     ///< tables, chairs and rooms that are closed, but not convex
   crossing,      ///< polygons that pass through each other, needles among them
   canyon         ///< streets between buildings, open
 };
-inline constexpr std::array kFamilies{Family::plates,       Family::storeys,  Family::lamps,
-                                      Family::shelves,      Family::stacks,   Family::grid_boxes,
-                                      Family::turned_boxes, Family::prisms,   Family::curved,
-                                      Family::furniture,    Family::crossing, Family::canyon};
+inline constexpr std::array kFamilies{
+    Family::plates,     Family::storeys,      Family::lamps,  Family::shelves,  Family::stacks,
+    Family::grid_boxes, Family::turned_boxes, Family::prisms, Family::recessed, Family::curved,
+    Family::furniture,  Family::crossing,     Family::canyon};
 std::string_view family_name(Family family);
 
 /// A scene of some 1 m to 2 m, with coordinates up to 1 m but for rounding.
