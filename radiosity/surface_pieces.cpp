@@ -37,12 +37,8 @@ class Joiner {
 
   SurfacePieces run() {
     weld();
+    split_edges();
     join_edges();
-    if (split_open_edges()) {
-      cells_.clear();
-      weld();
-      join_edges();
-    }
     collect();
     return std::move(result_);
   }
@@ -127,41 +123,40 @@ class Joiner {
   }
 
   /// Where facets were divided otherwise than their neighbours, the ends of some edges lie within
-  /// others: makes them corners there, too. Says whether there are any.
-  bool split_open_edges() {
-    const std::vector<Vec3>& corners = result_.corners;
+  /// others: makes them corners there, too.
+  void split_edges() {
     std::vector<std::int32_t> points;
     std::vector<Box3> boxes;
-    for (std::int32_t h = 0; h < static_cast<std::int32_t>(corners.size()); ++h) {
-      if (result_.neighbor[h] >= 0) continue;
-      for (const std::int32_t end : {point_[h], point_[result_.next(h)]}) points.push_back(end);
+    for (std::int32_t k = 0; k < static_cast<std::int32_t>(point_.size()); ++k) {
+      if (point_[k] != k) continue;
+      points.push_back(k);
+      boxes.emplace_back(result_.corners[k], result_.corners[k]);
     }
-    std::sort(points.begin(), points.end());
-    points.erase(std::unique(points.begin(), points.end()), points.end());
-    for (const std::int32_t point : points) boxes.emplace_back(corners[point], corners[point]);
     const BoxTree tree(std::move(boxes));
-
     SurfacePieces split;
-    split.first_corner.push_back(0);
-    split.normal = result_.normal;
-    for (std::int32_t h = 0; h < static_cast<std::int32_t>(corners.size()); ++h) {
+    std::vector<std::int32_t> split_point;
+    std::vector<std::int32_t> corner_of(point_.size());  // in `split`
+    for (std::int32_t h = 0; h < static_cast<std::int32_t>(point_.size()); ++h) {
       const std::int32_t f = result_.facet[h];
-      const auto add = [&](const Vec3& corner) {
-        split.corners.push_back(corner);
-        split.facet.push_back(f);
-      };
-      add(corners[h]);
-      if (result_.neighbor[h] < 0) {
-        for (const std::int32_t point : points_within(h, points, tree)) add(corners[point]);
-      }
-      if (h + 1 == result_.first_corner[f + 1]) {
+      if (h == result_.first_corner[f]) {
         split.first_corner.push_back(static_cast<std::int32_t>(split.corners.size()));
       }
+      corner_of[h] = static_cast<std::int32_t>(split.corners.size());
+      const auto add = [&](std::int32_t corner) {
+        split.corners.push_back(result_.corners[corner]);
+        split.facet.push_back(f);
+        split_point.push_back(point_[corner]);
+      };
+      add(h);
+      for (const std::int32_t point : points_within(h, points, tree)) add(point);
     }
-    if (split.corners.size() == corners.size()) return false;
+    if (split.corners.size() == point_.size()) return;
+    split.first_corner.push_back(static_cast<std::int32_t>(split.corners.size()));
+    for (std::int32_t& point : split_point) point = corner_of[point];
+    split.normal = std::move(result_.normal);
     split.neighbor.assign(split.corners.size(), -1);
     result_ = std::move(split);
-    return true;
+    point_ = std::move(split_point);
   }
 
   /// The points on a half-edge but for its ends, along it.

@@ -228,6 +228,44 @@ TEST(SurfacePieces, HangTogetherHoweverTheyAreDivided) {
             1);
 }
 
+// The floor under a box and its bottom in one patch each, all about them in three: what is divided
+// alike need not hang together.
+TEST(SurfacePieces, HangTogetherWhereTwoAreDividedAlike) {
+  PatchMesh mesh;
+  const auto add_floor = [&](double x, double y, double width, double depth, int nx, int ny) {
+    test::add_grid(mesh, Vec3(x, y, 0), width * Vec3::UnitX(), depth * Vec3::UnitY(), nx, ny);
+  };
+  add_floor(1, 1, 1, 2, 1, 1);
+  add_floor(0, 1, 1, 2, 1, 3);
+  add_floor(2, 1, 2, 2, 1, 3);
+  add_floor(1, 0, 1, 1, 3, 1);
+  add_floor(1, 3, 1, 1, 3, 1);
+  for (const double x : {0, 2}) {
+    for (const double y : {0, 3}) add_floor(x, y, x == 0 ? 1 : 2, 1, 1, 1);
+  }
+  const auto n_floor = mesh.size();
+  PatchMesh room;
+  PatchMesh coarse;
+  PatchMesh fine;
+  add_box(room, {0, 0, 0}, {4, 4, 4}, 1, Facing::inwards);
+  add_box(coarse, {1, 1, 0}, {2, 3, 1}, 1, Facing::outwards);
+  add_box(fine, {1, 1, 0}, {2, 3, 1}, 3, Facing::outwards);
+  append(mesh, room, 1, 6);
+  append(mesh, coarse, 0, 1);
+  append(mesh, fine, 9, 54);
+  std::vector<std::int32_t> all;
+  for (std::int32_t i = 0; i < mesh.size(); ++i) all.push_back(i);
+  const SurfacePieces pieces = find_surface_pieces(mesh, all, kThickness);
+  ASSERT_EQ(pieces.pieces.size(), 2U);
+  EXPECT_TRUE(pieces.pieces[0].is_hollow());
+  EXPECT_TRUE(pieces.pieces[1].is_solid());
+  EXPECT_NEAR(pieces.pieces[1].volume, 2, 1e-14);
+  const Coverage coverage = find_coverage(mesh, kThickness);
+  EXPECT_EQ(coverage.share[0], 1);            // the floor under the box
+  EXPECT_EQ(coverage.share[n_floor + 5], 1);  // the box's bottom
+  EXPECT_NEAR(coverage.share.sum(), 2, 1e-9);
+}
+
 TEST(Coverage, OfABoxOnAFloorAndAgainstAnother) {
   PatchMesh mesh;
   add_box(mesh, {0, 0, 0}, {4, 4, 4}, 1, Facing::inwards);          // patches 0 to 5
