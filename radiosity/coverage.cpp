@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 
 #include "radiosity/body_finder.h"
@@ -20,13 +21,31 @@ constexpr std::size_t kTriedFacets = 32;
 constexpr double kGap = 1e-4;
 constexpr double kSameVolume = 1e-6;
 constexpr double kGaps = 16;
+/// Of a patch that is covered but for less than a tenth, slivers that are narrower than that many
+/// thicknesses are no openings: so far apart digits leave edges that were meant to coincide.
+constexpr double kSliver = 8;
+constexpr double kLeastCovered = 0.9;
+
+bool is_sliver(std::span<const Vec3> polygon, double width) {
+  double length2 = 0;
+  for (const Vec3& a : polygon) {
+    for (const Vec3& b : polygon) length2 = std::max(length2, (b - a).squaredNorm());
+  }
+  return 2 * vector_area(polygon).norm() <= width * std::sqrt(length2);
+}
 
 /// A face of a solid, or a wall around a hollow, that may cover patches.
 struct Cover {
   std::vector<Vec3> outline;  // convex, counter-clockwise about `normal`
   Vec3 normal;                // out of the solid
+  Vec3 on_plane;              // a point
   std::int32_t piece;         // that it is of, or -1: the missing face of a body
   Box3 box;
+};
+
+struct Plane {
+  Vec3 point = Vec3::Zero();
+  Vec3 normal = Vec3::Zero();
 };
 
 class CoverFinder {
@@ -34,7 +53,8 @@ class CoverFinder {
   CoverFinder(PatchMesh mesh, double thickness) : mesh_(std::move(mesh)), thickness_(thickness) {}
 
   Coverage find() {
-    std::vector<std::int32_t> one_sided;
+    find_planes();
+    std::vector<std::int32_t>& one_sided = patch_of_facet_;
     for (std::int32_t i = 0; i < mesh_.size(); ++i) {
       if (mesh_.twin[i] < 0) one_sided.push_back(i);
     }
@@ -57,9 +77,39 @@ class CoverFinder {
   }
 
  private:
-  void add_cover(std::span<const Vec3> outline, const Vec3& normal, std::int32_t piece) {
+  /// The planes of the patches: the one of the polygon that a patch is of, where it lies in that.
+  /// The digits of its own corners say little about a small patch's.
+  void find_planes() {
+    planes_.resize(mesh_.size());
+    std::vector<Plane> polygons(mesh_.n_polygons());
+    for (Index p = 0; p < mesh_.n_polygons(); ++p) {
+      const std::span<const Vec3> outline = mesh_.outline(p);
+      for (const Vec3& corner : outline) polygons[p].point += corner;
+      polygons[p].point /= static_cast<double>(outline.size());
+      polygons[p].normal = vector_area(outline).normalized();
+    }
+    for (std::int32_t i = 0; i < mesh_.size(); ++i) {
+      planes_[i] = {mesh_.centroid[i], mesh_.normal[i]};
+      if (mesh_.n_polygons() == 0) continue;
+      Plane plane = polygons[mesh_.polygon[i]];
+      if (plane.normal.dot(mesh_.normal[i]) < 0) plane.normal *= -1;  // of a back
+      bool is_on = true;
+      for (int k = 0; k < mesh_.n_corners(i); ++k) {
+        is_on = is_on && std::abs(plane.normal.dot(mesh_.corner(i, k) - plane.point)) <= thickness_;
+      }
+      if (is_on) planes_[i] = plane;
+    }
+  }
+
+  [[nodiscard]] ConvexPolygon outline_of(Index patch) const {
+    ConvexPolygon result;
+    for (int k = 0; k < mesh_.n_corners(patch); ++k) result.push_back(mesh_.corner(patch, k));
+    return result;
+  }
+
+  void add_cover(std::span<const Vec3> outline, const Plane& plane, std::int32_t piece) {
     Cover& cover = covers_.emplace_back(
-        Cover{std::vector<Vec3>(outline.begin(), outline.end()), normal, piece, Box3()});
+        Cover{{outline.begin(), outline.end()}, plane.normal, plane.point, piece, Box3()});
     for (const Vec3& corner : outline) cover.box.extend(corner);
   }
 
@@ -67,8 +117,10 @@ class CoverFinder {
     for (std::size_t p = 0; p < pieces_.pieces.size(); ++p) {
       const SurfacePiece& piece = pieces_.pieces[p];
       if (!piece.is_solid() && !piece.is_hollow()) continue;
+      // Their facets have corners of others along their edges, too, which may be off these.
       for (const std::int32_t f : piece.facets) {
-        add_cover(pieces_.outline(f), pieces_.normal[f], static_cast<std::int32_t>(p));
+        const std::int32_t patch = patch_of_facet_[f];
+        add_cover(outline_of(patch).points(), planes_[patch], static_cast<std::int32_t>(p));
       }
     }
   }
@@ -120,7 +172,7 @@ class CoverFinder {
   }
 
   [[nodiscard]] bool holds(const Cover& cover, const Vec3& point) const {
-    if (std::abs(cover.normal.dot(point - cover.outline[0])) > thickness_) return false;
+    if (std::abs(cover.normal.dot(point - cover.on_plane)) > thickness_) return false;
     for (std::size_t k = 0; k < cover.outline.size(); ++k) {
       const Vec3& a = cover.outline[k];
       const Vec3& b = cover.outline[k + 1 < cover.outline.size() ? k + 1 : 0];
@@ -158,15 +210,13 @@ class CoverFinder {
     // In triangles about the middle: convex, however many corners.
     for (const Blocker::Edge* edge : rim) {
       const std::array triangle{center, edge->end, edge->start};
-      add_cover(triangle, plane.normal, -1);
+      add_cover(triangle, {center, plane.normal}, -1);
     }
   }
 
   void cover_patch(std::int32_t i, Coverage& result) {
-    ConvexPolygon patch;
-    for (int k = 0; k < mesh_.n_corners(i); ++k) patch.push_back(mesh_.corner(i, k));
     // Covers may overlap each other, so each is taken away from what the others left.
-    std::vector<ConvexPolygon> open{patch};
+    std::vector<ConvexPolygon> open{outline_of(i)};
     bool is_touched = false;
     tree_->for_each_meeting(grown(patch_box(mesh_, i), thickness_), [&](std::int32_t k) {
       const Cover& cover = covers_[k];
@@ -182,7 +232,12 @@ class CoverFinder {
     for (const ConvexPolygon& part : open) area += vector_area(part.points()).norm();
     const double share = 1 - area / mesh_.area[i];
     if (share <= kRounding) return;
-    result.share[i] = share >= 1 - kRounding ? 1 : share;
+    const bool is_whole =
+        share >= 1 - kRounding ||
+        (share >= kLeastCovered && std::all_of(open.begin(), open.end(), [&](const auto& part) {
+           return is_sliver(part.points(), kSliver * thickness_);
+         }));
+    result.share[i] = is_whole ? 1 : share;
     if (result.share[i] < 1) result.open[i] = std::move(open);
   }
 
@@ -194,11 +249,11 @@ class CoverFinder {
     };
     bool is_patch_on = true;
     for (int k = 0; k < mesh_.n_corners(i); ++k) {
-      is_patch_on &= is_on(mesh_.corner(i, k), cover.normal, cover.outline[0]);
+      is_patch_on &= is_on(mesh_.corner(i, k), cover.normal, cover.on_plane);
     }
     return is_patch_on ||
            std::all_of(cover.outline.begin(), cover.outline.end(), [&](const Vec3& corner) {
-             return is_on(corner, mesh_.normal[i], mesh_.centroid[i]);
+             return is_on(corner, planes_[i].normal, planes_[i].point);
            });
   }
 
@@ -234,7 +289,9 @@ class CoverFinder {
 
   const PatchMesh mesh_;
   double thickness_;
+  std::vector<Plane> planes_;  // of the patches
   SurfacePieces pieces_;
+  std::vector<std::int32_t> patch_of_facet_;
   std::vector<std::int32_t> piece_of_patch_;
   std::vector<Cover> covers_;
   std::optional<BoxTree> tree_;  // of the covers

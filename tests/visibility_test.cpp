@@ -2,9 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <random>
+#include <utility>
 #include <vector>
+
+#include "tests/support/shapes.h"
 
 namespace radiosity {
 namespace {
@@ -53,6 +58,76 @@ TEST_P(VisibilityAtScale, ScreenBlocksItsHalf) {
 INSTANTIATE_TEST_SUITE_P(Scales, VisibilityAtScale,
                          testing::Values(std::pair{1.0, 0.0}, std::pair{1e-6, 0.0},
                                          std::pair{1e6, 0.0}, std::pair{1.0, 1e7}));
+
+// Float coordinates say little about which way a needle faces: two that see each other do not block
+// themselves, whatever their shape.
+TEST(Visibility, NeedlesDoNotBlockThemselves) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  int n_rays = 0;
+  for (int trial = 0; trial < 600; ++trial) {
+    const double width = std::pow(10.0, -6 * uniform(random));
+    PatchMesh mesh;
+    for (std::int32_t k = 0; k < 2; ++k) {
+      const Vec3 a = 2 * k * Vec3::UnitZ() + 0.4 * test::random_unit(random);
+      const Vec3 along = test::random_unit(random);
+      Vec3 u = along;
+      Vec3 v = uniform(random) * along + width * along.cross(test::random_unit(random));
+      if ((u.cross(v).z() > 0) != (k == 0)) std::swap(u, v);
+      mesh.vertices.insert(mesh.vertices.end(), {a, a + u, a + v});
+      mesh.add_patch({3 * k, 3 * k + 1, 3 * k + 2, -1}, 0, k);
+    }
+    const Visibility visibility(mesh);
+    std::vector<Vec3> from;
+    std::vector<Vec3> to;
+    for (int ray = 0; ray < 400; ++ray) {
+      std::array<Vec3, 2> ends;
+      for (Index k = 0; k < 2; ++k) {
+        const double s = std::sqrt(uniform(random));
+        const double t = uniform(random);
+        ends[k] = (1 - s) * mesh.corner(k, 0) + s * (1 - t) * mesh.corner(k, 1) +
+                  s * t * mesh.corner(k, 2);
+      }
+      const Vec3 d = ends[1] - ends[0];
+      if (mesh.normal[0].dot(d) <= 0 || mesh.normal[1].dot(d) >= 0) continue;
+      from.push_back(ends[0]);
+      to.push_back(ends[1]);
+      ++n_rays;
+      if (from.size() < Visibility::kPacket) continue;
+      ASSERT_EQ(visibility.blocked(from, to, 0, 1), 0U) << "trial " << trial << ", " << width;
+      from.clear();
+      to.clear();
+    }
+  }
+  EXPECT_GT(n_rays, 100'000);
+}
+
+// A screen of needles hides as much as one of squares.
+TEST(Visibility, NeedlesBlockWhatIsBehindThem) {
+  PatchMesh mesh;
+  test::add_grid(mesh, Vec3(0, 0, 0), Vec3::UnitX(), Vec3::UnitY(), 1, 1);
+  test::add_grid(mesh, Vec3(0, 0, 1), Vec3::UnitY(), Vec3::UnitX(), 1, 1);
+  test::add_grid(mesh, Vec3(0, 0.1, 0.5), 0.5 * Vec3(1, 0.1, 0.2), Vec3(0, 1, 0.1), 1, 2000);
+  const Visibility visibility(mesh);
+  std::mt19937_64 random(6);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  const Vec3 normal = Vec3(1, 0.1, 0.2).cross(Vec3(0, 1, 0.1));
+  int n_blocked = 0;
+  for (int trial = 0; trial < 4000; ++trial) {
+    const Vec3 from(uniform(random), uniform(random), 0);
+    const Vec3 to(uniform(random), uniform(random), 1);
+    const Vec3 corner(0, 0.1, 0.5);
+    const double t = normal.dot(corner - from) / normal.dot(to - from);
+    const Vec3 hit = from + t * (to - from) - corner;
+    const double s = 2 * hit.x();
+    const double r = hit.y() - 0.1 * hit.x();
+    if (std::min({std::abs(s), std::abs(s - 1), std::abs(r), std::abs(r - 1)}) < 1e-4) continue;
+    const bool is_blocked = s > 0 && s < 1 && r > 0 && r < 1;
+    n_blocked += is_blocked ? 1 : 0;
+    EXPECT_EQ(visibility.blocked(std::array{from}, std::array{to}, 0, 1), is_blocked ? 1U : 0U);
+  }
+  EXPECT_GT(n_blocked, 1000);
+}
 
 TEST(Visibility, PatchesDoNotBlockThemselvesOrTheirPlane) {
   PatchMesh mesh;

@@ -586,7 +586,12 @@ void make_crossing(Builder& builder, Random& random) {
     Points points{{-half, -width, 0}, {half, -width, 0}, {half, width, 0}, {-half, width, 0}};
     if (random.coin()) points.pop_back();
     const double shrink = 0.5 / std::max(0.5, std::hypot(half, width));
-    for (Vec3& p : points) p = center + shrink * (rotation * p);
+    for (Vec3& p : points) {
+      p = center + shrink * (rotation * p);
+      // Plates that pass through a wall are in part outside.
+      const bool is_within = (p.array() > low.array()).all() && (p.array() < high.array()).all();
+      if (has_room && !is_within) builder.result.is_closed = false;
+    }
     const bool two_sided = has_room || random.coin();
     builder.add_polygon(builder.add_surface("plate", two_sided), points);
   }
