@@ -10,11 +10,11 @@
 #include <numeric>
 #include <vector>
 
-#include "io/scene_file.h"
-#include "meshing/patches.h"
-#include "radiosity/pair_kernel.h"
+#include "io/scene/scene_file.h"
+#include "meshing/patches/patches.h"
+#include "radiosity/exchange/pair_kernel.h"
+#include "radiosity/exchange/visible_fraction.h"
 #include "radiosity/radiosity.h"
-#include "radiosity/visible_fraction.h"
 
 namespace {
 

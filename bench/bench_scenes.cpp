@@ -1,4 +1,4 @@
-#include "bench_scenes.h"
+#include "bench/bench_scenes.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -10,8 +10,8 @@
 #include <random>
 #include <vector>
 
-#include "meshing/patches.h"
-#include "radiosity/scene.h"
+#include "meshing/patches/patches.h"
+#include "radiosity/scene/scene.h"
 #include "tests/support/shapes.h"
 
 namespace bench {

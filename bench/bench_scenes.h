@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "radiosity/patch_mesh.h"
+#include "radiosity/scene/patch_mesh.h"
 
 namespace bench {
 

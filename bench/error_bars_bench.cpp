@@ -13,7 +13,7 @@
 #include <random>
 #include <vector>
 
-#include "meshing/patches.h"
+#include "meshing/patches/patches.h"
 #include "radiosity/radiosity.h"
 #include "tests/support/hung_boxes.h"
 

@@ -16,10 +16,10 @@
 #include <optional>
 #include <string>
 
-#include "bench_scenes.h"
-#include "io/scene_file.h"
-#include "meshing/patches.h"
-#include "radiosity/parallel.h"
+#include "bench/bench_scenes.h"
+#include "io/scene/scene_file.h"
+#include "meshing/patches/patches.h"
+#include "radiosity/base/parallel.h"
 #include "radiosity/radiosity.h"
 
 namespace {

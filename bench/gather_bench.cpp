@@ -9,8 +9,8 @@
 #include <ctime>
 #include <string>
 
-#include "io/scene_file.h"
-#include "meshing/patches.h"
+#include "io/scene/scene_file.h"
+#include "meshing/patches/patches.h"
 #include "radiosity/radiosity.h"
 
 int main(int argc, char** argv) {

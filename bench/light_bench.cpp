@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <ctime>
 
-#include "io/scene_file.h"
-#include "meshing/adaptive.h"
+#include "io/scene/scene_file.h"
+#include "meshing/adaptive/adaptive.h"
 #include "radiosity/radiosity.h"
 
 namespace {

@@ -2,7 +2,8 @@
 // time they take. Arguments: 100 ρ.
 #include <benchmark/benchmark.h>
 
-#include "radiosity/solve.h"
+#include "radiosity/solve/solution.h"
+#include "radiosity/solve/solve.h"
 #include "tests/support/matrix_transport.h"
 
 namespace radiosity {
@@ -10,16 +11,16 @@ namespace {
 
 constexpr std::uint64_t kSeed = 7;
 
-testing::DenseTestTransport make_ring() {
+test::DenseTestTransport make_ring() {
   std::mt19937_64 random(kSeed);
-  return testing::chamber_ring(12, 50, 0.02, random);
+  return test::chamber_ring(12, 50, 0.02, random);
 }
 
-testing::DenseTestTransport make_long_box() { return testing::rough_box({1, 1, 8}, 0.25); }
+test::DenseTestTransport make_long_box() { return test::rough_box({1, 1, 8}, 0.25); }
 
 /// Uniform reflectance, the slowest case for a given largest one; one patch in thirty emits.
 void solve_with(benchmark::State& state, Method method,
-                const testing::DenseTestTransport& transport) {
+                const test::DenseTestTransport& transport) {
   const double rho = static_cast<double>(state.range(0)) / 100;
   const Index n = transport.size();
   const Eigen::MatrixXd reflectance = Eigen::MatrixXd::Constant(n, 3, rho);

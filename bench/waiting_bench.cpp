@@ -5,8 +5,8 @@
 #include <memory>
 #include <utility>
 
-#include "io/scene_file.h"
-#include "meshing/patches.h"
+#include "io/scene/scene_file.h"
+#include "meshing/patches/patches.h"
 #include "radiosity/radiosity.h"
 
 namespace radiosity {

@@ -12,8 +12,8 @@
 #include <ctime>
 #include <vector>
 
-#include "meshing/contact_lines.h"
-#include "meshing/patches.h"
+#include "meshing/patches/contact_lines.h"
+#include "meshing/patches/patches.h"
 #include "radiosity/radiosity.h"
 #include "tests/support/hung_boxes.h"
 #include "tests/support/walled_rooms.h"

@@ -6,16 +6,16 @@
 #include <thread>
 #include <utility>
 
-#include "io/image_file.h"
-#include "io/output_check.h"
-#include "radiosity/error.h"
-#include "viewer/desk.h"
-#include "viewer/input.h"
-#include "viewer/overlay.h"
-#include "viewer/painter.h"
-#include "viewer/panels.h"
-#include "viewer/script.h"
-#include "viewer/window.h"
+#include "io/base/output_check.h"
+#include "io/picture/image_file.h"
+#include "radiosity/base/error.h"
+#include "viewer/desk/desk.h"
+#include "viewer/draw/overlay.h"
+#include "viewer/draw/painter.h"
+#include "viewer/draw/window.h"
+#include "viewer/panels/input.h"
+#include "viewer/panels/panels.h"
+#include "viewer/script/script.h"
 
 namespace viewer {
 namespace {

@@ -5,7 +5,7 @@
 #include <stop_token>
 #include <string>
 
-#include "viewer/model.h"
+#include "viewer/work/model.h"
 
 namespace viewer {
 

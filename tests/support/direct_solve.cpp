@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace radiosity::testing {
+namespace radiosity::test {
 
 double energy_norm(const Eigen::VectorXd& area, const Eigen::VectorXd& b) {
   return std::sqrt(area.dot(b.cwiseAbs2()));
@@ -38,4 +38,4 @@ SolveOptions with_method(Method method) {
   return options;
 }
 
-}  // namespace radiosity::testing
+}  // namespace radiosity::test

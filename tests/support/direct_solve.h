@@ -1,8 +1,9 @@
 #pragma once
 
-#include "radiosity/solve.h"
+#include "radiosity/base/geometry.h"
+#include "radiosity/solve/solution.h"
 
-namespace radiosity::testing {
+namespace radiosity::test {
 
 /// ‖B‖ = sqrt(Σ A B²), the norm in which the bounds hold.
 double energy_norm(const Eigen::VectorXd& area, const Eigen::VectorXd& b);
@@ -17,4 +18,4 @@ double relative_error(const Eigen::VectorXd& area, const Eigen::MatrixXd& b,
 
 SolveOptions with_method(Method method);
 
-}  // namespace radiosity::testing
+}  // namespace radiosity::test

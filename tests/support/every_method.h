@@ -4,9 +4,9 @@
 
 #include <string>
 
-#include "radiosity/solve.h"
+#include "radiosity/solve/solution.h"
 
-namespace radiosity::testing {
+namespace radiosity::test {
 
 inline constexpr Method kMethods[] = {Method::conjugate_gradients, Method::jacobi,
                                       Method::gauss_seidel, Method::southwell, Method::chebyshev};
@@ -18,4 +18,4 @@ inline std::string method_test_name(const ::testing::TestParamInfo<Method>& meth
   return name;
 }
 
-}  // namespace radiosity::testing
+}  // namespace radiosity::test

@@ -7,15 +7,18 @@
 #include <random>
 #include <sstream>
 
-#include "meshing/patches.h"
-#include "radiosity/blocker.h"
-#include "radiosity/cluster_tree.h"
-#include "radiosity/cluster_visibility.h"
-#include "radiosity/error.h"
-#include "radiosity/exchange_area.h"
-#include "radiosity/surface_factors.h"
-#include "radiosity/transport.h"
-#include "radiosity/visibility.h"
+#include "meshing/patches/patches.h"
+#include "radiosity/assembly/make_transport.h"
+#include "radiosity/assembly/transport_options.h"
+#include "radiosity/base/error.h"
+#include "radiosity/operator/surface_factors.h"
+#include "radiosity/operator/transport.h"
+#include "radiosity/polygon/exchange_area.h"
+#include "radiosity/scene/patch_mesh.h"
+#include "radiosity/visibility/blocker.h"
+#include "radiosity/visibility/cluster_tree.h"
+#include "radiosity/visibility/cluster_visibility.h"
+#include "radiosity/visibility/visibility.h"
 #include "tests/support/oracle.h"
 
 namespace radiosity::test {

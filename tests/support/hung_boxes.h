@@ -3,9 +3,10 @@
 #include <Eigen/Core>
 #include <cstdint>
 
-#include "radiosity/patch_mesh.h"
-#include "radiosity/scene.h"
-#include "radiosity/solve.h"
+#include "radiosity/base/geometry.h"
+#include "radiosity/scene/patch_mesh.h"
+#include "radiosity/scene/scene.h"
+#include "radiosity/solve/solution.h"
 
 namespace radiosity::test {
 

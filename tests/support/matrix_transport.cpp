@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-namespace radiosity::testing {
+namespace radiosity::test {
 
 DenseTestTransport::DenseTestTransport(Eigen::MatrixXd exchange, Eigen::VectorXd area,
                                        Eigen::MatrixXd sigma)
@@ -112,4 +112,4 @@ DenseTestTransport rough_box(const Vec3& lengths, double step) {
   return close(exchange);
 }
 
-}  // namespace radiosity::testing
+}  // namespace radiosity::test

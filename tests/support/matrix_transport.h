@@ -3,9 +3,10 @@
 #include <Eigen/Core>
 #include <random>
 
-#include "radiosity/transport.h"
+#include "radiosity/base/geometry.h"
+#include "radiosity/operator/transport.h"
 
-namespace radiosity::testing {
+namespace radiosity::test {
 
 /// A transport operator made from given exchange areas, for tests without meshes or rays.
 class DenseTestTransport final : public Transport {
@@ -68,4 +69,4 @@ DenseTestTransport chamber_ring(Index n_chambers, Index patches_per_chamber, dou
 /// spectrum of a room.
 DenseTestTransport rough_box(const Vec3& lengths, double step);
 
-}  // namespace radiosity::testing
+}  // namespace radiosity::test

@@ -6,7 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "radiosity/patch_mesh.h"
+#include "radiosity/base/geometry.h"
+#include "radiosity/scene/patch_mesh.h"
+#include "radiosity/scene/scene.h"
 #include "tests/support/scene_families.h"
 
 namespace radiosity::test {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/output_folder.h"
+#include "tests/support/output_folder.h"
 
 namespace radiosity::test {
 

@@ -7,15 +7,17 @@
 #include <random>
 #include <stdexcept>
 
-#include "io/form_factor_file.h"
-#include "io/form_factor_reader.h"
-#include "io/result_file.h"
-#include "io/result_reader.h"
-#include "io/scene_file.h"
-#include "radiosity/error.h"
-#include "tests/sample_files.h"
+#include "io/result/form_factor_file.h"
+#include "io/result/form_factor_reader.h"
+#include "io/result/result_file.h"
+#include "io/result/result_reader.h"
+#include "io/scene/scene_file.h"
+#include "radiosity/base/error.h"
+#include "radiosity/scene/patch_mesh.h"
+#include "radiosity/solve/solution.h"
 #include "tests/support/damaged_files.h"
 #include "tests/support/matrix_transport.h"
+#include "tests/support/sample_files.h"
 #include "tests/support/shapes.h"
 
 namespace radiosity::test {
@@ -196,7 +198,7 @@ std::string small_form_factor_file(const std::filesystem::path& folder) {
   const PatchMesh mesh = small_mesh();
   const auto area = Eigen::Map<const Eigen::VectorXd>(mesh.area.data(), mesh.size());
   const Eigen::MatrixXd exchange = Eigen::MatrixXd::Constant(mesh.size(), mesh.size(), 0.1);
-  const radiosity::testing::DenseTestTransport transport(exchange, area);
+  const radiosity::test::DenseTestTransport transport(exchange, area);
   const auto path = folder / "seed.h5";
   io::write_form_factors(path, mesh, transport);
   return written(path);

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "radiosity/scene.h"
+#include "radiosity/scene/scene.h"
 
 namespace radiosity::test {
 

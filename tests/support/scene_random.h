@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "radiosity/geometry.h"
+#include "radiosity/base/geometry.h"
 
 namespace radiosity::test {
 

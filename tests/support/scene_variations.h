@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "radiosity/base/geometry.h"
 #include "tests/support/scene_families.h"
 
 namespace radiosity::test {

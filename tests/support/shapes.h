@@ -3,7 +3,8 @@
 #include <cstdint>
 #include <random>
 
-#include "radiosity/patch_mesh.h"
+#include "radiosity/base/geometry.h"
+#include "radiosity/scene/patch_mesh.h"
 
 namespace radiosity::test {
 

@@ -4,8 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "radiosity/patch_mesh.h"
-#include "radiosity/scene.h"
+#include "radiosity/base/geometry.h"
+#include "radiosity/scene/patch_mesh.h"
+#include "radiosity/scene/scene.h"
 
 namespace radiosity::test {
 

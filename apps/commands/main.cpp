@@ -1,0 +1,65 @@
+#include <fmt/format.h>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "apps/commands/form_factors_command.h"
+#include "apps/commands/inspect_command.h"
+#include "apps/commands/render_command.h"
+#include "apps/commands/solve_command.h"
+#include "apps/commands/validate_command.h"
+#include "apps/commands/view_command.h"
+#include "apps/terminal/interruption.h"
+#include "apps/terminal/terminal_progress.h"
+#include "apps/terminal/usage_error.h"
+#include "radiosity/base/error.h"
+#include "radiosity/solve/solve.h"
+
+namespace {
+
+constexpr int kFailureExit = 1;
+constexpr int kUsageExit = 2;
+
+int fail(int exit_code, std::string_view message) {
+  fmt::print(stderr, "radiosity: error: {}\n", apps::one_line(message));
+  return exit_code;
+}
+
+/// Parses the command line and runs the command; returns the exit code.
+int run(CLI::App& program, apps::Interruption& interruption, int argc, char** argv) {
+  try {
+    program.parse(argc, argv);
+    return 0;
+  } catch (const CLI::Success& help_or_version) {
+    return program.exit(help_or_version);
+  } catch (const CLI::ParseError& error) {
+    return fail(kUsageExit, apps::usage_message(program, error));
+  } catch (const radiosity::Interrupted&) {
+    interruption.tell();
+    return apps::kInterruptedExit;
+  } catch (const std::bad_alloc&) {
+    return fail(kFailureExit, "out of memory; fewer patches need less (--patches N)");
+  } catch (const std::exception& error) {
+    return fail(kFailureExit, error.what());
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  apps::Interruption interruption;
+  CLI::App program("Radiosity: how light spreads between diffuse surfaces.", "radiosity");
+  program.set_version_flag("--version", "radiosity " RADIOSITY_VERSION);
+  program.require_subcommand(1);
+  const apps::SolveCommand solve(program, interruption);
+  const apps::FormFactorsCommand form_factors(program, interruption);
+  const apps::InspectCommand inspect(program, interruption);
+  const apps::RenderCommand render(program, interruption);
+  const apps::ValidateCommand validate(program, interruption);
+  const apps::ViewCommand view(program, interruption);
+  return run(program, interruption, argc, argv);
+}

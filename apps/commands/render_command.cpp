@@ -1,0 +1,47 @@
+#include "apps/commands/render_command.h"
+
+#include "apps/run/picture_check.h"
+#include "apps/run/solved_scene.h"
+#include "apps/summary/summary.h"
+#include "apps/terminal/output_files.h"
+#include "radiosity/base/parallel.h"
+
+namespace apps {
+
+RenderCommand::RenderCommand(CLI::App& program, Interruption& interruption)
+    : interruption_(interruption) {
+  CLI::App* command =
+      program.add_subcommand("render", "Compute the radiosity of a scene and write a picture");
+  add_common_options(*command, common_);
+  command->add_option("-o,--output", output_, "Picture file, .png or .exr")
+      ->required()
+      ->check([](const std::string& path) { return check_extension(path, picture_extensions()); })
+      ->type_name("FILE");
+  add_compute_options(*command, compute_);
+  add_adaptive_option(*command, compute_);
+  add_picture_options(*command, picture_);
+  command->callback([this] { run(); });
+}
+
+void RenderCommand::run() const {
+  CommonOptions common = common_;
+  common.outputs = {output_};
+  check_outputs(common.outputs, common_.scene);
+  check_false_color(picture_.false_color);
+  TerminalProgress terminal(terminal_style(common_));
+  const radiosity::ThreadLimit threads(common_.n_threads);
+  const radiosity::Progress progress = shown_progress(terminal, interruption_);
+  const PatchCheck check = [&](const PatchedScene& patched) {
+    check_picture(patched, picture_, terminal);
+    check_photometry(patched.scene, shown_quantities(picture_.false_color), picture_.photometry,
+                     terminal);
+  };
+  const SolvedScene solved(common, compute_, radiosity::Method::conjugate_gradients, progress,
+                           terminal, check);
+  SolveSummary summary = {.solved = solved, .outputs = common.outputs};
+  summary.false_color = write_picture(output_, solved, picture_, progress, interruption_);
+  progress.check();
+  print_summary(summary, common_, terminal);
+}
+
+}  // namespace apps

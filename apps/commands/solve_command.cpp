@@ -1,0 +1,95 @@
+#include "apps/commands/solve_command.h"
+
+#include <algorithm>
+
+#include "apps/run/picture_check.h"
+#include "apps/run/solved_scene.h"
+#include "apps/summary/summary.h"
+#include "apps/terminal/output_files.h"
+#include "io/result/result_file.h"
+#include "radiosity/base/parallel.h"
+
+namespace apps {
+namespace {
+
+using radiosity::Method;
+using radiosity::Quantity;
+
+std::vector<std::string> method_names() {
+  std::vector<std::string> names;
+  for (const Method method : radiosity::all_methods())
+    names.emplace_back(radiosity::method_name(method));
+  return names;
+}
+
+}  // namespace
+
+SolveCommand::SolveCommand(CLI::App& program, Interruption& interruption)
+    : interruption_(interruption), method_(radiosity::method_name(Method::conjugate_gradients)) {
+  CLI::App* command =
+      program.add_subcommand("solve", "Compute the radiosity of a scene and write it to files");
+  add_common_options(*command, common_);
+  command
+      ->add_option(
+          "-o,--output", common_.outputs,
+          "Result file, by extension: .vtp (ParaView), .csv, .ply, .png or .exr (picture); "
+          "may be repeated")
+      ->check([](const std::string& path) { return check_extension(path, result_extensions()); })
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+  command->add_option("--method", method_, "Iteration; cg (conjugate gradients) is the fastest")
+      ->check(CLI::IsMember(method_names()))
+      ->capture_default_str()
+      ->type_name("M");
+  add_compute_options(*command, compute_);
+  add_adaptive_option(*command, compute_);
+  add_quantity_options(*command, quantities_);
+  add_picture_options(*command, picture_);
+  command->callback([this] { run(); });
+}
+
+void SolveCommand::run() const {
+  check_outputs(common_.outputs, common_.scene);
+  check_false_color(picture_.false_color);
+  TerminalProgress terminal(terminal_style(common_));
+  const radiosity::ThreadLimit threads(common_.n_threads);
+  const radiosity::Progress progress = shown_progress(terminal, interruption_);
+  const std::vector<Quantity> quantities = chosen_quantities(quantities_);
+  const PatchCheck check = [&](const PatchedScene& patched) {
+    check_all(patched, quantities, terminal);
+  };
+  const SolvedScene solved(common_, compute_, *radiosity::method_named(method_), progress, terminal,
+                           check);
+  io::ResultOptions options = {.wavelengths = solved.scene.bands.wavelengths};
+  for (const Quantity quantity : quantities) {
+    options.quantities.push_back(radiosity::make_field(quantity, solved.mesh, solved.solution,
+                                                       solved.scene.bands,
+                                                       picture_.photometry.efficacy_or_default()));
+  }
+  SolveSummary summary = {.solved = solved, .outputs = common_.outputs};
+  for (const auto& field : options.quantities) {
+    summary.quantities.push_back(summarize(field, solved.mesh));
+  }
+  for (const std::string& output : common_.outputs) {
+    if (is_picture(output)) {
+      summary.false_color = write_picture(output, solved, picture_, progress, interruption_);
+    } else {
+      const auto lock = interruption_.hold();
+      io::write(output, solved.mesh, solved.solution, options);
+    }
+    progress.check();
+  }
+  print_summary(summary, common_, terminal);
+}
+
+void SolveCommand::check_all(const PatchedScene& patched, std::vector<Quantity> quantities,
+                             TerminalProgress& terminal) const {
+  if (std::any_of(common_.outputs.begin(), common_.outputs.end(), is_picture)) {
+    check_picture(patched, picture_, terminal);
+    const auto shown = shown_quantities(picture_.false_color);
+    quantities.insert(quantities.end(), shown.begin(), shown.end());
+  }
+  check_photometry(patched.scene, quantities, picture_.photometry, terminal);
+}
+
+}  // namespace apps

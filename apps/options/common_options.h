@@ -1,0 +1,66 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "apps/options/camera_options.h"
+#include "apps/options/false_color_options.h"
+#include "apps/options/quantity_options.h"
+#include "io/picture/image_file.h"
+#include "radiosity/assembly/transport_options.h"
+#include "radiosity/picture/render.h"
+
+namespace apps {
+
+/// Options that every subcommand takes.
+struct CommonOptions {
+  std::string scene;                ///< file name
+  std::optional<std::string> unit;  ///< of the file's coordinates; absent: what the file says
+  std::optional<double> precision;  ///< of the coordinates, m; absent: as the file says, else found
+  bool strict = false;              ///< refuse files with faults that can be mended
+  std::size_t n_threads = 0;        ///< 0 = all cores
+  bool json = false;                ///< one JSON object on stdout instead of the table
+  bool quiet = false;               ///< no progress on stderr
+  /// Files that the run writes: none of them may be one that the scene is read from.
+  std::vector<std::string> outputs;
+};
+
+/// What the options of a computation say about patches and form factors.
+struct ComputeOptions {
+  std::optional<double> max_edge;  ///< m
+  std::optional<long> n_patches;   ///< about so many
+  bool as_is = false;              ///< each input polygon is one patch
+  bool adaptive = false;           ///< patches are refined where the light varies
+  double tolerance = 1e-2;         ///< relative error asked of the result
+  std::string closed = "auto";     ///< "yes", "no" or "auto"
+  std::uint64_t seed = 0;          ///< of the visibility samples
+};
+
+/// How pictures are made.
+struct PictureOptions {
+  bool gather = false;  ///< gather the light of each pixel anew instead of interpolating
+  radiosity::RenderOptions render;
+  io::ImageOptions image;
+  CameraOptions camera;
+  FalseColorOptions false_color;
+  PhotometryOptions photometry;
+};
+
+/// These bind the options to the command; `options` must outlive the parsing.
+void add_common_options(CLI::App& command, CommonOptions& options);
+/// Those of the common options that have to do with running, not with a scene.
+void add_run_options(CLI::App& command, CommonOptions& options);
+void add_strict_option(CLI::App& command, bool& strict);
+void add_precision_option(CLI::App& command, std::optional<double>& precision);
+void add_seed_option(CLI::App& command, std::uint64_t& seed);
+void add_compute_options(CLI::App& command, ComputeOptions& options);
+/// --adaptive, after add_compute_options.
+void add_adaptive_option(CLI::App& command, ComputeOptions& options);
+void add_picture_options(CLI::App& command, PictureOptions& options);
+
+/// --closed as the library takes it; with "auto" the scene's own declaration counts.
+radiosity::Closed closed_choice(const std::string& choice, const std::optional<bool>& declared);
+
+}  // namespace apps

@@ -1,0 +1,38 @@
+#include "apps/run/work_file_check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "io/base/extension.h"
+#include "radiosity/base/error.h"
+
+namespace apps {
+
+using radiosity::TileStore;
+using radiosity::WorkFileState;
+
+std::filesystem::path work_file_path(const std::vector<std::string>& outputs) {
+  const auto h5 = std::find_if(outputs.begin(), outputs.end(), [](const std::string& output) {
+    return io::lower_case_extension(output) == ".h5";
+  });
+  return (h5 != outputs.end() ? *h5 : outputs.front()) + ".partial";
+}
+
+void check_work_file(const std::filesystem::path& path, const radiosity::Fingerprint& fingerprint,
+                     TileStore::Start wanted, TerminalProgress& terminal) {
+  const WorkFileState state = radiosity::work_file_state(path, fingerprint.value());
+  const bool is_resumed = wanted == TileStore::Start::resumed;
+  if (is_resumed && state == WorkFileState::other) {
+    throw radiosity::OutputError(
+        fmt::format("{}: belongs to another scene or other options, so it cannot be resumed; "
+                    "repeat them, or remove the file",
+                    path.string()));
+  }
+  if (is_resumed || state == WorkFileState::absent) return;
+  terminal.warn(
+      fmt::format("{}{} is replaced; --resume would have continued it", path.string(),
+                  state == WorkFileState::same ? "" : ", of another scene or with other options,"));
+}
+
+}  // namespace apps

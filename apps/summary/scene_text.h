@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string_view>
+
+#include "meshing/inspect/inspect.h"
+#include "radiosity/scene/scene.h"
+
+namespace apps {
+
+/// "none", "radiance", "exitance", "power" or "temperature", as in scene files.
+constexpr std::string_view emission_name(radiosity::Emission::Kind kind) {
+  switch (kind) {
+    case radiosity::Emission::Kind::none:
+      return "none";
+    case radiosity::Emission::Kind::radiance:
+      return "radiance";
+    case radiosity::Emission::Kind::exitance:
+      return "exitance";
+    case radiosity::Emission::Kind::power:
+      return "power";
+    case radiosity::Emission::Kind::temperature:
+      return "temperature";
+  }
+  return "";
+}
+
+/// "note", "warning" or "serious".
+constexpr std::string_view severity_name(meshing::Finding::Severity severity) {
+  switch (severity) {
+    case meshing::Finding::Severity::note:
+      return "note";
+    case meshing::Finding::Severity::warning:
+      return "warning";
+    case meshing::Finding::Severity::serious:
+      return "serious";
+  }
+  return "";
+}
+
+}  // namespace apps

@@ -1,0 +1,305 @@
+#include "apps/summary/text_summary.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "apps/summary/scene_text.h"
+#include "apps/terminal/surface_flux.h"
+#include "apps/terminal/terminal_progress.h"
+#include "radiosity/scene/patch_mesh.h"
+#include "radiosity/solve/quantity.h"
+#include "radiosity/solve/solution.h"
+
+namespace apps {
+namespace {
+
+using Row = std::vector<std::string>;
+
+std::string line(std::string_view label, std::string_view value) {
+  return fmt::format("{:<16}{}\n", label, value);
+}
+
+/// Number of characters that a UTF-8 text shows as (fmt counts the same way when it pads).
+std::size_t width(const std::string& text) {
+  return std::count_if(text.begin(), text.end(),
+                       [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });
+}
+
+/// Columns as wide as their longest cell; the first is aligned left, the others right.
+std::string table(const std::vector<Row>& rows) {
+  std::vector<std::size_t> widths(rows.front().size());
+  for (const Row& row : rows) {
+    for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], width(row[c]));
+  }
+  std::string text;
+  for (const Row& row : rows) {
+    text += fmt::format("  {:<{}}", row[0], widths[0]);
+    for (std::size_t c = 1; c < row.size(); ++c) text += fmt::format("  {:>{}}", row[c], widths[c]);
+    text += "\n";
+  }
+  return text;
+}
+
+/// All values if they are few, else their range.
+std::string numbers(const Eigen::VectorXd& values) {
+  if (values.size() > 4) {
+    return fmt::format("{:.4g} .. {:.4g}", values.minCoeff(), values.maxCoeff());
+  }
+  std::string text;
+  for (const double value : values) {
+    text += fmt::format("{}{:.4g}", text.empty() ? "" : " ", value);
+  }
+  return text;
+}
+
+std::string bytes(std::size_t n) {
+  return n < 1'000'000'000 ? fmt::format("{:.1f} MB", static_cast<double>(n) * 1e-6)
+                           : fmt::format("{:.2f} GB", static_cast<double>(n) * 1e-9);
+}
+
+std::string scene_lines(const PatchedScene& patched) {
+  return line("scene", one_line(patched.scene.source)) +
+         line("patches", fmt::format("{} on {} surfaces", patched.mesh.size(),
+                                     patched.mesh.surface_names.size()));
+}
+
+/// A share to six digits; rounding shows as 0 and never as -0.
+std::string share(double value) {
+  return fmt::format("{:.6f}", std::abs(value) < 5e-7 ? 0.0 : value);
+}
+
+/// One row per surface: how much of what leaves it reaches each other one, and no surface at all.
+std::string surface_factor_table(const radiosity::PatchMesh& mesh, const Eigen::MatrixXd& factors) {
+  Row head{"from \\ to"};
+  for (const std::string& name : mesh.surface_names) head.push_back(one_line(name));
+  head.emplace_back("unseen");
+  std::vector<Row> rows{head};
+  for (Eigen::Index s = 0; s < factors.rows(); ++s) {
+    Row row{one_line(mesh.surface_names[s])};
+    for (const double factor : factors.row(s)) row.push_back(share(factor));
+    row.push_back(share(1 - factors.row(s).sum()));
+    rows.push_back(row);
+  }
+  return table(rows);
+}
+
+std::string form_factor_lines(const radiosity::AssemblyReport& report, std::size_t size) {
+  std::string text = line("form factors", fmt::format("{:.3g} s, {}", report.seconds, bytes(size)));
+  text += line("  pairs facing", fmt::format("{}", report.facing));
+  text += line("    visible", fmt::format("{}", report.visible));
+  text += line("    hidden", fmt::format("{}", report.hidden));
+  text += line("    undecided",
+               fmt::format("{}, of these {} partly hidden", report.undecided, report.partial));
+  if (report.known > 0) text += line("    kept", fmt::format("{}", report.known));
+  text += line("  rays", fmt::format("{}", report.rays));
+  text += line("  closure",
+               fmt::format("|1 - row sum| {:.2g} on average, at most {:.2g} ({})",
+                           report.closure_mean, report.closure_max,
+                           report.closed ? "closed scene, since corrected" : "open scene"));
+  return text;
+}
+
+std::string dropped_lines(double min_factor, const radiosity::DroppedFactors& dropped) {
+  std::string text =
+      line("  dropped",
+           fmt::format("{} entries below {:g}, {:.2g} of all power, at most {:.2g} of "
+                       "a row; row sums kept",
+                       dropped.entries, min_factor, dropped.share, dropped.largest_row_share));
+  if (dropped.unbalanced_rows > 0) {
+    text += line("    but not in", fmt::format("{} rows", dropped.unbalanced_rows));
+  }
+  return text;
+}
+
+std::string solve_lines(const radiosity::Solution& solution) {
+  return line("solve", fmt::format("{:.3g} s, {}, {} iterations{}", solution.seconds,
+                                   radiosity::method_name(solution.method), solution.iterations,
+                                   solution.converged ? "" : ", NOT CONVERGED")) +
+         line("  residual", fmt::format("{:.2g}", solution.residual)) +
+         line("  error bound",
+              fmt::format("{:.2g} from the iteration, {:.2g} from the form factors",
+                          solution.error_bound, solution.transport_error_bound));
+}
+
+std::string refinement_lines(const meshing::Refinement& refinement) {
+  return line("refinement", fmt::format("{:.3g} s, {} rounds, error {:.2g}", refinement.seconds,
+                                        refinement.n_rounds, refinement.error));
+}
+
+std::string discretisation_lines(const radiosity::DiscretisationError& discretisation) {
+  return line("  patch size", fmt::format("{:.2g} of the reflected light off (order {:.2g})",
+                                          discretisation.relative, discretisation.order));
+}
+
+std::string energy_table(const radiosity::Bands& bands, const radiosity::EnergyBalance& energy) {
+  const std::string unit = radiosity::band_unit("W", bands);
+  std::vector<Row> rows = {{"energy", "emitted, " + unit, "absorbed, " + unit, "escaped, " + unit}};
+  const Row names = band_names(bands);
+  for (std::size_t band = 0; band < names.size(); ++band) {
+    const auto k = static_cast<Eigen::Index>(band);
+    rows.push_back({names[band], fmt::format("{:.6g}", energy.emitted[k]),
+                    fmt::format("{:.6g}", energy.absorbed[k]),
+                    fmt::format("{:.6g}", energy.escaped[k])});
+  }
+  return table(rows);
+}
+
+std::string flux_table(const std::vector<SurfaceFlux>& fluxes) {
+  std::vector<Row> rows = {{"net heat lost by", "area, m²", "W/m²", "W"}};
+  for (const SurfaceFlux& flux : fluxes) {
+    rows.push_back({one_line(flux.surface), fmt::format("{:.4g}", flux.area),
+                    fmt::format("{:.6g}", flux.flux), fmt::format("{:.6g}", flux.heat)});
+  }
+  return table(rows);
+}
+
+std::string quantity_table(const QuantitySummary& quantity) {
+  const bool adds = quantity.info.is_additive;
+  std::string head(quantity.info.name);
+  if (!quantity.unit.empty()) head += ", " + quantity.unit;
+  std::vector<Row> rows = {{head, "area, m²", "mean", "min", "max"}};
+  if (adds) rows.front() = {head, "area, m²", "sum"};
+  const auto add = [&](const QuantityShare& share) {
+    Row row = {one_line(share.surface), fmt::format("{:.4g}", share.area)};
+    if (adds) {
+      row.push_back(numbers(share.sum));
+    } else {
+      for (const auto* value : {&share.mean, &share.least, &share.greatest}) {
+        row.push_back(numbers(*value));
+      }
+    }
+    rows.push_back(row);
+  };
+  for (const QuantityShare& share : quantity.surfaces) add(share);
+  add(quantity.total);
+  return table(rows);
+}
+
+std::string scale_text(const ShownScale& shown) {
+  return fmt::format("{} from {:g} to {:g} {}{}", shown.quantity, shown.scale.low, shown.scale.high,
+                     shown.unit, shown.scale.logarithmic ? ", logarithmic" : "");
+}
+
+std::string emission_text(const radiosity::Emission& emission, const radiosity::Bands& bands) {
+  using Kind = radiosity::Emission::Kind;
+  if (emission.kind == Kind::none) return "-";
+  std::string_view unit = "W/m²";
+  if (emission.kind == Kind::radiance) unit = "W/(m² sr)";
+  if (emission.kind == Kind::power) unit = "W";
+  if (emission.kind == Kind::temperature) unit = "K";
+  return fmt::format("{} {} {}", emission_name(emission.kind), numbers(emission.value),
+                     radiosity::band_unit(unit, bands));
+}
+
+std::string surface_table(const radiosity::Scene& scene, const meshing::Inspection& inspection) {
+  std::vector<Row> rows = {
+      {"surface", "polygons", "area, m²", "material", "reflectance", "emission"}};
+  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
+    const radiosity::Surface& surface = scene.surfaces[s];
+    const radiosity::Material& material = scene.materials[surface.material];
+    rows.push_back({one_line(surface.name) + (surface.two_sided ? " (two-sided)" : ""),
+                    fmt::format("{}", inspection.surface_polygons[s]),
+                    fmt::format("{:.4g}", inspection.surface_area[s]), one_line(material.name),
+                    numbers(material.reflectance), emission_text(material.emission, scene.bands)});
+  }
+  return table(rows);
+}
+
+std::string bounds_text(const radiosity::Box3& box) {
+  if (box.isEmpty()) return "empty";
+  const radiosity::Vec3 size = box.sizes();
+  return fmt::format(
+      "{:.4g} x {:.4g} x {:.4g} m, from ({:.4g}, {:.4g}, {:.4g}) to ({:.4g}, {:.4g}, "
+      "{:.4g})",
+      size.x(), size.y(), size.z(), box.min().x(), box.min().y(), box.min().z(), box.max().x(),
+      box.max().y(), box.max().z());
+}
+
+std::string finding_lines(const meshing::Inspection& inspection) {
+  if (inspection.findings.empty()) return "no findings\n";
+  std::string text;
+  for (const meshing::Finding& finding : inspection.findings) {
+    const std::string times = finding.count > 1 ? fmt::format(" ({} times)", finding.count) : "";
+    text += fmt::format("{}: {}{}: {}\n", severity_name(finding.severity),
+                        meshing::kind_name(finding.kind), times, one_line(finding.message));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string form_factors_text(const FactorSummary& summary) {
+  std::string text = scene_lines(summary.patched);
+  if (summary.factors != nullptr) {
+    text += form_factor_lines(summary.factors->report(), summary.factors->bytes());
+    if (summary.min_factor > 0) {
+      text += dropped_lines(summary.min_factor, summary.factors->dropped());
+    }
+  }
+  if (summary.by_surface.size() > 0) {
+    text += surface_factor_table(summary.patched.mesh, summary.by_surface);
+  }
+  const std::string_view label = summary.factors != nullptr ? "written" : "complete";
+  for (const std::string& output : summary.outputs) text += line(label, one_line(output));
+  return text;
+}
+
+std::string solve_text(const SolveSummary& summary) {
+  const SolvedScene& solved = summary.solved;
+  std::string text = scene_lines(solved) +
+                     form_factor_lines(solved.transport->report(), solved.transport->bytes());
+  if (solved.refinement) text += refinement_lines(*solved.refinement);
+  text += solve_lines(solved.solution);
+  text += discretisation_lines(solved.discretisation);
+  text += energy_table(solved.scene.bands, solved.solution.energy);
+  if (is_thermal(solved.scene)) text += flux_table(surface_fluxes(solved.mesh, solved.solution));
+  for (const QuantitySummary& quantity : summary.quantities) text += quantity_table(quantity);
+  if (summary.false_color) text += line("false colours", scale_text(*summary.false_color));
+  for (const std::string& output : summary.outputs) text += line("written", one_line(output));
+  return text;
+}
+
+std::string factors_from_text(const FactorsFrom& factors, const std::vector<std::string>& outputs) {
+  const auto& [value, error] = factors.shares;
+  std::vector<Row> rows = {{"to", "factor", "one-sigma error"}};
+  const auto add = [&](const std::string& to, double share, double sigma) {
+    // What is exact up to rounding has no error worth showing.
+    rows.push_back({to, fmt::format("{:.8f}", std::abs(share) < 5e-9 ? 0.0 : share),
+                    sigma < 1e-14 ? "-" : fmt::format("{:.1e}", sigma)});
+  };
+  for (std::size_t s = 0; s < factors.surface_names.size(); ++s) {
+    const auto k = static_cast<Eigen::Index>(s);
+    add(one_line(factors.surface_names[s]), value.surfaces[k], error.surfaces[k]);
+  }
+  add("(backs of one-sided surfaces)", value.backs, error.backs);
+  add("(sky)", value.sky, error.sky);
+  std::string text = line("from", one_line(factors.from)) + table(rows);
+  text += line("sum",
+               fmt::format("1 {} {:.1e}", value.sum() < 1 ? '-' : '+', std::abs(value.sum() - 1)));
+  for (const std::string& output : outputs) text += line("written", one_line(output));
+  return text;
+}
+
+std::string inspect_text(const radiosity::Scene& scene, const meshing::Inspection& inspection) {
+  std::string text = line("scene", one_line(scene.source));
+  text += line("vertices", fmt::format("{}", inspection.n_vertices));
+  text +=
+      line("polygons", fmt::format("{}: {} triangles, {} quads, {} others", inspection.n_polygons,
+                                   inspection.n_triangles, inspection.n_quads, inspection.n_other));
+  text += line("area", fmt::format("{:.6g} m²", inspection.area));
+  text += line("bounds", bounds_text(inspection.bounds));
+  text += line("precision", scene.precision > 0 ? fmt::format("coordinates are rounded to {:.1g} m",
+                                                              scene.precision)
+                                                : "coordinates are exact");
+  text += line("closed",
+               fmt::format("{}: light {} ({} boundary edges)", inspection.closed ? "yes" : "no",
+                           inspection.closed ? "meets fronts only" : "escapes or meets backs",
+                           inspection.n_boundary_edges));
+  text += line("bands", fmt::format("{}", fmt::join(band_names(scene.bands), ", ")));
+  return text + surface_table(scene, inspection) + finding_lines(inspection);
+}
+
+}  // namespace apps

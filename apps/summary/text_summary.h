@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "apps/run/factors_from.h"
+#include "apps/summary/factor_summary.h"
+#include "apps/summary/solve_summary.h"
+#include "meshing/inspect/inspect.h"
+#include "radiosity/scene/scene.h"
+
+namespace apps {
+
+/// What `solve` and `render` did, as an aligned table.
+std::string solve_text(const SolveSummary& summary);
+
+/// What `form-factors` did.
+std::string form_factors_text(const FactorSummary& summary);
+
+/// Where the power goes that leaves what `form-factors --from` names, one row per destination.
+std::string factors_from_text(const FactorsFrom& factors, const std::vector<std::string>& outputs);
+
+/// What `inspect` found: counts and measures, the surfaces, then each finding on one line.
+std::string inspect_text(const radiosity::Scene& scene, const meshing::Inspection& inspection);
+
+}  // namespace apps

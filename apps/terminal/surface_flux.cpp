@@ -1,0 +1,30 @@
+#include "apps/terminal/surface_flux.h"
+
+#include <algorithm>
+
+namespace apps {
+
+bool is_thermal(const radiosity::Scene& scene) {
+  return std::any_of(scene.surfaces.begin(), scene.surfaces.end(), [&](const auto& surface) {
+    return scene.materials[surface.material].emission.kind ==
+           radiosity::Emission::Kind::temperature;
+  });
+}
+
+std::vector<SurfaceFlux> surface_fluxes(const radiosity::PatchMesh& mesh,
+                                        const radiosity::Solution& solution) {
+  std::vector<SurfaceFlux> fluxes(mesh.surface_names.size());
+  for (std::size_t s = 0; s < fluxes.size(); ++s) fluxes[s].surface = mesh.surface_names[s];
+  const Eigen::VectorXd net_flux = solution.net_flux().rowwise().sum();
+  for (radiosity::Index i = 0; i < mesh.size(); ++i) {
+    SurfaceFlux& flux = fluxes[mesh.surface[i]];
+    flux.area += mesh.area[i];
+    flux.heat += mesh.area[i] * net_flux[i];
+  }
+  for (SurfaceFlux& flux : fluxes) {
+    if (flux.area > 0) flux.flux = flux.heat / flux.area;
+  }
+  return fluxes;
+}
+
+}  // namespace apps

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "radiosity/scene/patch_mesh.h"
+#include "radiosity/scene/scene.h"
+#include "radiosity/solve/solution.h"
+
+namespace apps {
+
+/// Net heat that a surface loses by radiation (negative: gains).
+struct SurfaceFlux {
+  std::string surface;
+  double area = 0;  ///< m², both sides of a two-sided surface
+  double flux = 0;  ///< area-weighted mean of B - H, W/m²
+  double heat = 0;  ///< Σ A (B - H), W
+};
+
+/// Whether any surface's material emits by its temperature.
+bool is_thermal(const radiosity::Scene& scene);
+
+/// One entry per surface, in the scene's order; bands are added up.
+std::vector<SurfaceFlux> surface_fluxes(const radiosity::PatchMesh& mesh,
+                                        const radiosity::Solution& solution);
+
+}  // namespace apps

@@ -1,0 +1,249 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "apps/validation/cases/cases.h"
+#include "apps/validation/cases/cornell_map.h"
+#include "apps/validation/reference/assembly.h"
+#include "apps/validation/reference/cornell_reference.h"
+#include "apps/validation/reference/statistics.h"
+#include "io/scene/scene_file.h"
+#include "radiosity/solve/discretisation_error.h"
+#include "radiosity/solve/solution.h"
+
+namespace apps::validation {
+namespace {
+
+using namespace radiosity;
+
+constexpr double kTolerance = 1e-2;        // the program's default
+constexpr double kLargestNorm = 0.01;      // promised of ‖ΔB‖/‖B‖
+constexpr double kLargestOfPolygon = 0.1;  // and of |ΔB|/B anywhere
+constexpr const char* kBands[] = {"red", "green", "blue"};
+constexpr double kSigmas = 2;
+constexpr double kCoverage = 0.95;
+constexpr double kWidestInterval = 3;
+
+using Rows = std::vector<std::size_t>;
+
+/// The reference and our solution, per polygon, n x 3, W/m².
+struct Comparison {
+  std::vector<ReferencePolygon> reference;
+  Eigen::ArrayXXd expected;
+  Eigen::ArrayXXd expected_error;  ///< one standard error
+  Eigen::ArrayXXd computed;
+  Eigen::ArrayXXd computed_error;  ///< one standard error
+  Index n_patches = 0;
+  Rows covered;    ///< dark by right
+  Rows defective;  ///< dark by mistake
+  Rows compared;   ///< all others, but for the light
+};
+
+bool contains(const Rows& rows, std::size_t i) {
+  return std::find(rows.begin(), rows.end(), i) != rows.end();
+}
+
+void sort_polygons(Comparison& c) {
+  c.defective = defective_polygons(c.reference);
+  for (std::size_t i = 0; i < c.reference.size(); ++i) {
+    if (c.reference[i].surface == "light" || contains(c.defective, i)) continue;
+    (c.reference[i].radiosity.maxCoeff() == 0 ? c.covered : c.compared).push_back(i);
+  }
+}
+
+Comparison compare(const Context& context) {
+  Comparison c;
+  c.reference = read_cornell_reference(context.data);
+  const auto n = static_cast<Index>(c.reference.size());
+  c.expected.resize(n, 3);
+  c.expected_error.resize(n, 3);
+  for (Index i = 0; i < n; ++i) {
+    c.expected.row(i) = c.reference[i].radiosity;
+    c.expected_error.row(i) = c.reference[i].standard_error;
+  }
+  const Progress quiet{.report = {}, .stop = context.progress.stop};
+  const Scene scene =
+      io::read_scene(context.data / "cornell-box" / "patches-8x8.obj", {.unit = "mm"});
+  if (scene.n_polygons() != n) {
+    throw SceneError(
+        fmt::format("the reference has {} polygons, patches-8x8.obj {}", n, scene.n_polygons()));
+  }
+  const Assembly assembly =
+      assemble_adaptively(scene, {.tolerance = kTolerance,
+                                  .transport = {.seed = context.seed, .progress = quiet},
+                                  .progress = quiet});
+  Solution solution = solve_own_light(assembly, {.progress = quiet});
+  const DiscretisationError discretisation =
+      discretisation_error(assembly.mesh, *assembly.transport, solution, quiet);
+  solution = with_discretisation_error(std::move(solution), discretisation);
+  c.computed = polygon_means(assembly.mesh, solution.radiosity, n);
+  // Patches of one polygon err alike: the error of their mean is the mean of their errors.
+  c.computed_error = polygon_means(assembly.mesh, solution.radiosity_error, n);
+  c.n_patches = assembly.mesh.size();
+  sort_polygons(c);
+  return c;
+}
+
+/// sqrt(Σ A x²) over the compared polygons.
+double area_norm(const Comparison& c, const Eigen::ArrayXd& values) {
+  double sum = 0;
+  for (const std::size_t i : c.compared) {
+    sum += c.reference[i].area * std::pow(values[static_cast<Index>(i)], 2);
+  }
+  return std::sqrt(sum);
+}
+
+/// Mean of |x| / B over the compared polygons.
+double mean_relative(const Comparison& c, const Eigen::ArrayXd& values, int band) {
+  double sum = 0;
+  for (const std::size_t i : c.compared) {
+    const auto k = static_cast<Index>(i);
+    sum += std::abs(values[k]) / c.expected(k, band);
+  }
+  return sum / static_cast<double>(c.compared.size());
+}
+
+constexpr const char* kWhy =
+    "Two of the program's stated standard errors (form factors, iteration and patch size) and two "
+    "of "
+    "the reference.";
+constexpr const char* kPromised = "What is promised for default settings.";
+
+void check_band(CaseResult& result, Table& table, const Comparison& c, int band) {
+  const Eigen::ArrayXd difference = c.computed.col(band) - c.expected.col(band);
+  const Eigen::ArrayXd noise = kSigmas * c.expected_error.col(band);
+  const Eigen::ArrayXd ours = kSigmas * c.computed_error.col(band);
+  const double norm = area_norm(c, c.expected.col(band));
+  result.checks.push_back({fmt::format("{}: ‖ΔB‖/‖B‖, by area", kBands[band]),
+                           area_norm(c, difference) / norm, kLargestNorm, kPromised});
+  result.checks.push_back({fmt::format("{}: mean over the polygons of |ΔB|/B", kBands[band]),
+                           mean_relative(c, difference, band),
+                           mean_relative(c, noise, band) + mean_relative(c, ours, band), kWhy});
+  const std::size_t worst =
+      *std::max_element(c.compared.begin(), c.compared.end(), [&](std::size_t a, std::size_t b) {
+        const auto relative = [&](std::size_t i) {
+          const auto k = static_cast<Index>(i);
+          return std::abs(difference[k]) / c.expected(k, band);
+        };
+        return relative(a) < relative(b);
+      });
+  const auto k = static_cast<Index>(worst);
+  result.checks.push_back({fmt::format("{}: worst polygon, |ΔB|/B", kBands[band]),
+                           std::abs(difference[k]) / c.expected(k, band), kLargestOfPolygon,
+                           kPromised});
+  table.rows.push_back(
+      {kBands[band], fmt::format("{:.2f} %", 100 * area_norm(c, difference) / norm),
+       fmt::format("{:.2f} %", 100 * mean_relative(c, difference, band)),
+       fmt::format("{:.1f} %", 100 * std::abs(difference[k]) / c.expected(k, band)),
+       fmt::format("{} ({})", worst, c.reference[worst].surface)});
+}
+
+/// (computed - expected) / combined standard error, of every compared polygon and band.
+std::vector<double> deviations(const Comparison& c) {
+  std::vector<double> list;
+  for (const std::size_t i : c.compared) {
+    const auto k = static_cast<Index>(i);
+    for (int band = 0; band < 3; ++band) {
+      list.push_back((c.computed(k, band) - c.expected(k, band)) /
+                     std::hypot(c.computed_error(k, band), c.expected_error(k, band)));
+    }
+  }
+  return list;
+}
+
+void check_coverage(CaseResult& result, Table& table, const Comparison& c) {
+  const std::vector<double> all = deviations(c);
+  const auto within =
+      std::count_if(all.begin(), all.end(), [](double z) { return std::abs(z) <= kSigmas; });
+  result.checks.push_back(
+      {"share of polygons and bands with |ΔB| ≤ 2 √(σ² + s²)",
+       static_cast<double>(within) / static_cast<double>(all.size()), kCoverage,
+       "σ is the standard error that the program states (radiosity_error: form factors, iteration "
+       "and patch size), s the standard error of the reference: two standard errors "
+       "hold 95 % of normal errors.",
+       "", Check::Relation::at_least});
+  for (int band = 0; band < 3; ++band) {
+    std::vector<double> widths;
+    std::vector<double> ours;
+    std::vector<double> errors;
+    for (const std::size_t i : c.compared) {
+      const auto k = static_cast<Index>(i);
+      widths.push_back(kSigmas * std::hypot(c.computed_error(k, band), c.expected_error(k, band)));
+      ours.push_back(kSigmas * c.computed_error(k, band));
+      errors.push_back(std::abs(c.computed(k, band) - c.expected(k, band)));
+    }
+    result.checks.push_back({fmt::format("{}: median of 2 σ / median |ΔB|", kBands[band]),
+                             median(ours) / median(errors), kWidestInterval,
+                             "What is promised: intervals that hold because they are wide would "
+                             "say nothing. 2.97 if errors are normal and σ is right."});
+    table.rows.push_back({kBands[band], fmt::format("{:.2e}", median(widths)),
+                          fmt::format("{:.2e}", median(ours)),
+                          fmt::format("{:.2e}", median(errors)),
+                          fmt::format("{:.2f}", median(widths) / median(errors)),
+                          fmt::format("{:.2f}", median(ours) / median(errors))});
+  }
+}
+
+void check_covered(CaseResult& result, const Comparison& c) {
+  double largest = 0;
+  for (const std::size_t i : c.covered) {
+    largest = std::max(largest, c.computed.row(static_cast<Index>(i)).abs().maxCoeff());
+  }
+  result.checks.push_back(
+      {fmt::format("{} floor polygons under the blocks: largest B", c.covered.size()), largest, 0,
+       "No light reaches them: they must be exactly 0, as in the reference.", "W/m²"});
+}
+
+void add_notes(CaseResult& result, const Comparison& c) {
+  for (const std::size_t i : c.defective) {
+    result.notes.push_back(fmt::format(
+        "Polygon {} ({}) of the reference is left out as defective: its radiosity is exactly 0 in "
+        "every band and so is its standard error, though each of its neighbours on the same "
+        "surface has at least half of the surface's mean radiosity, {:.3f} in all. We find {:.3f}.",
+        i, c.reference[i].surface, surface_radiosity(c.reference, c.reference[i].surface),
+        c.computed.row(static_cast<Index>(i)).sum()));
+  }
+  result.notes.push_back(
+      fmt::format("The light's polygons are left out: what they emit is given and would drown the "
+                  "rest. {} polygons are compared, in three bands.",
+                  c.compared.size()));
+}
+
+}  // namespace
+
+CaseResult run_cornell_box(const Context& context) {
+  const Comparison c = compare(context);
+  CaseResult result{
+      .compared = fmt::format("Radiosity of the Cornell box, {} adaptive patches (tolerance {}), "
+                              "averaged over the {} polygons of the reference; and whether the "
+                              "program's own error intervals hold.",
+                              c.n_patches, kTolerance, c.reference.size()),
+      .reference =
+          "Path tracing (Mitsuba 3.9.1, unlimited depth), mean outgoing radiance of each "
+          "polygon with its standard error, at most 0.3 %: "
+          "tests/data/cornell-box/reference-radiosity-8x8.csv. Geometry by the Cornell "
+          "Program of Computer Graphics."};
+  Table errors{"Differences from the reference",
+               {"band", "‖ΔB‖/‖B‖", "mean |ΔB|/B", "worst |ΔB|/B", "polygon"},
+               {}};
+  for (int band = 0; band < 3; ++band) check_band(result, errors, c, band);
+  Table intervals{
+      "Intervals, W/m²: 2.97 between the medians if errors are normal and σ is right",
+      {"band", "median half width", "median of 2 σ", "median |ΔB|", "ratio", "ratio of 2 σ"},
+      {}};
+  check_coverage(result, intervals, c);
+  check_covered(result, c);
+  add_notes(result, c);
+  result.figures.emplace_back(errors);
+  result.figures.emplace_back(intervals);
+  result.figures.emplace_back(
+      normal_histogram("Differences by combined standard error, all polygons and bands",
+                       "ΔB / √(σ² + s²), ends include all beyond", deviations(c)));
+  result.figures.emplace_back(difference_map(c.reference, c.computed.matrix(), c.defective));
+  return result;
+}
+
+}  // namespace apps::validation

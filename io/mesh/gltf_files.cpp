@@ -1,0 +1,64 @@
+#include "io/mesh/gltf_files.h"
+
+#include <array>
+#include <charconv>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+#include "io/base/byte_reader.h"
+#include "io/base/extension.h"
+
+namespace io {
+namespace {
+
+using Json = nlohmann::json;
+
+/// The text of the file, or of a .glb's first chunk: a header of 12 bytes, then length and type of
+/// the chunk, then its content.
+std::string json_text(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  if (lower_case_extension(path) != ".glb") return {std::istreambuf_iterator<char>(stream), {}};
+  std::array<char, 20> header{};
+  stream.read(header.data(), header.size());
+  std::error_code error;
+  const auto size = load<std::uint32_t>(header.data() + 12, std::endian::little);
+  if (!stream || size > std::filesystem::file_size(path, error) || error) return {};
+  std::string text(size, '\0');
+  stream.read(text.data(), size);
+  return text;
+}
+
+/// "a%20b" is "a b".
+std::string decoded(std::string_view uri) {
+  std::string result;
+  while (!uri.empty()) {
+    unsigned code = 0;
+    const bool is_code =
+        uri[0] == '%' && uri.size() > 2 &&
+        std::from_chars(uri.data() + 1, uri.data() + 3, code, 16).ptr == uri.data() + 3;
+    result += is_code ? static_cast<char>(code) : uri[0];
+    uri.remove_prefix(is_code ? 3 : 1);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> gltf_files(const std::filesystem::path& path) {
+  const Json json = Json::parse(json_text(path), nullptr, false);
+  std::vector<std::filesystem::path> files;
+  if (!json.is_object()) return files;
+  for (const char* list : {"buffers", "images"}) {
+    if (!json.contains(list) || !json[list].is_array()) continue;
+    for (const Json& item : json[list]) {
+      if (!item.is_object() || !item.contains("uri") || !item["uri"].is_string()) continue;
+      const auto uri = item["uri"].get<std::string>();
+      if (!uri.starts_with("data:")) files.push_back(path.parent_path() / decoded(uri));
+    }
+  }
+  return files;
+}
+
+}  // namespace io

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/picture/rgb_picture.h"
+#include "radiosity/picture/render.h"
+#include "radiosity/scene/scene.h"
+
+namespace io {
+
+struct ImageOptions {
+  /// Factor from radiance to display value for .png; absent: chosen so that the picture is well
+  /// exposed. An .exr is linear radiance and ignores it.
+  std::optional<double> exposure = {};
+  /// Wavelengths of the picture's bands, nm, increasing; a .png then shows their colour. Empty:
+  /// three bands are linear RGB, any other number shows as grey.
+  std::vector<double> wavelengths = {};
+  /// Name of the channel of an .exr with one band. With several they are R, G, B or band.0...
+  std::string channel = "Y";
+};
+
+/// Writes a picture by extension: .png (8-bit sRGB, colours by `display_colors`) or .exr (float,
+/// linear, all bands as they are). Written beside and renamed into place. Throws OutputError.
+void write_image(const std::filesystem::path& path, const radiosity::Image& image,
+                 const ImageOptions& options = {});
+
+/// Writes pixels as they are. Beside and renamed into place, too. Throws OutputError.
+void write_png(const std::filesystem::path& path, const RgbPicture& picture);
+
+}  // namespace io

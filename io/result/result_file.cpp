@@ -1,0 +1,37 @@
+#include "io/result/result_file.h"
+
+#include <fmt/format.h>
+#include <vtkPolyData.h>
+
+#include <cassert>
+#include <string>
+
+#include "io/base/extension.h"
+#include "io/result/color_ply.h"
+#include "io/result/patch_csv.h"
+#include "io/result/vtk_polydata.h"
+#include "radiosity/base/error.h"
+
+namespace io {
+
+void write(const std::filesystem::path& path, const radiosity::PatchMesh& mesh,
+           const radiosity::Solution& solution, const ResultOptions& options) {
+  assert(solution.radiosity.rows() == mesh.size());
+  const std::string extension = lower_case_extension(path);
+  if (extension == ".vtp") {
+    write_polydata(path, *make_polydata(mesh, solution, options.quantities, options.wavelengths));
+  } else if (extension == ".csv") {
+    write_patch_csv(path, mesh, solution, options.quantities);
+  } else if (extension == ".ply") {
+    write_color_ply(path, mesh,
+                    options.quantities.empty()
+                        ? radiosity_colors(mesh, solution, options.wavelengths)
+                        : quantity_colors(mesh, options.quantities.front(), options.wavelengths));
+  } else {
+    throw radiosity::OutputError(
+        fmt::format("{}: cannot write a result as '{}', expected .vtp, .csv or .ply", path.string(),
+                    extension));
+  }
+}
+
+}  // namespace io

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vtkSmartPointer.h>
+
+#include <filesystem>
+#include <vector>
+
+#include "radiosity/scene/patch_mesh.h"
+#include "radiosity/solve/quantity.h"
+#include "radiosity/solve/solution.h"
+
+class vtkPolyData;
+
+namespace io {
+
+/// Version of the arrays in a result file, to be raised when an older reader would misread them.
+inline constexpr int kResultVersion = 1;
+
+/// A solution as VTK's data model: one polygon per patch, in patch order, with the mesh's vertices
+/// as points (m). Cell arrays: radiosity, irradiance, exitance, reflectance, radiosity_error,
+/// net_flux (float64, one component per band), area (float64, m²), surface, polygon, twin, family
+/// (int32). The arrays of the solution have n_patches rows. `quantities` are added by their column
+/// names, those of the same name once. Field data: surface_names (strings, indexed by `surface`),
+/// surface_two_sided (0 or 1), radiosity_version, bands ("grey", "rgb" or "wavelengths"; absent for
+/// another number of bands without `wavelengths`), wavelengths (nm), energy_emitted,
+/// energy_absorbed, energy_escaped (one value per band), solve_method, solve_iterations,
+/// solve_converged, solve_products, solve_residual, solve_error_bound and transport_error_bound.
+vtkSmartPointer<vtkPolyData> make_polydata(
+    const radiosity::PatchMesh& mesh, const radiosity::Solution& solution,
+    const std::vector<radiosity::QuantityField>& quantities = {},
+    const std::vector<double>& wavelengths = {});
+
+/// Writes VTK XML (.vtp), zlib-compressed. Throws OutputError naming `path`.
+void write_polydata(const std::filesystem::path& path, vtkPolyData& polydata);
+
+}  // namespace io

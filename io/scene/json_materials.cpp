@@ -1,0 +1,164 @@
+#include "io/scene/json_materials.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+
+#include "io/base/input_checks.h"
+#include "io/scene/scene_keys.h"
+#include "io/scene/spectrum.h"
+
+namespace io {
+namespace {
+
+using radiosity::Bands;
+using radiosity::Emission;
+using radiosity::Material;
+
+/// What is wrong with values, if anything.
+using ValueCheck = std::function<std::optional<std::string>(const Eigen::VectorXd&)>;
+
+Eigen::VectorXd read_csv(const JsonItem& item, const Bands& bands,
+                         const std::filesystem::path& folder, const ValueCheck& check) {
+  item.check_keys(keys::kSpectrum);
+  if (bands.kind != Bands::Kind::wavelengths) {
+    item.fail("a spectrum needs \"bands\" given as wavelengths");
+  }
+  const std::string file = item.at("csv").text();
+  const Spectrum spectrum =
+      read_spectrum(folder / file, item.at("column").text(),
+                    [&](double value) { return check(Eigen::VectorXd::Constant(1, value)); });
+  const auto& x = spectrum.wavelengths;
+  if (bands.wavelengths.front() < x.front() || bands.wavelengths.back() > x.back()) {
+    item.fail(fmt::format("{} covers {} to {} nm, expected to cover the bands, {} to {} nm", file,
+                          x.front(), x.back(), bands.wavelengths.front(),
+                          bands.wavelengths.back()));
+  }
+  return interpolate(spectrum, bands.wavelengths);
+}
+
+/// One value per band from a number or a list.
+Eigen::VectorXd read_numbers(const JsonItem& item, const Bands& bands) {
+  if (!item.value().is_array()) return Eigen::VectorXd::Constant(bands.count(), item.number());
+  if (static_cast<Eigen::Index>(item.size()) != bands.count()) {
+    item.fail(
+        fmt::format("found {} values, expected {}, one per band", item.size(), bands.count()));
+  }
+  Eigen::VectorXd values(bands.count());
+  for (std::size_t k = 0; k < item.size(); ++k) {
+    values[static_cast<Eigen::Index>(k)] = item[k].number();
+  }
+  return values;
+}
+
+/// The same, or from a reference to a CSV column; checked.
+Eigen::VectorXd read_values(const JsonItem& item, const Bands& bands,
+                            const std::filesystem::path& folder, const ValueCheck& check) {
+  if (item.value().is_object()) return read_csv(item, bands, folder, check);
+  Eigen::VectorXd values = read_numbers(item, bands);
+  if (const auto problem = check(values)) item.fail(*problem);
+  return values;
+}
+
+Eigen::VectorXd read_reflectance(const JsonItem& material, const Bands& bands,
+                                 const std::filesystem::path& folder) {
+  if (material.has("reflectance") == material.has("emissivity")) {
+    material.fail("expected either \"reflectance\" or \"emissivity\"");
+  }
+  if (const auto item = material.find("reflectance")) {
+    return read_values(*item, bands, folder, reflectance_problem);
+  }
+  const JsonItem item = material.at("emissivity");
+  const double emissivity = item.number();
+  if (!(emissivity >= 0 && emissivity <= 1)) {
+    item.fail(fmt::format("emissivity {} is outside [0, 1]", emissivity));
+  }
+  return Eigen::VectorXd::Constant(bands.count(), 1 - emissivity);
+}
+
+Emission::Kind emission_kind(std::string_view key) {
+  if (key == "radiance") return Emission::Kind::radiance;
+  if (key == "exitance") return Emission::Kind::exitance;
+  if (key == "power") return Emission::Kind::power;
+  return Emission::Kind::temperature;
+}
+
+Emission read_emission_value(const JsonItem& item, std::string_view key, const Bands& bands,
+                             const std::filesystem::path& folder) {
+  const ValueCheck check = [&](const Eigen::VectorXd& value) {
+    return emission_problem(std::string(key), value);
+  };
+  Emission emission{.kind = emission_kind(key), .value = {}};
+  if (emission.kind == Emission::Kind::temperature) {
+    if (bands.kind != Bands::Kind::grey) {
+      item.fail("a temperature needs \"bands\": \"grey\", which then is all thermal radiation");
+    }
+    emission.value = Eigen::VectorXd::Constant(1, item.number());
+    if (const auto problem = check(emission.value)) item.fail(*problem);
+  } else {
+    emission.value = read_values(item, bands, folder, check);
+  }
+  return emission;
+}
+
+/// The emission given by at most one key, in the material itself or in its "emission".
+Emission read_emission(const JsonItem& material, const Bands& bands,
+                       const std::filesystem::path& folder) {
+  const auto nested = material.find("emission");
+  if (nested) nested->check_keys(keys::kEmission);
+  Emission emission;
+  std::string_view first;
+  for (const std::string_view key : keys::kEmission) {
+    for (const JsonItem* place : {&material, nested ? &*nested : nullptr}) {
+      if (place == nullptr || !place->has(key)) continue;
+      if (!first.empty()) {
+        material.fail(fmt::format("emission is given twice, by \"{}\" and by \"{}\"", first, key));
+      }
+      first = key;
+      emission = read_emission_value(place->at(key), key, bands, folder);
+    }
+  }
+  if (nested && first.empty()) {
+    nested->fail("expected one of radiance, exitance, power, temperature");
+  }
+  return emission;
+}
+
+Material read_material(const JsonItem& item, const std::string& name, const Bands& bands,
+                       const std::filesystem::path& folder) {
+  item.check_keys(keys::kMaterial);
+  if (const auto description = item.find("description")) (void)description->text();
+  return {.name = name,
+          .reflectance = read_reflectance(item, bands, folder),
+          .emission = read_emission(item, bands, folder)};
+}
+
+}  // namespace
+
+std::vector<Material> read_materials(const JsonItem& materials, const Bands& bands,
+                                     const std::filesystem::path& folder) {
+  std::vector<Material> result;
+  if (materials.value().is_object()) {
+    for (const auto& [name, unused] : materials.value().items()) {
+      const JsonItem item = materials.at(name);
+      if (item.has("name") && item.at("name").text() != name) {
+        item.fail(fmt::format("is named \"{}\" inside", item.at("name").text()));
+      }
+      result.push_back(read_material(item, name, bands, folder));
+    }
+    return result;
+  }
+  for (std::size_t i = 0; i < materials.size(); ++i) {
+    const JsonItem item = materials[i];
+    const std::string name = item.at("name").text();
+    if (std::any_of(result.begin(), result.end(), [&](const auto& m) { return m.name == name; })) {
+      item.fail(fmt::format("a material named \"{}\" exists already", name));
+    }
+    result.push_back(read_material(item, name, bands, folder));
+  }
+  return result;
+}
+
+}  // namespace io

@@ -1,0 +1,155 @@
+#include "io/scene/json_scene.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "io/base/json_item.h"
+#include "io/base/line_reader.h"
+#include "io/scene/json_materials.h"
+#include "io/scene/json_surfaces.h"
+#include "io/scene/scene_keys.h"
+
+namespace io {
+namespace {
+
+using radiosity::Bands;
+using radiosity::Camera;
+using radiosity::kPi;
+using radiosity::Scene;
+using radiosity::Vec3;
+
+/// Sine of the angle between `up` and the view below which they count as parallel.
+constexpr double kParallel = 1e-6;
+
+Bands read_bands(const JsonItem& item) {
+  Bands bands;
+  if (item.value().is_string()) {
+    const std::string name = item.text();
+    if (name != "rgb" && name != "grey") {
+      item.fail(fmt::format("found \"{}\", expected \"rgb\", \"grey\" or wavelengths in nm", name));
+    }
+    bands.kind = name == "rgb" ? Bands::Kind::rgb : Bands::Kind::grey;
+    return bands;
+  }
+  bands.kind = Bands::Kind::wavelengths;
+  for (std::size_t i = 0; i < item.size(); ++i) {
+    const double wavelength = item[i].number();
+    if (!(wavelength > 0)) item[i].fail(fmt::format("wavelength {} is not positive", wavelength));
+    if (i > 0 && !(wavelength > bands.wavelengths.back())) {
+      item[i].fail(fmt::format("wavelength {} does not follow {}, expected increasing ones",
+                               wavelength, bands.wavelengths.back()));
+    }
+    bands.wavelengths.push_back(wavelength);
+  }
+  if (bands.wavelengths.empty()) item.fail("has no wavelengths");
+  return bands;
+}
+
+double positive(const JsonItem& item) {
+  const double number = item.number();
+  if (!(number > 0)) item.fail(fmt::format("is {}, expected more than 0", number));
+  return number;
+}
+
+/// Height of the film: a number for a square one, or [width, height].
+double film_height(const JsonItem& film) {
+  if (film.value().is_number()) return positive(film);
+  if (film.size() != 2) film.fail("expected a number or [width, height]");
+  (void)positive(film[0]);
+  return positive(film[1]);
+}
+
+double read_vertical_fov(const JsonItem& camera) {
+  if (const auto degrees = camera.find("vertical_fov_deg")) {
+    if (camera.has("focal_length") || camera.has("film")) {
+      camera.fail("expected either \"vertical_fov_deg\" or \"focal_length\" and \"film\"");
+    }
+    const double angle = degrees->number();
+    if (!(angle > 0 && angle < 180)) degrees->fail(fmt::format("{} is outside (0, 180)", angle));
+    return angle * kPi / 180;
+  }
+  if (!camera.has("focal_length") && !camera.has("film")) return Camera().vertical_fov;
+  return 2 * std::atan(film_height(camera.at("film")) / 2 / positive(camera.at("focal_length")));
+}
+
+Vec3 read_view_direction(const JsonItem& camera, const Vec3& position) {
+  if (camera.has("look_at") == camera.has("direction")) {
+    camera.fail("expected either \"look_at\" or \"direction\"");
+  }
+  if (const auto direction = camera.find("direction")) return direction->direction();
+  const Vec3 view = camera.at("look_at").point() - position;
+  const double length = view.stableNorm();
+  if (!(length > 0)) camera.at("look_at").fail("is the camera's position");
+  return view / length;
+}
+
+Camera read_camera(const JsonItem& item, double unit) {
+  item.check_keys(keys::kCamera);
+  Camera camera;
+  camera.position = item.at("position").point();
+  camera.direction = read_view_direction(item, camera.position);
+  camera.position *= unit;
+  camera.vertical_fov = read_vertical_fov(item);
+  const auto up = item.find("up");
+  camera.up = up ? up->direction() : Vec3(0, 1, 0);
+  if (camera.up.cross(camera.direction).norm() > kParallel) return camera;
+  if (up) up->fail("is parallel to the viewing direction");
+  camera.up = Vec3(0, 0, 1);  // looking straight up or down, with the usual up
+  return camera;
+}
+
+/// The files that "csv" names in the materials, or in a part of them.
+void add_spectra(const Json& part, const std::filesystem::path& folder, Scene& scene) {
+  if (!part.is_structured()) return;
+  for (const auto& [key, value] : part.items()) {
+    if (key == "csv" && value.is_string()) {
+      scene.files.push_back(folder / value.get<std::string>());
+    } else {
+      add_spectra(value, folder, scene);
+    }
+  }
+}
+
+double scene_unit(const JsonItem& root, const ReadOptions& options) {
+  const auto unit = root.find("unit");
+  const double metres = unit ? read_unit(*unit) : 1.0;
+  return options.unit ? metres_per_unit(*options.unit) : metres;
+}
+
+/// What the scene says in its unit.
+std::optional<double> given_precision(const JsonItem& root) {
+  const auto item = root.find("precision");
+  if (!item) return std::nullopt;
+  const double precision = item->number();
+  if (!(precision >= 0)) item->fail(fmt::format("is {}, expected no negative number", precision));
+  return precision;
+}
+
+}  // namespace
+
+FileScene read_json_scene(const std::filesystem::path& path, const ReadOptions& options) {
+  const Json json = parse_json(path);
+  const JsonItem root(json, path);
+  root.check_keys(keys::kScene);
+  for (const std::string_view key : {"$schema", "name", "description"}) {
+    if (const auto item = root.find(key)) (void)item->text();
+  }
+  const double unit = scene_unit(root, options);
+  FileScene file;
+  Scene& scene = file.scene;
+  scene.source = path.string();
+  if (const auto bands = root.find("bands")) scene.bands = read_bands(*bands);
+  if (const auto materials = root.find("materials")) {
+    scene.materials = read_materials(*materials, scene.bands, path.parent_path());
+    add_spectra(materials->value(), path.parent_path(), scene);
+  }
+  add_surfaces(root.at("surfaces"), path.parent_path(), unit, options.progress, file);
+  if (const auto precision = given_precision(root)) scene.precision = unit * *precision;
+  if (const auto camera = root.find("camera")) scene.camera = read_camera(*camera, unit);
+  if (const auto closed = root.find("closed")) scene.closed = closed->boolean();
+  if (scene.n_polygons() == 0) fail(path, "has no polygons");
+  return file;
+}
+
+}  // namespace io

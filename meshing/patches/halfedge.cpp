@@ -1,0 +1,357 @@
+#include "meshing/patches/halfedge.h"
+
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <optional>
+#include <queue>
+
+namespace meshing {
+namespace {
+
+struct Traits : OpenMesh::DefaultTraitsDouble {
+  VertexAttributes(0);
+  FaceAttributes(0);
+  EdgeAttributes(0);
+  HalfedgeAttributes(OpenMesh::Attributes::PrevHalfedge);
+};
+using Mesh = OpenMesh::TriMesh_ArrayKernelT<Traits>;
+using OpenMesh::EdgeHandle;
+using OpenMesh::FaceHandle;
+using OpenMesh::HalfedgeHandle;
+using OpenMesh::VertexHandle;
+
+/// Triangles whose circumradius is larger than this many times their shortest edge (an angle below
+/// 28 degrees) are refined. Above 1 refinement ends, since no new edge is shorter than old ones.
+constexpr double kRadiusToEdge = 1.065;
+constexpr int kSmoothingRounds = 4;
+
+/// Constrained Delaunay triangulation that grows by points.
+class Delaunay {
+ public:
+  explicit Delaunay(std::span<const Vec2> points) {
+    for (const Vec2& p : points) mesh_.add_vertex({p.x(), p.y(), 0});
+  }
+
+  void add_triangle(std::int32_t a, std::int32_t b, std::int32_t c) {
+    const FaceHandle face = mesh_.add_face(VertexHandle(a), VertexHandle(b), VertexHandle(c));
+    assert(face.is_valid());
+    static_cast<void>(face);
+  }
+
+  /// Puts existing point m on the boundary edge from a to b, next to a.
+  void divide_boundary(std::int32_t a, std::int32_t b, std::int32_t m) {
+    const HalfedgeHandle h = mesh_.find_halfedge(VertexHandle(a), VertexHandle(b));
+    assert(h.is_valid() && mesh_.is_boundary(mesh_.edge_handle(h)));
+    mesh_.split(mesh_.edge_handle(h), VertexHandle(m));
+  }
+
+  void flip_all() {
+    for (const EdgeHandle e : mesh_.edges()) stack_.push_back(e);
+    flip_stacked();
+  }
+
+  void refine(double max_edge, const radiosity::Progress& progress);
+  void smooth(double max_edge);
+
+  [[nodiscard]] PlanarMesh result() const {
+    PlanarMesh out;
+    for (const VertexHandle v : mesh_.vertices()) out.points.push_back(point(v));
+    for (const FaceHandle f : mesh_.faces()) {
+      const std::array<VertexHandle, 3> c = corners(f);
+      out.triangles.push_back({c[0].idx(), c[1].idx(), c[2].idx()});
+    }
+    return out;
+  }
+
+ private:
+  [[nodiscard]] Vec2 point(VertexHandle v) const { return {mesh_.point(v)[0], mesh_.point(v)[1]}; }
+  [[nodiscard]] std::array<VertexHandle, 3> corners(FaceHandle f) const {
+    const HalfedgeHandle h = mesh_.halfedge_handle(f);
+    return {mesh_.from_vertex_handle(h), mesh_.to_vertex_handle(h),
+            mesh_.to_vertex_handle(mesh_.next_halfedge_handle(h))};
+  }
+  [[nodiscard]] double length(EdgeHandle e) const {
+    const HalfedgeHandle h = mesh_.halfedge_handle(e, 0);
+    return (point(mesh_.to_vertex_handle(h)) - point(mesh_.from_vertex_handle(h))).norm();
+  }
+  [[nodiscard]] VertexHandle apex(HalfedgeHandle h) const {
+    return mesh_.to_vertex_handle(mesh_.next_halfedge_handle(h));
+  }
+
+  struct Circle {
+    Vec2 center;
+    double radius = 0;
+    double shortest_edge = 0;
+    EdgeHandle longest;
+    double longest_edge = 0;
+  };
+  [[nodiscard]] Circle circle(FaceHandle f) const;
+
+  [[nodiscard]] bool should_flip(EdgeHandle e) const;
+  void flip_stacked();
+  void push_edges_around(VertexHandle v);
+  [[nodiscard]] std::optional<FaceHandle> locate(const Vec2& p, FaceHandle start) const;
+  [[nodiscard]] bool encroaches(const Vec2& p, FaceHandle start) const;
+  bool insert_center(FaceHandle f, const Circle& c);
+  void insert_midpoint(EdgeHandle e);
+  void push_if_bad(FaceHandle f, double max_edge);
+  [[nodiscard]] double worst_angle_around(VertexHandle v, const Vec2& position,
+                                          double max_edge) const;
+
+  struct Bad {
+    double radius;
+    int face;
+    std::array<int, 3> corners;  // to see whether the face is still the one that was meant
+    bool operator<(const Bad& other) const {
+      return radius != other.radius ? radius < other.radius : face > other.face;
+    }
+  };
+
+  Mesh mesh_;
+  std::vector<EdgeHandle> stack_;
+  std::vector<VertexHandle> touched_;
+  std::priority_queue<Bad> bad_;
+};
+
+double cotangent(const Vec2& apex, const Vec2& a, const Vec2& b) {
+  return (a - apex).dot(b - apex) / signed_area2(apex, a, b);
+}
+
+Delaunay::Circle Delaunay::circle(FaceHandle f) const {
+  Circle c;
+  c.shortest_edge = std::numeric_limits<double>::infinity();
+  for (const EdgeHandle e : mesh_.fe_range(f)) {
+    const double l = length(e);
+    c.shortest_edge = std::min(c.shortest_edge, l);
+    if (l > c.longest_edge) {
+      c.longest_edge = l;
+      c.longest = e;
+    }
+  }
+  const std::array<VertexHandle, 3> v = corners(f);
+  const Vec2 a = point(v[0]);
+  const Vec2 ab = point(v[1]) - a;
+  const Vec2 ac = point(v[2]) - a;
+  const double d = 2 * (ab.x() * ac.y() - ab.y() * ac.x());
+  const Vec2 offset(ac.y() * ab.squaredNorm() - ab.y() * ac.squaredNorm(),
+                    ab.x() * ac.squaredNorm() - ac.x() * ab.squaredNorm());
+  c.center = a + offset / d;
+  c.radius = offset.norm() / std::abs(d);
+  return c;
+}
+
+/// True if the angles opposite to e add up to more than π (the other apex lies in the circumcircle)
+/// by more than rounding, and flipping gives two proper triangles.
+bool Delaunay::should_flip(EdgeHandle e) const {
+  constexpr double kCocircular = 1e-9;
+  if (mesh_.is_boundary(e)) return false;
+  const HalfedgeHandle h = mesh_.halfedge_handle(e, 0);
+  const HalfedgeHandle o = mesh_.halfedge_handle(e, 1);
+  const Vec2 a = point(mesh_.from_vertex_handle(h));
+  const Vec2 b = point(mesh_.to_vertex_handle(h));
+  const Vec2 c = point(apex(h));
+  const Vec2 d = point(apex(o));
+  if (cotangent(c, a, b) + cotangent(d, b, a) >= -kCocircular) return false;
+  const double sliver = 1e-14 * (c - d).squaredNorm();
+  return signed_area2(c, a, d) > sliver && signed_area2(d, b, c) > sliver && mesh_.is_flip_ok(e);
+}
+
+void Delaunay::flip_stacked() {
+  while (!stack_.empty()) {
+    const EdgeHandle e = stack_.back();
+    stack_.pop_back();
+    if (!should_flip(e)) continue;
+    mesh_.flip(e);
+    for (const int side : {0, 1}) {
+      const HalfedgeHandle h = mesh_.halfedge_handle(e, static_cast<unsigned>(side));
+      touched_.push_back(mesh_.to_vertex_handle(h));
+      stack_.push_back(mesh_.edge_handle(mesh_.next_halfedge_handle(h)));
+      stack_.push_back(mesh_.edge_handle(mesh_.prev_halfedge_handle(h)));
+    }
+  }
+}
+
+void Delaunay::push_edges_around(VertexHandle v) {
+  for (const HalfedgeHandle h : mesh_.voh_range(v)) {
+    if (!mesh_.is_boundary(h)) stack_.push_back(mesh_.edge_handle(mesh_.next_halfedge_handle(h)));
+    stack_.push_back(mesh_.edge_handle(h));
+  }
+}
+
+/// The face that contains p, walking straight there; nothing if the boundary is in the way.
+std::optional<FaceHandle> Delaunay::locate(const Vec2& p, FaceHandle start) const {
+  FaceHandle face = start;
+  // A walk in a Delaunay triangulation has no cycles; the limit guards against rounding.
+  for (std::size_t step = 0; step < mesh_.n_faces() + 3; ++step) {
+    HalfedgeHandle out;
+    for (const HalfedgeHandle h : mesh_.fh_range(face)) {
+      const Vec2 a = point(mesh_.from_vertex_handle(h));
+      const Vec2 b = point(mesh_.to_vertex_handle(h));
+      if (signed_area2(a, b, p) < 0) {
+        out = h;
+        break;
+      }
+    }
+    if (!out.is_valid()) return face;
+    face = mesh_.opposite_face_handle(out);
+    if (!face.is_valid()) return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+/// True if p lies in the circle on a boundary edge as diameter, looking at the triangles whose
+/// circumcircle contains p.
+bool Delaunay::encroaches(const Vec2& p, FaceHandle start) const {
+  std::vector<FaceHandle> cavity{start};
+  for (std::size_t k = 0; k < cavity.size(); ++k) {
+    for (const HalfedgeHandle h : mesh_.fh_range(cavity[k])) {
+      const FaceHandle next = mesh_.opposite_face_handle(h);
+      if (!next.is_valid()) {
+        const Vec2 a = point(mesh_.from_vertex_handle(h)) - p;
+        const Vec2 b = point(mesh_.to_vertex_handle(h)) - p;
+        if (a.dot(b) <= 0) return true;
+        continue;
+      }
+      if (std::find(cavity.begin(), cavity.end(), next) != cavity.end()) continue;
+      const Circle c = circle(next);
+      if ((p - c.center).norm() < c.radius) cavity.push_back(next);
+    }
+  }
+  return false;
+}
+
+bool Delaunay::insert_center(FaceHandle f, const Circle& c) {
+  const std::optional<FaceHandle> where = locate(c.center, f);
+  if (!where || encroaches(c.center, *where)) return false;
+  for (const HalfedgeHandle h : mesh_.fh_range(*where)) {
+    const Vec2 a = point(mesh_.from_vertex_handle(h));
+    const Vec2 b = point(mesh_.to_vertex_handle(h));
+    if (signed_area2(a, b, c.center) > 1e-6 * (b - a).squaredNorm()) continue;
+    if (mesh_.is_boundary(mesh_.edge_handle(h))) return false;
+    const VertexHandle v = mesh_.add_vertex({c.center.x(), c.center.y(), 0});
+    // On an edge as good as exactly: splitting the face would leave a sliver there.
+    const double t = (c.center - a).dot(b - a) / (b - a).squaredNorm();
+    const Vec2 on_edge = a + t * (b - a);
+    mesh_.set_point(v, {on_edge.x(), on_edge.y(), 0});
+    mesh_.split(mesh_.edge_handle(h), v);
+    touched_.push_back(v);
+    push_edges_around(v);
+    flip_stacked();
+    return true;
+  }
+  const VertexHandle v = mesh_.add_vertex({c.center.x(), c.center.y(), 0});
+  mesh_.split(*where, v);
+  touched_.push_back(v);
+  push_edges_around(v);
+  flip_stacked();
+  return true;
+}
+
+void Delaunay::insert_midpoint(EdgeHandle e) {
+  const HalfedgeHandle h = mesh_.halfedge_handle(e, 0);
+  const Vec2 middle = (point(mesh_.from_vertex_handle(h)) + point(mesh_.to_vertex_handle(h))) / 2;
+  const VertexHandle v = mesh_.add_vertex({middle.x(), middle.y(), 0});
+  mesh_.split(e, v);
+  touched_.push_back(v);
+  push_edges_around(v);
+  flip_stacked();
+}
+
+void Delaunay::push_if_bad(FaceHandle f, double max_edge) {
+  const Circle c = circle(f);
+  const bool too_long = c.longest_edge > max_edge && !mesh_.is_boundary(c.longest);
+  if (!too_long && c.radius <= kRadiusToEdge * c.shortest_edge) return;
+  const std::array<VertexHandle, 3> v = corners(f);
+  bad_.push({c.radius, f.idx(), {v[0].idx(), v[1].idx(), v[2].idx()}});
+}
+
+void Delaunay::refine(double max_edge, const radiosity::Progress& progress) {
+  for (const FaceHandle f : mesh_.faces()) push_if_bad(f, max_edge);
+  for (long step = 0; !bad_.empty(); ++step) {
+    if (step % 4096 == 0) progress.check();
+    const Bad bad = bad_.top();
+    bad_.pop();
+    const FaceHandle face(bad.face);
+    const std::array<VertexHandle, 3> v = corners(face);
+    if (bad.corners != std::array<int, 3>{v[0].idx(), v[1].idx(), v[2].idx()}) continue;
+    const Circle c = circle(face);
+    touched_.clear();
+    if (!insert_center(face, c)) {
+      const bool too_long = c.longest_edge > max_edge && !mesh_.is_boundary(c.longest);
+      if (!too_long) continue;
+      insert_midpoint(c.longest);
+    }
+    for (const VertexHandle t : touched_) {
+      for (const FaceHandle f : mesh_.vf_range(t)) push_if_bad(f, max_edge);
+    }
+  }
+}
+
+/// Smallest angle of the triangles about v if v were at `position`; negative if one would be turned
+/// over or an edge longer than max_edge.
+double Delaunay::worst_angle_around(VertexHandle v, const Vec2& position, double max_edge) const {
+  double worst = radiosity::kPi;
+  for (const HalfedgeHandle h : mesh_.voh_range(v)) {
+    const Vec2 a = point(mesh_.to_vertex_handle(h)) - position;
+    const Vec2 b = point(apex(h)) - position;
+    const double area2 = a.x() * b.y() - a.y() * b.x();
+    if (area2 <= 0 || a.norm() > max_edge) return -1;
+    worst = std::min({worst, std::atan2(area2, a.dot(b)), std::atan2(area2, -a.dot(b - a)),
+                      std::atan2(area2, b.dot(b - a))});
+  }
+  return worst;
+}
+
+/// Moves points inside to the mean of their neighbours where that improves the worst angle.
+void Delaunay::smooth(double max_edge) {
+  for (int round = 0; round < kSmoothingRounds; ++round) {
+    for (const VertexHandle v : mesh_.vertices()) {
+      if (mesh_.is_boundary(v)) continue;
+      Vec2 mean = Vec2::Zero();
+      int n = 0;
+      for (const VertexHandle w : mesh_.vv_range(v)) {
+        mean += point(w);
+        ++n;
+      }
+      mean /= n;
+      if (worst_angle_around(v, mean, max_edge) > worst_angle_around(v, point(v), max_edge)) {
+        mesh_.set_point(v, {mean.x(), mean.y(), 0});
+      }
+    }
+    flip_all();
+  }
+}
+
+}  // namespace
+
+std::vector<Triangle> make_delaunay(std::span<const Vec2> points,
+                                    std::span<const Triangle> triangles) {
+  Delaunay delaunay(points);
+  for (const Triangle& t : triangles) delaunay.add_triangle(t[0], t[1], t[2]);
+  delaunay.flip_all();
+  return delaunay.result().triangles;
+}
+
+PlanarMesh refine(const DividedPolygon& polygon, double max_edge,
+                  const radiosity::Progress& progress) {
+  Delaunay delaunay(polygon.boundary);
+  const std::vector<std::int32_t>& corners = polygon.corners;
+  for (const Triangle& t : polygon.triangles) {
+    delaunay.add_triangle(corners[t[0]], corners[t[1]], corners[t[2]]);
+  }
+  const auto n_boundary = static_cast<std::int32_t>(polygon.boundary.size());
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const std::int32_t end = corners[(k + 1) % corners.size()];
+    const std::int32_t last = k + 1 < corners.size() ? end : n_boundary;
+    for (std::int32_t m = corners[k] + 1; m < last; ++m) delaunay.divide_boundary(m - 1, end, m);
+  }
+  delaunay.flip_all();
+  delaunay.refine(max_edge, progress);
+  delaunay.smooth(max_edge);
+  delaunay.refine(max_edge, progress);
+  return delaunay.result();
+}
+
+}  // namespace meshing

@@ -1,0 +1,53 @@
+#include "radiosity/assembly/closure.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace radiosity {
+namespace {
+
+/// Deficits beyond this many standard errors of the row, for independent entries, are holes and not
+/// noise, unless entries that are all off the same way explain them: rules err alike nearby.
+constexpr double kSigmas = 6;
+/// Relative deficits below this are rounding and kernel error.
+constexpr double kNegligible = 1e-6;
+/// Rows so many times further from closed than that are still corrected: errors have long tails.
+constexpr double kTail = 3;
+
+/// Per row, whether the errors explain its distance from closed.
+Eigen::Array<bool, Eigen::Dynamic, 1> are_explained(const UncertainExchange& exchange,
+                                                    const Eigen::VectorXd& row_sums,
+                                                    const Eigen::VectorXd& areas,
+                                                    double negligible = kNegligible) {
+  const Eigen::ArrayXd errors =
+      kSigmas * exchange.row_variances().array().sqrt() + exchange.row_errors().array();
+  return (areas - row_sums).array().abs() <= kTail * errors + negligible * areas.array();
+}
+
+}  // namespace
+
+bool is_closed_within_errors(const UncertainExchange& exchange, const Eigen::VectorXd& row_sums,
+                             const Eigen::VectorXd& areas, double tolerance) {
+  return exchange.size() > 0 &&
+         are_explained(exchange, row_sums, areas, kNegligible + tolerance).all();
+}
+
+ClosureCorrection correct_closure(UncertainExchange& exchange, const Eigen::VectorXd& row_sums,
+                                  const Eigen::VectorXd& areas, double tolerance, int n_rounds) {
+  const auto explained = are_explained(exchange, row_sums, areas).eval();
+  const auto passing = are_explained(exchange, row_sums, areas, kNegligible + tolerance).eval();
+  ClosureCorrection result{{}, {row_sums, areas, Eigen::VectorXd::Ones(exchange.size())}};
+  for (Index i = 0; i < exchange.size(); ++i) {
+    if (explained[i]) continue;
+    if (!passing[i]) result.open_rows.push_back(i);
+    result.sums.mask[i] = 0;
+  }
+  exchange.freeze(result.sums.mask);
+  balance_rows(exchange, result.sums, n_rounds);
+  for (Index i = 0; i < exchange.size(); ++i) {
+    if (is_balanced(result.sums, i, exchange.rounding())) result.sums.present[i] = areas[i];
+  }
+  return result;
+}
+
+}  // namespace radiosity

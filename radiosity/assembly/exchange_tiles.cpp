@@ -1,0 +1,238 @@
+#include "radiosity/assembly/exchange_tiles.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "radiosity/assembly/tile_product.h"
+#include "radiosity/assembly/tile_sum.h"
+#include "radiosity/base/parallel.h"
+
+namespace radiosity {
+namespace {
+
+/// Up to this many rows entries are float64: 1 MB is no matter, and small cases come out exact.
+constexpr Index kDoubleRows = 512;
+
+bool is_before(const UncertainEntry& a, const UncertainEntry& b) {
+  return a.column < b.column || (a.column == b.column && a.row < b.row);
+}
+
+}  // namespace
+
+ExchangeTiles::ExchangeTiles(const Strips& strips)
+    : strips_(strips),
+      tiles_(strips.n_tiles()),
+      diagonal_(Eigen::VectorXd::Zero(size())),
+      is_double_(size() <= kDoubleRows) {}
+
+void ExchangeTiles::set(ExchangeTile tile) {
+  Tile& place = tiles_[Strips::tile(tile.row_strip, tile.column_strip)];
+  place.uncertain = std::move(tile.uncertain);
+  place.uncertain.shrink_to_fit();
+  std::sort(place.uncertain.begin(), place.uncertain.end(), is_before);
+  if (!tile.values.isZero(0)) store(place, tile.values);
+}
+
+void ExchangeTiles::store(Tile& tile, const Eigen::MatrixXd& values) const {
+  if (is_double_) {
+    if (!tile.twice) tile.twice = std::make_unique<double[]>(values.size());
+    std::copy(values.data(), values.data() + values.size(), tile.twice.get());
+  } else {
+    if (!tile.single) tile.single = std::make_unique<float[]>(values.size());
+    std::transform(values.data(), values.data() + values.size(), tile.single.get(),
+                   [](double value) { return static_cast<float>(value); });
+  }
+}
+
+template <typename Change>
+void ExchangeTiles::change_uncertain(const Change& change) {
+  parallel_for(strips_.size(), [&](Index column_strip) {
+    for (Index row_strip = 0; row_strip <= column_strip; ++row_strip) {
+      Tile& tile = tiles_[Strips::tile(row_strip, column_strip)];
+      for (UncertainEntry& entry : tile.uncertain) {
+        change(tile, entry, strips_.begin(row_strip) + entry.row,
+               strips_.begin(column_strip) + entry.column,
+               entry.row + static_cast<Index>(entry.column) * strips_.rows(row_strip));
+      }
+    }
+  });
+}
+
+void ExchangeTiles::freeze(const Eigen::VectorXd& mask) {
+  change_uncertain([&](Tile&, UncertainEntry& entry, Index i, Index j, Index) {
+    if (mask[i] == 0 || mask[j] == 0) entry.error = -std::abs(entry.error);
+  });
+}
+
+void ExchangeTiles::unfreeze() {
+  change_uncertain([](Tile&, UncertainEntry& entry, Index, Index, Index) {
+    entry.error = std::abs(entry.error);
+  });
+}
+
+void ExchangeTiles::adjust(const Eigen::VectorXd& factors) {
+  change_uncertain([&](Tile& tile, UncertainEntry& entry, Index i, Index j, Index place) {
+    if (entry.error <= 0) return;
+    const double variance = static_cast<double>(entry.error) * entry.error;
+    const double change = variance * (factors[i] + factors[j]);
+    if (!tile.single && !tile.twice) {  // an empty tile has zeros only, which may not fall
+      entry.error = -entry.error;
+      return;
+    }
+    const double value =
+        change + (tile.single ? static_cast<double>(tile.single[place]) : tile.twice[place]);
+    if (value < 0) entry.error = -entry.error;
+    if (tile.single) tile.single[place] = static_cast<float>(std::max(value, 0.0));
+    if (tile.twice) tile.twice[place] = std::max(value, 0.0);
+  });
+}
+
+void ExchangeTiles::set_row_sums(const Eigen::VectorXd& sums) {
+  if (is_double_) return;  // nothing was rounded
+  diagonal_.setZero();
+  diagonal_ = sums - row_sums();
+}
+
+template <typename Block>
+Eigen::MatrixXd ExchangeTiles::product_by(const Eigen::MatrixXd& x) const {
+  constexpr Index kColumns = Block::ColsAtCompileTime;
+  const auto add_tile = [this](Index row_strip, Index column_strip, const Block& block,
+                               Block& sum) {
+    const Tile& tile = tiles_[Strips::tile(row_strip, column_strip)];
+    const Index row = strips_.begin(row_strip);
+    const Index column = strips_.begin(column_strip);
+    Block unused;
+    if (row_strip == column_strip) unused = Block::Zero(strips_.rows(row_strip), kColumns);
+    double* below = row_strip == column_strip ? unused.data() : sum.row(column).data();
+    const TileShape shape{strips_.rows(row_strip), strips_.rows(column_strip)};
+    const double* x_rows = block.row(row).data();
+    const double* x_columns = block.row(column).data();
+    double* above = sum.row(row).data();
+    const auto multiply = [&](const auto* entries) {
+      multiply_tile<kColumns>(entries, shape, x_rows, x_columns, above, below);
+    };
+    if (tile.single) multiply(tile.single.get());
+    if (tile.twice) multiply(tile.twice.get());
+  };
+  return sum_over_tiles<Block>(strips_, x, add_tile);
+}
+
+Eigen::MatrixXd ExchangeTiles::product(const Eigen::MatrixXd& x) const {
+  Eigen::MatrixXd result = x.cols() <= kFewProductColumns
+                               ? product_by<RowsOf<kFewProductColumns>>(x)
+                               : product_by<RowBlock>(x);
+  result.noalias() += diagonal_.asDiagonal() * x;
+  return result;
+}
+
+/// Σ_j term(entry) x_j over the uncertain entries.
+template <typename Term>
+Eigen::MatrixXd ExchangeTiles::sum_entries(const Eigen::MatrixXd& x, const Term& term) const {
+  const auto add_tile = [&](Index row_strip, Index column_strip, const RowBlock& block,
+                            RowBlock& sum) {
+    const Tile& tile = tiles_[Strips::tile(row_strip, column_strip)];
+    for (const UncertainEntry& entry : tile.uncertain) {
+      const double factor = term(static_cast<double>(entry.error));
+      const Index i = strips_.begin(row_strip) + entry.row;
+      const Index j = strips_.begin(column_strip) + entry.column;
+      sum.row(i) += factor * block.row(j);
+      if (row_strip != column_strip) sum.row(j) += factor * block.row(i);
+    }
+  };
+  return sum_over_tiles<RowBlock>(strips_, x, add_tile);
+}
+
+Eigen::MatrixXd ExchangeTiles::error_product(const Eigen::MatrixXd& x) const {
+  return sum_entries(x, [](double error) { return error * error; });
+}
+
+Eigen::VectorXd ExchangeTiles::weighted_sums(const Eigen::VectorXd& x) const {
+  return sum_entries(x, [](double error) { return error > 0 ? error * error : 0; }).col(0);
+}
+
+Eigen::VectorXd ExchangeTiles::row_variances() const {
+  return error_product(Eigen::VectorXd::Ones(size())).col(0);
+}
+
+Eigen::VectorXd ExchangeTiles::row_errors() const {
+  return sum_entries(Eigen::VectorXd::Ones(size()), [](double error) { return std::abs(error); })
+      .col(0);
+}
+
+Eigen::VectorXd ExchangeTiles::row_sums() const {
+  return product(Eigen::VectorXd::Ones(size())).col(0);
+}
+
+Eigen::VectorXd ExchangeTiles::row(Index i) const {
+  Eigen::VectorXd result(size());
+  const Index strip = strips_.of_row(i);
+  const Index local = i - strips_.begin(strip);
+  for (Index other = 0; other < strips_.size(); ++other) {
+    const Tile& tile = tiles_[Strips::tile(std::min(strip, other), std::max(strip, other))];
+    const Index rows = strips_.rows(std::min(strip, other));
+    for (Index k = 0; k < strips_.rows(other); ++k) {
+      const Index place = other < strip ? k + local * rows : local + k * rows;
+      result[strips_.begin(other) + k] = tile.single  ? static_cast<double>(tile.single[place])
+                                         : tile.twice ? tile.twice[place]
+                                                      : 0.0;
+    }
+  }
+  return result;
+}
+
+PairFactor ExchangeTiles::entry(Index i, Index j) const {
+  Index row_strip = strips_.of_row(i);
+  Index column_strip = strips_.of_row(j);
+  if (row_strip > column_strip) {
+    std::swap(row_strip, column_strip);
+    std::swap(i, j);
+  }
+  const Tile& tile = tiles_[Strips::tile(row_strip, column_strip)];
+  const Index row = i - strips_.begin(row_strip);
+  const Index column = j - strips_.begin(column_strip);
+  const Index place = row + column * strips_.rows(row_strip);
+  PairFactor result;
+  if (tile.single) result.exchange_area = tile.single[place];
+  if (tile.twice) result.exchange_area = tile.twice[place];
+  const UncertainEntry wanted{static_cast<std::uint16_t>(row), static_cast<std::uint16_t>(column),
+                              0};
+  const auto found =
+      std::lower_bound(tile.uncertain.begin(), tile.uncertain.end(), wanted, is_before);
+  if (found != tile.uncertain.end() && !is_before(wanted, *found)) {
+    result.error = std::abs(found->error);
+    result.is_certain = false;
+  }
+  return result;
+}
+
+Eigen::VectorXd ExchangeTiles::row_error(Index i) const {
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(size());
+  const Index strip = strips_.of_row(i);
+  const Index local = i - strips_.begin(strip);
+  for (Index other = 0; other < strips_.size(); ++other) {
+    const Tile& tile = tiles_[Strips::tile(std::min(strip, other), std::max(strip, other))];
+    for (const UncertainEntry& entry : tile.uncertain) {
+      const Index own = other < strip ? entry.column : entry.row;
+      const Index partner = other < strip ? entry.row : entry.column;
+      if (own == local) result[strips_.begin(other) + partner] = entry.error;
+    }
+  }
+  return result;
+}
+
+std::size_t ExchangeTiles::bytes() const {
+  std::size_t sum = tiles_.size() * sizeof(Tile) + diagonal_.size() * sizeof(double);
+  for (Index column_strip = 0; column_strip < strips_.size(); ++column_strip) {
+    for (Index row_strip = 0; row_strip <= column_strip; ++row_strip) {
+      const Tile& tile = tiles_[Strips::tile(row_strip, column_strip)];
+      const auto entries =
+          static_cast<std::size_t>(strips_.rows(row_strip) * strips_.rows(column_strip));
+      if (tile.single) sum += entries * sizeof(float);
+      if (tile.twice) sum += entries * sizeof(double);
+      sum += tile.uncertain.capacity() * sizeof(UncertainEntry);
+    }
+  }
+  return sum;
+}
+
+}  // namespace radiosity

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "radiosity/assembly/closure.h"
+#include "radiosity/assembly/exchange_tile.h"
+#include "radiosity/base/geometry.h"
+#include "radiosity/operator/transport.h"
+
+namespace radiosity {
+
+/// Symmetric matrix of exchange areas in dense tiles, of which only the upper triangle exists. Rows
+/// are in an order that makes tiles of neighbouring patches; blocks that are wholly 0 are not kept.
+/// Entries are float64 up to a few hundred patches, else float32 (relative rounding 6e-8); a
+/// float64 diagonal then keeps the row sums exact.
+class ExchangeTiles final : public UncertainExchange {
+ public:
+  explicit ExchangeTiles(const Strips& strips);
+
+  [[nodiscard]] Index size() const override { return strips_.n_rows(); }
+
+  /// Stores a tile. Different tiles may be set from different threads at once.
+  void set(ExchangeTile tile);
+
+  void freeze(const Eigen::VectorXd& mask) override;
+  void adjust(const Eigen::VectorXd& factors) override;
+  /// Ends the exclusion of all entries.
+  void unfreeze();
+  [[nodiscard]] Eigen::VectorXd weighted_sums(const Eigen::VectorXd& x) const override;
+  [[nodiscard]] Eigen::VectorXd row_variances() const override;
+  [[nodiscard]] Eigen::VectorXd row_errors() const override;
+  [[nodiscard]] Eigen::VectorXd row_sums() const override;
+  [[nodiscard]] double rounding() const override { return is_double_ ? 1e-14 : 6e-8; }
+
+  /// Makes the row sums of `product` equal to `sums`, from which rounding has moved them.
+  void set_row_sums(const Eigen::VectorXd& sums);
+
+  /// G x for all columns of x, n x k. The same bits at any number of threads.
+  [[nodiscard]] Eigen::MatrixXd product(const Eigen::MatrixXd& x) const;
+  /// (σ∘σ) x for the squares of the standard errors, n x k.
+  [[nodiscard]] Eigen::MatrixXd error_product(const Eigen::MatrixXd& x) const;
+  /// Row i of G as stored, without what keeps the row sums exact, n.
+  [[nodiscard]] Eigen::VectorXd row(Index i) const;
+  /// Entry (i, j) as stored.
+  [[nodiscard]] PairFactor entry(Index i, Index j) const;
+  /// Row i of the standard errors, n.
+  [[nodiscard]] Eigen::VectorXd row_error(Index i) const;
+  [[nodiscard]] std::size_t bytes() const;
+
+ private:
+  struct Tile {
+    std::unique_ptr<float[]> single;  ///< column-major entries, one of the two or neither
+    std::unique_ptr<double[]> twice;
+    std::vector<UncertainEntry> uncertain;  ///< by column and row; error < 0 while frozen
+  };
+
+  template <typename Change>
+  void change_uncertain(const Change& change);
+  /// `product` without the diagonal, so many columns at once as a Block has.
+  template <typename Block>
+  [[nodiscard]] Eigen::MatrixXd product_by(const Eigen::MatrixXd& x) const;
+  template <typename Term>
+  [[nodiscard]] Eigen::MatrixXd sum_entries(const Eigen::MatrixXd& x, const Term& term) const;
+  void store(Tile& tile, const Eigen::MatrixXd& values) const;
+
+  Strips strips_;
+  std::vector<Tile> tiles_;
+  Eigen::VectorXd diagonal_;
+  bool is_double_;
+};
+
+}  // namespace radiosity

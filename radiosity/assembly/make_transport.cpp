@@ -1,0 +1,130 @@
+#include "radiosity/assembly/make_transport.h"
+
+#include <chrono>
+#include <cmath>
+#include <sstream>
+
+#include "radiosity/assembly/assembly_report.h"
+#include "radiosity/assembly/closure.h"
+#include "radiosity/assembly/memory_sink.h"
+#include "radiosity/visibility/coverage.h"
+
+namespace radiosity {
+namespace {
+
+class DenseTransport final : public Transport {
+ public:
+  DenseTransport(Assembly assembly, Eigen::VectorXd area)
+      : order_(std::move(assembly.order)),
+        tiles_(std::move(assembly.tiles)),
+        area_(std::move(area)),
+        report_(std::move(assembly.report)) {
+    place_.resize(order_.size());
+    for (std::size_t row = 0; row < order_.size(); ++row) {
+      place_[order_[row]] = static_cast<std::int32_t>(row);
+    }
+    const Eigen::MatrixXd inverse_area = to_tree(area_.cwiseInverse());
+    // ‖ΔF̂‖_F² = Σ σ_ij² / (A_i A_j)
+    error_ = std::sqrt(inverse_area.col(0).dot(tiles_.error_product(inverse_area).col(0)));
+  }
+
+  [[nodiscard]] Index size() const override { return area_.size(); }
+  [[nodiscard]] const Eigen::VectorXd& area() const override { return area_; }
+
+  [[nodiscard]] Eigen::MatrixXd apply(const Eigen::MatrixXd& radiosity) const override {
+    Eigen::MatrixXd result = from_tree(tiles_.product(to_tree(radiosity)));
+    result.array().colwise() /= area_.array();
+    return result;
+  }
+
+  [[nodiscard]] Eigen::VectorXd row(Index i) const override {
+    return from_tree(tiles_.row(place_[i])) / area_[i];
+  }
+
+  [[nodiscard]] Eigen::VectorXd row_error(Index i) const override {
+    return from_tree(tiles_.row_error(place_[i])) / area_[i];
+  }
+
+  [[nodiscard]] PairFactor pair(Index i, Index j) const override {
+    return tiles_.entry(place_[i], place_[j]);
+  }
+
+  [[nodiscard]] Eigen::MatrixXd apply_error(const Eigen::MatrixXd& radiosity) const override {
+    const Eigen::MatrixXd squares = to_tree(radiosity.cwiseAbs2());
+    Eigen::MatrixXd result = from_tree(tiles_.error_product(squares)).cwiseSqrt();
+    result.array().colwise() /= area_.array();
+    return result;
+  }
+
+  [[nodiscard]] double error() const override { return error_; }
+  [[nodiscard]] std::size_t bytes() const override { return tiles_.bytes(); }
+  [[nodiscard]] const AssemblyReport& report() const override { return report_; }
+
+ private:
+  [[nodiscard]] Eigen::MatrixXd to_tree(const Eigen::MatrixXd& x) const {
+    return x(order_, Eigen::all);
+  }
+  [[nodiscard]] Eigen::MatrixXd from_tree(const Eigen::MatrixXd& x) const {
+    Eigen::MatrixXd result(x.rows(), x.cols());
+    result(order_, Eigen::all) = x;
+    return result;
+  }
+
+  std::vector<std::int32_t> order_;  // patch of each row of the tiles
+  std::vector<std::int32_t> place_;  // row of each patch
+  ExchangeTiles tiles_;
+  Eigen::VectorXd area_;
+  AssemblyReport report_;
+  double error_ = 0;
+};
+
+void check_memory(Index n_patches, std::size_t available) {
+  const std::size_t needed = dense_transport_bytes(n_patches);
+  if (available == 0 || needed <= available) return;
+  const auto fitting = static_cast<long>(std::sqrt(static_cast<double>(available) / 2.4));
+  std::ostringstream message;
+  message.precision(3);
+  message << "form factors of " << n_patches << " patches need "
+          << static_cast<double>(needed) * 1e-9 << " GB of memory, but "
+          << static_cast<double>(available) * 1e-9 << " GB are available; make the patches "
+          << "larger, so that there are at most " << fitting;
+  throw SolveError(message.str());
+}
+
+}  // namespace
+
+std::size_t dense_transport_bytes(Index n_patches) {
+  const auto n = static_cast<double>(n_patches);
+  return static_cast<std::size_t>(2.4 * n * n);
+}
+
+std::unique_ptr<Transport> make_transport(const PatchMesh& mesh, const Visibility& visibility,
+                                          const TransportOptions& options) {
+  check_memory(mesh.size(), options.memory);
+  const auto start = std::chrono::steady_clock::now();
+  const Eigen::VectorXd area = Eigen::Map<const Eigen::VectorXd>(mesh.area.data(), mesh.size());
+  const Coverage coverage = find_coverage(mesh, plane_thickness(mesh));
+  Assembly assembly = assemble_exchange_areas(mesh, visibility, options, coverage);
+  const Eigen::VectorXd open_area = (area.array() * (1 - coverage.share.array()))(assembly.order);
+  assembly.report.closed =
+      options.closed == Closed::yes ||
+      (options.closed == Closed::automatic &&
+       is_closed_within_errors(assembly.tiles, assembly.row_sums, open_area, options.tolerance));
+  assembly.tiles.set_row_sums(assembly.row_sums);
+  Eigen::VectorXd row_sums = assembly.row_sums;
+  std::vector<Index> open_rows;
+  if (assembly.report.closed) {
+    const ClosureCorrection correction =
+        correct_closure(assembly.tiles, assembly.row_sums, open_area, options.tolerance);
+    assembly.tiles.unfreeze();
+    assembly.tiles.set_row_sums(correction.sums.present);
+    open_rows = correction.open_rows;
+    row_sums = correction.sums.present;
+  }
+  find_backs(mesh, visibility, assembly.order, row_sums, open_rows, options.seed, assembly.report);
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  assembly.report.seconds = elapsed.count();
+  return std::make_unique<DenseTransport>(std::move(assembly), area);
+}
+
+}  // namespace radiosity

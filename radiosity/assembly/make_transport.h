@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+#include "radiosity/assembly/transport_options.h"
+#include "radiosity/base/geometry.h"
+#include "radiosity/operator/transport.h"
+#include "radiosity/scene/patch_mesh.h"
+#include "radiosity/visibility/visibility.h"
+
+namespace radiosity {
+
+/// Memory that a dense operator of n patches takes at most, bytes: 2 n² plus the entries' errors.
+std::size_t dense_transport_bytes(Index n_patches);
+
+/// Computes the exchange areas of all pairs of patches. Same input, same bits, at any number of
+/// threads. Throws SolveError if the operator does not fit into memory, with the figure and a way
+/// out, before it starts; Interrupted if asked to stop.
+std::unique_ptr<Transport> make_transport(const PatchMesh& mesh, const Visibility& visibility,
+                                          const TransportOptions& options = {});
+
+}  // namespace radiosity

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "radiosity/assembly/assembly_report.h"
+#include "radiosity/assembly/exchange_assembly.h"
+#include "radiosity/assembly/exchange_tiles.h"
+#include "radiosity/assembly/tile_totals.h"
+#include "radiosity/assembly/transport_options.h"
+#include "radiosity/base/geometry.h"
+#include "radiosity/scene/patch_mesh.h"
+#include "radiosity/visibility/visibility.h"
+
+namespace radiosity {
+
+/// Exchange areas of all pairs, in the order of a cluster tree.
+struct Assembly {
+  std::vector<std::int32_t> order;  ///< patch of each row
+  ExchangeTiles tiles;
+  Eigen::VectorXd row_sums;  ///< Σ_j G_ij before rounding and correction, m², tree order
+  AssemblyReport report;     ///< before correction
+};
+
+/// Keeps the tiles in memory.
+class MemorySink final : public TileSink {
+ public:
+  MemorySink(const std::vector<double>& areas, const Eigen::VectorXd& covered)
+      : areas_(areas), covered_(covered) {}
+
+  void start(const TileLayout& layout) override {
+    order_ = layout.order;
+    tiles_.emplace(layout.strips);
+    totals_.emplace(layout, areas_);
+  }
+  [[nodiscard]] bool has(Index, Index) const override { return false; }
+  void put(ExchangeTile tile) override {
+    totals_->add(tile);
+    tiles_->set(std::move(tile));
+  }
+
+  Assembly finish() {
+    const Eigen::VectorXd row_sums = totals_->row_sums();
+    AssemblyReport report = make_report(totals_->census(), row_sums, order_, areas_, covered_);
+    return {std::move(order_), std::move(*tiles_), row_sums, std::move(report)};
+  }
+
+ private:
+  const std::vector<double>& areas_;
+  const Eigen::VectorXd& covered_;
+  std::vector<std::int32_t> order_;
+  std::optional<ExchangeTiles> tiles_;
+  std::optional<TileTotals> totals_;
+};
+
+/// assemble_tiles() into memory.
+Assembly assemble_exchange_areas(const PatchMesh& mesh, const Visibility& visibility,
+                                 const TransportOptions& options, const Coverage& coverage);
+
+}  // namespace radiosity

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+
+#include "radiosity/base/geometry.h"
+
+namespace radiosity {
+
+/// What the assembly of the exchange areas did and how good it is.
+struct AssemblyReport {
+  double seconds = 0;          ///< wall time of the assembly
+  std::int64_t facing = 0;     ///< unordered pairs that face each other, at least in part
+  std::int64_t visible = 0;    ///< of these: proved to see each other wholly
+  std::int64_t hidden = 0;     ///< of these: proved not to see each other
+  std::int64_t undecided = 0;  ///< of these: not proved either way
+  std::int64_t partial = 0;    ///< of the undecided: found to be partly hidden
+  std::int64_t known = 0;      ///< of the facing: taken over from an earlier operator
+  std::int64_t rays = 0;       ///< visibility rays cast
+  bool closed = false;         ///< the scene was taken as closed
+  Eigen::VectorXd row_sums;    ///< Σ_j F_ij before any correction, n_patches
+  std::int64_t open_rows = 0;  ///< closed scenes: rows further from 1 than errors and backs explain
+  /// Share of each patch that lies on a solid's face and looks into it, n_patches: nothing leaves
+  /// it and nothing reaches it, so that a row of a closed scene sums to 1 less this.
+  Eigen::VectorXd covered;
+  /// Share of each patch's power that meets the backs of one-sided surfaces, n_patches, by rays.
+  Eigen::VectorXd backs;
+  double closure_mean = 0;  ///< mean |1 - covered - Σ_j F_ij|, before any correction
+  double closure_max = 0;   ///< max |1 - covered - Σ_j F_ij|, before any correction
+};
+
+/// What an operator knows about one pair of patches.
+struct PairFactor {
+  double exchange_area = 0;  ///< G_ij, m²
+  double error = 0;          ///< one standard error of G_ij, m²
+  bool is_certain = true;    ///< no error but rounding
+};
+
+/// The radiosity transport operator F of n patches, F_ij = G_ij / A_i with the exchange area
+/// G_ij = A_i F_ij = G_ji stored once per pair, so that reciprocity is exact.
+class Transport {
+ public:
+  virtual ~Transport() = default;
+
+  /// Number of patches n.
+  [[nodiscard]] virtual Index size() const = 0;
+  /// Patch areas, m², n.
+  [[nodiscard]] virtual const Eigen::VectorXd& area() const = 0;
+  /// Irradiance H = F B, W/m², n x k, of the radiosity B, n x k, for all k columns at once.
+  [[nodiscard]] virtual Eigen::MatrixXd apply(const Eigen::MatrixXd& radiosity) const = 0;
+  /// Row i of F: the fractions of the power leaving patch i that reach each patch, n.
+  [[nodiscard]] virtual Eigen::VectorXd row(Index i) const = 0;
+  /// One standard error of each entry of row i, n; exactly 0 where the entry is certified.
+  [[nodiscard]] virtual Eigen::VectorXd row_error(Index i) const = 0;
+  /// The exchange area of patches i and j, as `row` gives it.
+  [[nodiscard]] virtual PairFactor pair(Index i, Index j) const {
+    const double error = area()[i] * row_error(i)[j];
+    return {area()[i] * row(i)[j], error, error == 0};
+  }
+  /// One standard error of each patch's irradiance F B caused by the entries' errors, for
+  /// independent entries: sqrt(Σ_j (σ_ij B_j)²), n x k.
+  [[nodiscard]] virtual Eigen::MatrixXd apply_error(const Eigen::MatrixXd& radiosity) const = 0;
+  /// Bound on ‖ΔF̂‖₂, F̂ = A^-½ G A^-½, from the entries' standard errors (Frobenius norm: one
+  /// sigma). Dimensionless.
+  [[nodiscard]] virtual double error() const = 0;
+  /// Memory held by the operator, bytes.
+  [[nodiscard]] virtual std::size_t bytes() const = 0;
+  /// How the operator was made.
+  [[nodiscard]] virtual const AssemblyReport& report() const = 0;
+};
+
+}  // namespace radiosity

@@ -1,0 +1,64 @@
+#include "radiosity/scene/radiometry.h"
+
+#include <cassert>
+#include <cmath>
+#include <vector>
+
+namespace radiosity {
+namespace {
+
+/// Emitting area of each surface, both sides if two-sided, m².
+std::vector<double> surface_areas(const Scene& scene, const PatchMesh& mesh) {
+  std::vector<double> areas(scene.surfaces.size(), 0.0);
+  for (Index i = 0; i < mesh.size(); ++i) areas[mesh.surface[i]] += mesh.area[i];
+  return areas;
+}
+
+/// M_e of a surface of the given material and total area, n_bands.
+Eigen::VectorXd surface_exitance(const Material& material, double area, Index n_bands) {
+  const Emission& emission = material.emission;
+  switch (emission.kind) {
+    case Emission::Kind::none:
+      return Eigen::VectorXd::Zero(n_bands);
+    case Emission::Kind::radiance:
+      return kPi * emission.value;
+    case Emission::Kind::exitance:
+      return emission.value;
+    case Emission::Kind::power:
+      return emission.value / area;
+    case Emission::Kind::temperature:
+      return kStefanBoltzmann * std::pow(emission.value[0], 4) *
+             (1 - material.reflectance.array()).matrix();
+  }
+  return Eigen::VectorXd::Zero(n_bands);
+}
+
+const Material& material_of(const Scene& scene, const PatchMesh& mesh, Index patch) {
+  return scene.materials[scene.surfaces[mesh.surface[patch]].material];
+}
+
+}  // namespace
+
+Eigen::MatrixXd exitance(const Scene& scene, const PatchMesh& mesh) {
+  const std::vector<double> areas = surface_areas(scene, mesh);
+  Eigen::MatrixXd result(mesh.size(), scene.bands.count());
+  for (Index i = 0; i < mesh.size(); ++i) {
+    const Eigen::VectorXd value =
+        surface_exitance(material_of(scene, mesh, i), areas[mesh.surface[i]], scene.bands.count());
+    assert(value.size() == result.cols());
+    result.row(i) = value.transpose();
+  }
+  return result;
+}
+
+Eigen::MatrixXd reflectance(const Scene& scene, const PatchMesh& mesh) {
+  Eigen::MatrixXd result(mesh.size(), scene.bands.count());
+  for (Index i = 0; i < mesh.size(); ++i) {
+    const Eigen::VectorXd& value = material_of(scene, mesh, i).reflectance;
+    assert(value.size() == result.cols());
+    result.row(i) = value.transpose();
+  }
+  return result;
+}
+
+}  // namespace radiosity

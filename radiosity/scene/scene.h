@@ -1,0 +1,106 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "radiosity/base/geometry.h"
+
+namespace radiosity {
+
+/// The spectral bands of a scene: one grey band, linear RGB, or a list of wavelengths.
+struct Bands {
+  enum class Kind { grey, rgb, wavelengths };
+  Kind kind = Kind::rgb;
+  std::vector<double> wavelengths;  ///< nm, increasing; used by Kind::wavelengths only
+
+  /// Number of bands, >= 1.
+  [[nodiscard]] Index count() const {
+    switch (kind) {
+      case Kind::grey:
+        return 1;
+      case Kind::rgb:
+        return 3;
+      case Kind::wavelengths:
+        break;
+    }
+    return static_cast<Index>(wavelengths.size());
+  }
+};
+
+/// What a surface emits by itself. One value per band, or a single kelvin value for temperature.
+struct Emission {
+  enum class Kind {
+    none,
+    radiance,    ///< L, W/(m² sr); M_e = π L
+    exitance,    ///< M_e, W/m²
+    power,       ///< Φ, W, of each surface with this material; M_e = Φ / A
+    temperature  ///< T, K; M_e = ε σ T⁴ with ε = 1 - ρ (one grey band)
+  };
+  Kind kind = Kind::none;
+  Eigen::VectorXd value;  ///< size = number of bands; 1 for temperature; empty for none
+};
+
+/// A diffuse material. Reflectance has one value in [0, 1] per band.
+struct Material {
+  std::string name;
+  Eigen::VectorXd reflectance;
+  Emission emission;
+};
+
+/// A named set of polygons that share a material.
+struct Surface {
+  std::string name;
+  int material = 0;        ///< index into Scene::materials
+  bool two_sided = false;  ///< each polygon then gives two patches, back to back
+};
+
+/// A pinhole camera.
+struct Camera {
+  Vec3 position = Vec3::Zero();     ///< m
+  Vec3 direction = Vec3(0, 0, -1);  ///< viewing direction, unit length
+  Vec3 up = Vec3(0, 1, 0);          ///< not parallel to direction
+  double vertical_fov = 0.6862;     ///< full angle, radian, in (0, π)
+};
+
+/// Surfaces as the user gave them, in metres: polygons of three or more vertices in file order,
+/// counter-clockwise about the emitting side. Plain data; `io::read_scene` makes one and has
+/// checked it (finite coordinates, indices in range, 0 <= reflectance <= 1, emission >= 0).
+struct Scene {
+  std::string source;  ///< file name, for messages
+  /// The file itself and all that it refers to, read or not (pictures are not): what must not be
+  /// overwritten.
+  std::vector<std::filesystem::path> files;
+  Bands bands;
+  std::vector<Vec3> vertices;
+  std::vector<std::int32_t> corners;          ///< vertex indices of all polygons, concatenated
+  std::vector<std::int64_t> first_corner{0};  ///< n_polygons + 1 offsets into `corners`
+  std::vector<std::int32_t> polygon_surface;  ///< per polygon: index into `surfaces`
+  std::vector<Surface> surfaces;
+  std::vector<Material> materials;
+  /// How far a coordinate may be off what was meant, for its last digits were rounded away: half a
+  /// unit in the last place of the file, m. 0 = exact but for the rounding of `double`.
+  double precision = 0;
+  std::optional<Camera> camera;
+  std::optional<bool> closed;         ///< as declared by the user; absent = to be found out
+  std::vector<std::string> warnings;  ///< what the reader noticed and the user should know
+
+  [[nodiscard]] Index n_polygons() const { return static_cast<Index>(polygon_surface.size()); }
+
+  /// Vertex indices of polygon i.
+  [[nodiscard]] std::span<const std::int32_t> polygon(Index i) const {
+    return std::span(corners).subspan(first_corner[i], first_corner[i + 1] - first_corner[i]);
+  }
+
+  /// Appends a polygon of `surface` with the given vertex indices.
+  void add_polygon(std::span<const std::int32_t> vertex_indices, std::int32_t surface) {
+    corners.insert(corners.end(), vertex_indices.begin(), vertex_indices.end());
+    first_corner.push_back(static_cast<std::int64_t>(corners.size()));
+    polygon_surface.push_back(surface);
+  }
+};
+
+}  // namespace radiosity

@@ -1,0 +1,302 @@
+#include "radiosity/scene/surface_pieces.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "radiosity/base/box_tree.h"
+#include "radiosity/base/disjoint_sets.h"
+
+namespace radiosity {
+namespace {
+
+/// Facets at a smaller angle around an edge lie in one plane with nothing between them: the least
+/// such angle, the same in thicknesses over the facets' widths, since it is not known better, and
+/// the largest.
+constexpr double kSameAngle = 1e-5;
+constexpr double kSameThicknesses = 3;
+constexpr double kMostSameAngle = 0.5;
+
+class Joiner {
+ public:
+  Joiner(const PatchMesh& mesh, const std::vector<std::int32_t>& patches, double thickness)
+      : thickness_(thickness) {
+    result_.first_corner.push_back(0);
+    for (const std::int32_t i : patches) {
+      for (int k = 0; k < mesh.n_corners(i); ++k) {
+        result_.corners.push_back(mesh.corner(i, k));
+        result_.facet.push_back(static_cast<std::int32_t>(result_.normal.size()));
+      }
+      result_.first_corner.push_back(static_cast<std::int32_t>(result_.corners.size()));
+      result_.normal.push_back(mesh.normal[i]);
+    }
+    result_.neighbor.assign(result_.corners.size(), -1);
+  }
+
+  SurfacePieces run() {
+    weld();
+    split_edges();
+    join_edges();
+    collect();
+    return std::move(result_);
+  }
+
+ private:
+  /// Numbers points alike that are equal, or no further apart than the thickness.
+  void weld() {
+    const std::vector<Vec3>& corners = result_.corners;
+    std::vector<std::int32_t> sorted(corners.size());
+    std::iota(sorted.begin(), sorted.end(), 0);
+    const auto coordinates = [&](std::int32_t k) {
+      return std::array{corners[k].x(), corners[k].y(), corners[k].z()};
+    };
+    std::sort(sorted.begin(), sorted.end(), [&](std::int32_t a, std::int32_t b) {
+      const auto p = coordinates(a);
+      const auto q = coordinates(b);
+      return p != q ? p < q : a < b;
+    });
+    point_.resize(corners.size());
+    for (std::size_t k = 0; k < sorted.size(); ++k) {
+      const bool is_new = k == 0 || coordinates(sorted[k]) != coordinates(sorted[k - 1]);
+      point_[sorted[k]] = is_new ? representative(sorted[k]) : point_[sorted[k - 1]];
+    }
+  }
+
+  using Place = std::array<std::int64_t, 3>;
+
+  /// The first point found within the thickness, or the point itself.
+  std::int32_t representative(std::int32_t k) {
+    // Cells are so much larger that a point rarely lies near the border of one.
+    constexpr double kCell = 64;
+    const Vec3 place = result_.corners[k] / std::max(kCell * thickness_, 1e-300);
+    const Vec3 reach = Vec3::Constant(1 / kCell);
+    Place low;
+    Place high;
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] = static_cast<std::int64_t>(std::floor(place[axis] - reach[axis]));
+      high[axis] = static_cast<std::int64_t>(std::floor(place[axis] + reach[axis]));
+    }
+    for (std::int64_t x = low[0]; x <= high[0]; ++x) {
+      for (std::int64_t y = low[1]; y <= high[1]; ++y) {
+        for (std::int64_t z = low[2]; z <= high[2]; ++z) {
+          const auto cell = cells_.find(Place{x, y, z});
+          if (cell == cells_.end()) continue;
+          for (const std::int32_t other : cell->second) {
+            const double square = (result_.corners[other] - result_.corners[k]).squaredNorm();
+            if (square <= thickness_ * thickness_) return other;
+          }
+        }
+      }
+    }
+    Place own;
+    for (int axis = 0; axis < 3; ++axis) {
+      own[axis] = static_cast<std::int64_t>(std::floor(place[axis]));
+    }
+    cells_[own].push_back(k);
+    return k;
+  }
+
+  struct Edge {
+    std::int32_t low, high;  // points
+    std::int32_t half_edge;
+    [[nodiscard]] auto key() const { return std::pair(low, high); }
+  };
+
+  void join_edges() {
+    std::vector<Edge> edges;
+    for (std::int32_t h = 0; h < static_cast<std::int32_t>(point_.size()); ++h) {
+      const std::int32_t a = point_[h];
+      const std::int32_t b = point_[result_.next(h)];
+      if (a != b) edges.push_back({std::min(a, b), std::max(a, b), h});
+    }
+    std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
+      return a.key() != b.key() ? a.key() < b.key() : a.half_edge < b.half_edge;
+    });
+    for (std::size_t first = 0; first < edges.size();) {
+      std::size_t last = first + 1;
+      while (last < edges.size() && edges[last].key() == edges[first].key()) ++last;
+      join_at_edge({edges.data() + first, last - first});
+      first = last;
+    }
+  }
+
+  /// Where facets were divided otherwise than their neighbours, the ends of some edges lie within
+  /// others: makes them corners there, too.
+  void split_edges() {
+    std::vector<std::int32_t> points;
+    std::vector<Box3> boxes;
+    for (std::int32_t k = 0; k < static_cast<std::int32_t>(point_.size()); ++k) {
+      if (point_[k] != k) continue;
+      points.push_back(k);
+      boxes.emplace_back(result_.corners[k], result_.corners[k]);
+    }
+    const BoxTree tree(std::move(boxes));
+    SurfacePieces split;
+    std::vector<std::int32_t> split_point;
+    std::vector<std::int32_t> corner_of(point_.size());  // in `split`
+    for (std::int32_t h = 0; h < static_cast<std::int32_t>(point_.size()); ++h) {
+      const std::int32_t f = result_.facet[h];
+      if (h == result_.first_corner[f]) {
+        split.first_corner.push_back(static_cast<std::int32_t>(split.corners.size()));
+      }
+      corner_of[h] = static_cast<std::int32_t>(split.corners.size());
+      const auto add = [&](std::int32_t corner) {
+        split.corners.push_back(result_.corners[corner]);
+        split.facet.push_back(f);
+        split_point.push_back(point_[corner]);
+      };
+      add(h);
+      for (const std::int32_t point : points_within(h, points, tree)) add(point);
+    }
+    if (split.corners.size() == point_.size()) return;
+    split.first_corner.push_back(static_cast<std::int32_t>(split.corners.size()));
+    for (std::int32_t& point : split_point) point = corner_of[point];
+    split.normal = std::move(result_.normal);
+    split.neighbor.assign(split.corners.size(), -1);
+    result_ = std::move(split);
+    point_ = std::move(split_point);
+  }
+
+  /// The points on a half-edge but for its ends, along it.
+  [[nodiscard]] std::vector<std::int32_t> points_within(std::int32_t h,
+                                                        const std::vector<std::int32_t>& points,
+                                                        const BoxTree& tree) const {
+    const Vec3& start = result_.corners[h];
+    const Vec3 way = result_.corners[result_.next(h)] - start;
+    const double length = way.norm();
+    std::vector<std::pair<double, std::int32_t>> found;
+    if (length <= 2 * thickness_) return {};
+    Box3 box(start, start);
+    box.extend(result_.corners[result_.next(h)]);
+    tree.for_each_meeting(grown(box, thickness_), [&](std::int32_t k) {
+      const std::int32_t point = points[k];
+      if (point == point_[h] || point == point_[result_.next(h)]) return;
+      const Vec3 off = result_.corners[point] - start;
+      const double along = off.dot(way) / length;
+      if (along <= thickness_ || along >= length - thickness_) return;
+      if ((off - along / length * way).norm() <= thickness_) found.emplace_back(along, point);
+    });
+    std::sort(found.begin(), found.end());
+    std::vector<std::int32_t> result;
+    for (const auto& [along, point] : found) result.push_back(point);
+    return result;
+  }
+
+  void join(std::int32_t a, std::int32_t b) {
+    result_.neighbor[a] = b;
+    result_.neighbor[b] = a;
+  }
+
+  /// How far the facet of a half-edge reaches from its line.
+  [[nodiscard]] double width(std::int32_t half_edge, const Vec3& axis) const {
+    double result = 0;
+    for (const Vec3& corner : result_.outline(result_.facet[half_edge])) {
+      result = std::max(result, axis.cross(corner - result_.corners[half_edge]).norm());
+    }
+    return result;
+  }
+
+  void join_at_edge(std::span<const Edge> edges) {
+    std::vector<std::int32_t> forward;
+    std::vector<std::int32_t> backward;
+    for (const Edge& edge : edges) {
+      (point_[edge.half_edge] == edge.low ? forward : backward).push_back(edge.half_edge);
+    }
+    if (forward.size() == 1 && backward.size() == 1) {
+      join(forward[0], backward[0]);
+      return;
+    }
+    if (forward.empty() || backward.empty()) return;
+    // Seen along the edge, the matter of a facet that runs forward is clockwise of it.
+    const Vec3 axis = (result_.corners[edges[0].high] - result_.corners[edges[0].low]).normalized();
+    const Vec3 u = axis.unitOrthogonal();
+    const Vec3 v = axis.cross(u);
+    const auto angle = [&](std::int32_t half_edge, double way) {
+      const Vec3 inwards = way * result_.normal[result_.facet[half_edge]].cross(axis);
+      return std::atan2(v.dot(inwards), u.dot(inwards));
+    };
+    struct Wedge {
+      double angle;
+      std::int32_t forward, backward;
+    };
+    std::vector<Wedge> wedges;
+    for (const std::int32_t f : forward) {
+      for (const std::int32_t b : backward) {
+        double wedge = angle(f, 1) - angle(b, -1);
+        const double same =
+            std::clamp(kSameThicknesses * thickness_ * (1 / width(f, axis) + 1 / width(b, axis)),
+                       kSameAngle, kMostSameAngle);
+        while (wedge <= same) wedge += 2 * kPi;
+        while (wedge > 2 * kPi + same) wedge -= 2 * kPi;
+        wedges.push_back({wedge, f, b});
+      }
+    }
+    std::stable_sort(wedges.begin(), wedges.end(),
+                     [](const Wedge& a, const Wedge& b) { return a.angle < b.angle; });
+    for (const Wedge& wedge : wedges) {
+      if (result_.neighbor[wedge.forward] < 0 && result_.neighbor[wedge.backward] < 0) {
+        join(wedge.forward, wedge.backward);
+      }
+    }
+  }
+
+  void collect() {
+    DisjointSets sets(static_cast<Index>(result_.normal.size()));
+    for (std::size_t h = 0; h < result_.neighbor.size(); ++h) {
+      if (result_.neighbor[h] >= 0) {
+        sets.join(result_.facet[h], result_.facet[result_.neighbor[h]]);
+      }
+    }
+    for (const std::vector<Index>& set : sets.sets()) {
+      SurfacePiece& piece = result_.pieces.emplace_back();
+      const Vec3 origin = result_.corners[result_.first_corner[set.front()]];
+      double area = 0;
+      for (const Index f : set) {
+        piece.facets.push_back(static_cast<std::int32_t>(f));
+        for (std::int32_t h = result_.first_corner[f]; h < result_.first_corner[f + 1]; ++h) {
+          if (result_.neighbor[h] < 0) piece.open_edges.push_back(h);
+        }
+        const std::span<const Vec3> outline = result_.outline(static_cast<std::int32_t>(f));
+        const Vec3 facet_area = vector_area(outline);
+        piece.volume += facet_area.dot(outline[0] - origin) / 3;
+        area += facet_area.norm();
+      }
+      // Two walls back to back enclose nothing.
+      if (std::abs(piece.volume) <= thickness_ * area) piece.volume = 0;
+    }
+  }
+
+  double thickness_;
+  SurfacePieces result_;
+  std::vector<std::int32_t> point_;  // per corner: the first one in the same place
+  std::map<Place, std::vector<std::int32_t>> cells_;
+};
+
+}  // namespace
+
+SurfacePieces find_surface_pieces(const PatchMesh& mesh, const std::vector<std::int32_t>& patches,
+                                  double thickness) {
+  return Joiner(mesh, patches, thickness).run();
+}
+
+int winding_number(const SurfacePieces& pieces, const SurfacePiece& piece, const Vec3& point) {
+  double angle = 0;
+  for (const std::int32_t f : piece.facets) {
+    const std::span<const Vec3> outline = pieces.outline(f);
+    const Vec3 a = outline[0] - point;
+    for (std::size_t k = 2; k < outline.size(); ++k) {
+      const Vec3 b = outline[k - 1] - point;
+      const Vec3 c = outline[k] - point;
+      const double la = a.norm();
+      const double lb = b.norm();
+      const double lc = c.norm();
+      angle += 2 * std::atan2(a.dot(b.cross(c)),
+                              la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+    }
+  }
+  return static_cast<int>(std::lround(angle / (4 * kPi)));
+}
+
+}  // namespace radiosity

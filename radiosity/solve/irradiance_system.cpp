@@ -1,0 +1,212 @@
+#include "radiosity/solve/irradiance_system.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "radiosity/operator/compressed_product.h"
+
+namespace radiosity {
+namespace {
+
+/// Row sums this close to 1 count as closed: what single-precision exchange areas can tell.
+constexpr double kClosedRowSum = 1 - 1e-6;
+/// Relative error of what a system is made of.
+constexpr double kRounding = 1e-14;
+/// Products spent at most on proving that light dies out among patches with ρ = 1.
+constexpr int kMaxProofProducts = 60;
+
+/// Marks (1, else 0) the patches with ρ = 1 that exchange light only among themselves.
+Eigen::VectorXd trapping_patches(const Transport& transport, const Eigen::VectorXd& rho,
+                                 SolveMonitor& monitor) {
+  Eigen::VectorXd trapping = (rho.array() >= 1).cast<double>();
+  for (int k = 0; k < kMaxProofProducts && (trapping.array() > 0).any(); ++k) {
+    const Eigen::VectorXd kept = transport.apply(trapping);
+    monitor.spend(1);
+    monitor.check();
+    const Eigen::VectorXd remaining = (kept.array() >= kClosedRowSum).select(trapping, 0);
+    if (remaining == trapping) return trapping;
+    trapping = remaining;
+  }
+  return Eigen::VectorXd::Zero(rho.size());
+}
+
+void require_no_trapped_light(const IrradianceSystem& system, Index band, SolveMonitor& monitor) {
+  const Eigen::VectorXd trapping =
+      trapping_patches(*system.transport, system.reflectance.col(band), monitor);
+  Index patch = 0;
+  if (trapping.maxCoeff(&patch) == 0) return;
+  for (Index c = band; c < system.n_columns(); c += system.reflectance.cols()) {
+    const Eigen::VectorXd light =
+        system.exitance.col(c).cwiseAbs() + system.direct.col(c).cwiseAbs();
+    if (trapping.dot(light) == 0) continue;
+    throw SolveError("no solution: " + std::to_string(static_cast<long>(trapping.sum())) + " of " +
+                     std::to_string(system.size()) + " patches (such as patch " +
+                     std::to_string(patch) + ") have reflectance 1 in column " +
+                     std::to_string(band) +
+                     ", let no light escape, and are lit; expected a reflectance below 1 or an "
+                     "opening somewhere among them");
+  }
+}
+
+/// Lowers q by power iteration: max_i (F ρ x)_i / x_i never grows from one x to the next. Entries
+/// that have become 0 belong to a nilpotent block and do not count.
+double refine_contraction(const IrradianceSystem& system, Index band, SolveMonitor& monitor) {
+  double q = system.contraction[band];
+  Eigen::VectorXd x = system.seen_reflectance.col(band);
+  for (int k = 0; k < kMaxProofProducts && x.maxCoeff() > 0; ++k) {
+    const Eigen::VectorXd next =
+        system.transport->apply(system.reflectance.col(band).cwiseProduct(x));
+    monitor.spend(1);
+    monitor.check();
+    double ratio = 0;
+    for (Index i = 0; i < x.size(); ++i) {
+      if (x[i] > 0) ratio = std::max(ratio, next[i] / x[i]);
+    }
+    const bool settled = ratio < 1 && 1 - ratio < 1.1 * (1 - q);
+    q = std::min(q, ratio);
+    if (settled) break;
+    x = next / next.maxCoeff();
+  }
+  return q;
+}
+
+}  // namespace
+
+Eigen::MatrixXd IrradianceSystem::radiosity(const Eigen::MatrixXd& irradiance) const {
+  Eigen::MatrixXd result = exitance;
+  for (Index c = 0; c < n_columns(); ++c) {
+    result.col(c) += rho(c).cwiseProduct(irradiance.col(c));
+  }
+  return result;
+}
+
+Eigen::MatrixXd IrradianceSystem::passed_on(const Eigen::MatrixXd& u) const {
+  Eigen::MatrixXd result(u.rows(), u.cols());
+  for (Index c = 0; c < u.cols(); ++c) result.col(c) = rho(c).cwiseProduct(u.col(c));
+  return result;
+}
+
+Eigen::MatrixXd IrradianceSystem::reflect(const Eigen::MatrixXd& u,
+                                          const std::vector<Index>& columns,
+                                          const Eigen::VectorXd& tolerance) const {
+  Eigen::MatrixXd reflected(size(), static_cast<Index>(columns.size()));
+  for (Index a = 0; a < reflected.cols(); ++a) {
+    reflected.col(a) = rho(columns[a]).cwiseProduct(u.col(columns[a]));
+  }
+  return tolerance.size() > 0 ? compressed_product(*transport, std::move(reflected), tolerance)
+                              : transport->apply(reflected);
+}
+
+double IrradianceSystem::inner(Index c, const Column& u, const Column& v) const {
+  return (transport->area().array() * rho(c).array() * u.array() * v.array()).sum();
+}
+
+double IrradianceSystem::error_bound(Index c, double residual_norm,
+                                     const Column& irradiance) const {
+  // The residual itself is known to a few roundings of H only.
+  const double rounding =
+      4 * std::numeric_limits<double>::epsilon() * std::sqrt(inner(c, irradiance, irradiance));
+  const double amplification = has_bound(c) ? 1 / (1 - contraction[band(c)]) : 1;
+  const double absolute =
+      std::sqrt(largest_reflectance[band(c)]) * amplification * (residual_norm + rounding);
+  if (absolute == 0) return 0;
+
+  const auto& area = transport->area();
+  const auto emitted = exitance.col(c);
+  const Eigen::VectorXd b = emitted + rho(c).cwiseProduct(irradiance);
+  // B >= M_e >= 0 bounds ‖B‖ from below even while the iterate is poor.
+  const double least = emitted.minCoeff() >= 0 ? std::sqrt(area.dot(emitted.cwiseAbs2())) : 0.;
+  const double norm = std::max(least, std::sqrt(area.dot(b.cwiseAbs2())) - absolute);
+  return norm > 0 ? absolute / norm : std::numeric_limits<double>::infinity();
+}
+
+Eigen::VectorXd IrradianceSystem::error_bounds(const Iterate& iterate) const {
+  Eigen::VectorXd bounds(n_columns());
+  for (Index c = 0; c < n_columns(); ++c) {
+    const Eigen::VectorXd residual = iterate.gathered.col(c) - iterate.irradiance.col(c);
+    bounds[c] = error_bound(c, std::sqrt(inner(c, residual, residual)), iterate.irradiance.col(c));
+  }
+  return bounds;
+}
+
+IrradianceSystem make_irradiance_system(const Transport& transport, const Eigen::MatrixXd& exitance,
+                                        const Eigen::MatrixXd& reflectance, SolveMonitor& monitor) {
+  const Index n = exitance.rows();
+  const Index n_bands = reflectance.cols();
+  IrradianceSystem system;
+  system.transport = &transport;
+  system.exitance = exitance;
+  system.reflectance = reflectance;
+  const Index n_start = monitor.start().size() > 0 ? monitor.start().cols() : 0;
+  Eigen::MatrixXd fields(n, 1 + n_bands + exitance.cols() + n_start);
+  fields.leftCols(1 + n_bands + exitance.cols()) << Eigen::VectorXd::Ones(n), reflectance, exitance;
+  if (n_start > 0) fields.rightCols(n_start) = system.passed_on(monitor.start());
+  // Reflectances and sources of few materials, however many bands: known to rounding all the same.
+  const Eigen::MatrixXd gathered =
+      compressed_product(transport, fields, kRounding * energy_norms(transport, fields));
+  monitor.spend(1);
+  monitor.check();
+
+  system.row_sums = gathered.col(0);
+  system.seen_reflectance = gathered.middleCols(1, n_bands);
+  system.direct = gathered.middleCols(1 + n_bands, exitance.cols());
+  system.reflected_start = gathered.rightCols(n_start);
+  system.largest_reflectance = reflectance.colwise().maxCoeff().transpose();
+  system.contraction.resize(n_bands);
+  for (Index band = 0; band < n_bands; ++band) {
+    system.contraction[band] =
+        std::min(reflectance.col(band).cwiseProduct(system.row_sums).maxCoeff(),
+                 system.seen_reflectance.col(band).maxCoeff());
+    if (system.contraction[band] < kClosedRowSum) continue;
+    require_no_trapped_light(system, band, monitor);
+    system.contraction[band] = refine_contraction(system, band, monitor);
+  }
+  return system;
+}
+
+IrradianceSystem with_exitance(const IrradianceSystem& system, Eigen::MatrixXd exitance,
+                               double tolerance, SolveMonitor& monitor) {
+  IrradianceSystem result;
+  result.transport = system.transport;
+  result.exitance = std::move(exitance);
+  result.reflectance = system.reflectance;
+  result.direct = compressed_product(*system.transport, result.exitance,
+                                     tolerance * energy_norms(*system.transport, result.exitance));
+  result.row_sums = system.row_sums;
+  result.seen_reflectance = system.seen_reflectance;
+  result.largest_reflectance = system.largest_reflectance;
+  result.contraction = system.contraction;
+  monitor.spend(1);
+  return result;
+}
+
+Iterate first_iterate(const IrradianceSystem& system, const SolveMonitor& monitor) {
+  Iterate iterate{Eigen::MatrixXd::Zero(system.size(), system.n_columns()), system.direct};
+  if (monitor.start().size() == 0) return iterate;
+  for (Index c = 0; c < system.n_columns(); ++c) {
+    // Without light the solution is darkness, which no relative error allows to approach.
+    if (system.exitance.col(c).isZero(0)) continue;
+    iterate.irradiance.col(c) = monitor.start().col(c);
+    iterate.gathered.col(c) += system.reflected_start.col(c);
+  }
+  return iterate;
+}
+
+StepFields step_fields(const IrradianceSystem& system, const Iterate& iterate) {
+  return {.radiosity = [&system, &iterate] { return system.radiosity(iterate.irradiance); },
+          .unshot = [&system,
+                     &iterate] { return system.passed_on(iterate.gathered - iterate.irradiance); }};
+}
+
+std::vector<Index> columns_above(const Eigen::VectorXd& bounds, double limit) {
+  std::vector<Index> columns;
+  for (Index c = 0; c < bounds.size(); ++c) {
+    if (!(bounds[c] <= limit)) columns.push_back(c);
+  }
+  return columns;
+}
+
+}  // namespace radiosity

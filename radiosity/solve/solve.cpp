@@ -1,0 +1,196 @@
+#include "radiosity/solve/solve.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "radiosity/solve/conjugate_gradients.h"
+#include "radiosity/solve/gathering.h"
+#include "radiosity/solve/irradiance_system.h"
+#include "radiosity/solve/relaxation.h"
+#include "radiosity/solve/solution_error.h"
+
+namespace radiosity {
+namespace {
+
+std::string shape(const Eigen::MatrixXd& matrix) {
+  return std::to_string(matrix.rows()) + " x " + std::to_string(matrix.cols());
+}
+
+/// Throws SolveError at the first value outside [0, largest]; NaN is outside.
+void require_range(const Eigen::MatrixXd& values, const std::string& name, double largest,
+                   const std::string& expected) {
+  for (Index c = 0; c < values.cols(); ++c) {
+    for (Index i = 0; i < values.rows(); ++i) {
+      if (values(i, c) >= 0 && values(i, c) <= largest) continue;
+      throw SolveError(name + " of patch " + std::to_string(i) + ", column " + std::to_string(c) +
+                       " is " + std::to_string(values(i, c)) + "; expected " + expected);
+    }
+  }
+}
+
+void require_valid_start(const Eigen::MatrixXd& start, const Eigen::MatrixXd& exitance) {
+  if (start.size() == 0) return;
+  if (start.rows() != exitance.rows() || start.cols() != exitance.cols()) {
+    throw SolveError("start is " + shape(start) + " and exitance " + shape(exitance) +
+                     "; expected the same shape, or no start");
+  }
+  if (!start.allFinite()) {
+    throw SolveError("start has a value that is not finite; expected irradiance, W/m²");
+  }
+}
+
+void require_valid(const Transport& transport, const Eigen::MatrixXd& exitance,
+                   const Eigen::MatrixXd& reflectance) {
+  const std::string n = std::to_string(transport.size());
+  if (transport.size() == 0) throw SolveError("there are no patches to solve for");
+  if (exitance.rows() != transport.size()) {
+    throw SolveError("exitance is " + shape(exitance) + ", but the transport has " + n +
+                     " patches; expected one row per patch");
+  }
+  if (reflectance.rows() != transport.size()) {
+    throw SolveError("reflectance is " + shape(reflectance) + ", but the transport has " + n +
+                     " patches; expected one row per patch");
+  }
+  if (exitance.cols() == 0 || reflectance.cols() == 0 ||
+      exitance.cols() % reflectance.cols() != 0) {
+    throw SolveError("exitance is " + shape(exitance) + " and reflectance " + shape(reflectance) +
+                     "; expected the columns of exitance to be a multiple of those of reflectance");
+  }
+  require_range(exitance, "exitance", std::numeric_limits<double>::max(),
+                "a finite value of at least 0 W/m²");
+  require_range(reflectance, "reflectance", 1, "a value in [0, 1]");
+}
+
+Iterate iterate_with(Method method, const IrradianceSystem& system, SolveMonitor& monitor) {
+  switch (method) {
+    case Method::conjugate_gradients:
+      return conjugate_gradients(system, monitor);
+    case Method::jacobi:
+      return jacobi(system, monitor);
+    case Method::gauss_seidel:
+      return gauss_seidel(system, monitor);
+    case Method::southwell:
+      return southwell(system, monitor);
+    case Method::chebyshev:
+      return chebyshev(system, monitor);
+  }
+  throw SolveError("unknown solution method");
+}
+
+EnergyBalance energy_balance(const IrradianceSystem& system, const Eigen::MatrixXd& b,
+                             const Eigen::MatrixXd& gathered) {
+  const Eigen::VectorXd& area = system.transport->area();
+  // What lies on a solid's face and looks into it shines on that face alone, and backs take what
+  // they meet.
+  const AssemblyReport& report = system.transport->report();
+  Eigen::VectorXd taken = Eigen::VectorXd::Zero(b.rows());
+  for (const Eigen::VectorXd* shares : {&report.covered, &report.backs}) {
+    if (shares->size() == b.rows()) taken += area.cwiseProduct(*shares);
+  }
+  const Eigen::VectorXd leak =
+      area.cwiseProduct(Eigen::VectorXd::Ones(b.rows()) - system.row_sums) - taken;
+  EnergyBalance energy;
+  energy.emitted = system.exitance.transpose() * area;
+  energy.escaped = b.transpose() * leak;
+  energy.absorbed.resize(b.cols());
+  for (Index c = 0; c < b.cols(); ++c) {
+    energy.absorbed[c] =
+        (area.array() * (1 - system.rho(c).array()) * gathered.col(c).array()).sum() +
+        taken.dot(b.col(c));
+  }
+  return energy;
+}
+
+/// Largest ‖ρ (F B - H)‖ / ‖M_e‖ (energy norm) over the columns with light.
+double relative_residual(const IrradianceSystem& system, const Iterate& iterate) {
+  const Eigen::VectorXd& area = system.transport->area();
+  double largest = 0;
+  for (Index c = 0; c < system.n_columns(); ++c) {
+    const Eigen::VectorXd residual =
+        system.rho(c).cwiseProduct(iterate.gathered.col(c) - iterate.irradiance.col(c));
+    const double emitted = area.dot(system.exitance.col(c).cwiseAbs2());
+    if (emitted > 0) {
+      largest = std::max(largest, std::sqrt(area.dot(residual.cwiseAbs2()) / emitted));
+    }
+  }
+  return largest;
+}
+
+/// Largest bound over the columns; infinite if one column has light but no proof that it dies out.
+double proved_bound(const IrradianceSystem& system, const Iterate& iterate) {
+  const Eigen::VectorXd bounds = system.error_bounds(iterate);
+  double largest = 0;
+  for (Index c = 0; c < bounds.size(); ++c) {
+    const bool is_proved = bounds[c] == 0 || system.has_bound(c);
+    largest = std::max(largest, is_proved ? bounds[c] : std::numeric_limits<double>::infinity());
+  }
+  return largest;
+}
+
+}  // namespace
+
+std::string_view method_name(Method method) {
+  switch (method) {
+    case Method::conjugate_gradients:
+      return "cg";
+    case Method::jacobi:
+      return "jacobi";
+    case Method::gauss_seidel:
+      return "gauss-seidel";
+    case Method::southwell:
+      return "southwell";
+    case Method::chebyshev:
+      return "chebyshev";
+  }
+  return "unknown";
+}
+
+std::span<const Method> all_methods() {
+  static constexpr std::array kMethods = {Method::conjugate_gradients, Method::jacobi,
+                                          Method::gauss_seidel, Method::southwell,
+                                          Method::chebyshev};
+  return kMethods;
+}
+
+std::optional<Method> method_named(std::string_view name) {
+  for (const Method method : all_methods()) {
+    if (method_name(method) == name) return method;
+  }
+  return std::nullopt;
+}
+
+Solution solve(const Transport& transport, const Eigen::MatrixXd& exitance,
+               const Eigen::MatrixXd& reflectance, const SolveOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  require_valid(transport, exitance, reflectance);
+  require_valid_start(options.start, exitance);
+  SolveMonitor monitor(options);
+  const IrradianceSystem system = make_irradiance_system(transport, exitance, reflectance, monitor);
+  const Iterate iterate = iterate_with(options.method, system, monitor);
+
+  Solution solution;
+  solution.method = options.method;
+  solution.iterations = monitor.iterations();
+  solution.products = monitor.products();
+  solution.radiosity = system.radiosity(iterate.irradiance);
+  solution.irradiance = iterate.gathered;
+  solution.exitance = exitance;
+  solution.reflectance = reflectance.replicate(1, exitance.cols() / reflectance.cols());
+  solution.energy = energy_balance(system, solution.radiosity, iterate.gathered);
+  solution.residual = relative_residual(system, iterate);
+  solution.error_bound = proved_bound(system, iterate);
+  solution.converged = solution.error_bound <= options.tolerance;
+  solution.transport_error_bound = transport_error_bound(system);
+  solution.radiosity_error = options.estimates_errors
+                                 ? radiosity_error(system, iterate, options.progress)
+                                 : Eigen::MatrixXd::Zero(exitance.rows(), exitance.cols()).eval();
+  solution.seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return solution;
+}
+
+}  // namespace radiosity

@@ -1,0 +1,175 @@
+#include "radiosity/solve/uneven_light.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "radiosity/base/parallel.h"
+#include "radiosity/scene/patch_groups.h"
+#include "radiosity/solve/solution_error.h"
+
+namespace radiosity {
+namespace {
+
+/// The exchange varies by no more than this: from nothing to twice its mean.
+constexpr double kLargestVariation = 2;
+/// Solutions with random signs.
+constexpr Index kProbes = 4;
+constexpr std::uint64_t kSeed = 1;
+constexpr Index kBlock = 16;  // rows worked on together, which stay in the cache
+
+/// Places and sizes of patches.
+struct Places {
+  Eigen::ArrayXd x, y, z;  ///< of the centroids, m
+  Eigen::ArrayXd size;     ///< √A, m
+};
+
+Places make_places(const PatchMesh& mesh) {
+  const Eigen::ArrayXd zero = Eigen::ArrayXd::Zero(mesh.size());
+  Places places{zero, zero, zero, zero};
+  for (Index i = 0; i < mesh.size(); ++i) {
+    places.x[i] = mesh.centroid[i].x();
+    places.y[i] = mesh.centroid[i].y();
+    places.z[i] = mesh.centroid[i].z();
+    places.size[i] = std::sqrt(mesh.area[i]);
+  }
+  return places;
+}
+
+/// Rows of F and the distances of their patches from all others, transposed: a column per row.
+struct Rows {
+  Index first;
+  Eigen::ArrayXXd factors;
+  Eigen::ArrayXXd distance;
+};
+
+template <typename Work>
+void for_rows(const Transport& transport, const Places& places, const Progress& progress,
+              const Work& work) {
+  const Index n = transport.size();
+  parallel_for((n + kBlock - 1) / kBlock, [&](Index block) {
+    progress.check();
+    const Index first = block * kBlock;
+    const Index size = std::min(kBlock, n - first);
+    Rows rows{first, Eigen::ArrayXXd(n, size), Eigen::ArrayXXd(n, size)};
+    for (Index i = 0; i < size; ++i) {
+      rows.factors.col(i) = transport.row(first + i).array();
+      rows.distance.col(i) = (places.x - places.x[first + i]).square() +
+                             (places.y - places.y[first + i]).square() +
+                             (places.z - places.z[first + i]).square();
+    }
+    rows.distance = rows.distance.sqrt();
+    work(rows);
+  });
+}
+
+/// How light varies over each patch.
+struct Variation {
+  Eigen::ArrayXd exchange;  ///< Σ_k F_jk v_jk, n
+  Eigen::MatrixXd light;    ///< D_j, W/m², n x k
+};
+
+Variation find_variation(const Transport& transport, const Places& places, const Solution& solution,
+                         const Progress& progress) {
+  const Index n = transport.size();
+  const Index k = solution.radiosity.cols();
+  const Index n_bands = solution.reflectance.cols();
+  // (B_k - H_j)² is multiplied out; about the mean it keeps its digits.
+  const Eigen::RowVectorXd mean = solution.irradiance.colwise().mean();
+  const Eigen::MatrixXd b = solution.radiosity.rowwise() - mean;
+  const Eigen::MatrixXd b_squared = b.cwiseAbs2();
+  Variation variation{Eigen::ArrayXd(n), Eigen::MatrixXd(n, k)};
+  for_rows(transport, places, progress, [&](const Rows& rows) {
+    const Index size = rows.factors.cols();
+    Eigen::ArrayXXd varying = rows.factors;
+    for (Index j = 0; j < size; ++j) {
+      varying.col(j) *= (places.size[rows.first + j] / rows.distance.col(j)).min(kLargestVariation);
+    }
+    variation.exchange.segment(rows.first, size) = varying.colwise().sum();
+    const Eigen::MatrixXd weight = varying.square().matrix();
+    const Eigen::ArrayXd sum = weight.colwise().sum();
+    const Eigen::MatrixXd first_moment = weight.transpose() * b;
+    const Eigen::MatrixXd second_moment = weight.transpose() * b_squared;
+    for (Index c = 0; c < k; ++c) {
+      const Eigen::ArrayXd h =
+          solution.irradiance.col(c).segment(rows.first, size).array() - mean[c];
+      const Eigen::ArrayXd square =
+          second_moment.col(c).array() - 2 * h * first_moment.col(c).array() + h.square() * sum;
+      variation.light.col(c).segment(rows.first, size) =
+          solution.reflectance.col(c % n_bands).segment(rows.first, size).array() *
+          square.max(0).sqrt();
+    }
+  });
+  return variation;
+}
+
+/// What is received wrongly and reflected at once.
+struct Received {
+  Eigen::MatrixXd local;   ///< s_i, W/m², n x k
+  Eigen::MatrixXd probes;  ///< the same with random signs, n x (k kProbes)
+};
+
+/// D_j with a random sign in each of `kProbes` times k columns, which the patches of a group share.
+Eigen::MatrixXd with_random_signs(const PatchGroups& groups, const Eigen::MatrixXd& light) {
+  std::mt19937_64 random(kSeed);
+  std::vector<std::uint64_t> bits(groups.n_groups);
+  for (std::uint64_t& word : bits) word = random();
+  Eigen::MatrixXd result = light.replicate(1, kProbes);
+  for (Index i = 0; i < result.rows(); ++i) {
+    for (Index probe = 0; probe < kProbes; ++probe) {
+      if ((bits[groups.group_of[i]] >> probe & 1) == 0) continue;
+      result.row(i).segment(probe * light.cols(), light.cols()) *= -1;
+    }
+  }
+  return result;
+}
+
+Received receive(const PatchMesh& mesh, const Transport& transport, const Places& places,
+                 const Solution& solution, const Variation& variation, const Progress& progress) {
+  const Index n = transport.size();
+  const Index k = solution.radiosity.cols();
+  const Index n_bands = solution.reflectance.cols();
+  const Eigen::MatrixXd squared_light = variation.light.cwiseAbs2();
+  const Eigen::MatrixXd signed_light = with_random_signs(make_patch_groups(mesh), variation.light);
+  Received received{Eigen::MatrixXd(n, k), Eigen::MatrixXd(n, k * kProbes)};
+  for_rows(transport, places, progress, [&](const Rows& rows) {
+    const Index size = rows.factors.cols();
+    Eigen::MatrixXd weight(n, size);
+    for (Index i = 0; i < size; ++i) {
+      weight.col(i) =
+          rows.factors.col(i) *
+          ((places.size / rows.distance.col(i)).min(kLargestVariation) - variation.exchange);
+    }
+    received.probes.middleRows(rows.first, size) = weight.transpose() * signed_light;
+    received.local.middleRows(rows.first, size) =
+        (weight.cwiseAbs2().transpose() * squared_light).cwiseSqrt();
+  });
+  for (Index c = 0; c < received.probes.cols(); ++c) {
+    received.probes.col(c).array() *= solution.reflectance.col(c % n_bands).array();
+  }
+  for (Index c = 0; c < k; ++c) {
+    received.local.col(c).array() *= solution.reflectance.col(c % n_bands).array();
+  }
+  return received;
+}
+
+}  // namespace
+
+Eigen::MatrixXd uneven_light_error(const PatchMesh& mesh, const Transport& transport,
+                                   const Solution& solution, const Progress& progress) {
+  const Places places = make_places(mesh);
+  const Variation variation = find_variation(transport, places, solution, progress);
+  Received received = receive(mesh, transport, places, solution, variation, progress);
+  const Eigen::MatrixXd reflected =
+      reflected_light(transport, solution, std::move(received.probes), progress);
+  Eigen::MatrixXd variance = received.local.cwiseAbs2();
+  const Index k = variance.cols();
+  for (Index c = 0; c < reflected.cols(); ++c) {
+    variance.col(c % k) += reflected.col(c).cwiseAbs2() / kProbes;
+  }
+  return variance.cwiseSqrt();
+}
+
+}  // namespace radiosity

@@ -1,0 +1,159 @@
+#include "radiosity/stream/streamed_factors.h"
+
+#include <chrono>
+#include <cmath>
+
+#include "radiosity/assembly/assembly_report.h"
+#include "radiosity/assembly/exchange_assembly.h"
+#include "radiosity/assembly/tile_sum.h"
+#include "radiosity/scene/patch_mesh.h"
+#include "radiosity/visibility/coverage.h"
+#include "radiosity/visibility/visibility.h"
+
+namespace radiosity {
+namespace {
+
+/// To be raised whenever the same scene and options give other numbers than before.
+constexpr int kNumbersVersion = 5;
+/// The program with its libraries, and one patch with its share of tree and ray tracer, bytes.
+constexpr double kProgramBytes = 96e6;
+constexpr double kPatchBytes = 5e3;
+/// Strips have at least this many rows, but for the last levels of small trees.
+constexpr double kLeastStripRows = 32;
+constexpr std::size_t kLeastRows = 16;
+/// Rounds of the closure correction; each costs passes through the uncertain entries. It has ended
+/// by then, or has only rows left that StoredBalance mends better.
+constexpr int kClosureRounds = 6;
+/// A row sum further than this from what it should be has not been balanced. Relative.
+constexpr double kUnbalanced = 1e-10;
+
+double largest_gap(const RowSums& sums) {
+  return sums.mask.cwiseProduct(sums.wanted - sums.present).cwiseAbs().maxCoeff();
+}
+
+TransportOptions assembly_options(const StreamOptions& options) {
+  return {.tolerance = options.tolerance,
+          .closed = options.closed,
+          .seed = options.seed,
+          .progress = options.progress};
+}
+
+}  // namespace
+
+Fingerprint stream_fingerprint(const PatchMesh& mesh, const StreamOptions& options) {
+  Fingerprint fingerprint;
+  fingerprint.add(kNumbersVersion);
+  fingerprint.add(mesh.vertices);
+  fingerprint.add(mesh.corners);
+  fingerprint.add(mesh.surface);
+  fingerprint.add(mesh.polygon);
+  fingerprint.add(mesh.twin);
+  for (const std::string& name : mesh.surface_names) fingerprint.add(name);
+  for (const bool two_sided : mesh.surface_two_sided) fingerprint.add(two_sided);
+  fingerprint.add(mesh.precision);
+  fingerprint.add(options.tolerance);
+  fingerprint.add(options.closed);
+  fingerprint.add(options.seed);
+  fingerprint.add(options.min_factor);
+  return fingerprint;
+}
+
+std::size_t streaming_memory(Index n_patches) {
+  const auto n = static_cast<double>(n_patches);
+  const double n_strips = n / kLeastStripRows + 1;
+  const double index = 0.5 * n_strips * (n_strips + 1) * sizeof(std::uint64_t);
+  const double sums = kSumParts * n * sizeof(double);
+  return static_cast<std::size_t>(kProgramBytes + kPatchBytes * n + index + sums);
+}
+
+std::size_t least_buffers(Index n_patches) { return kLeastRows * row_bytes(n_patches); }
+
+StreamedFactors::StreamedFactors(const PatchMesh& mesh, const Visibility& visibility,
+                                 const StreamOptions& options, TileStore& store)
+    : mesh_(mesh), options_(options), store_(store) {
+  const auto start = std::chrono::steady_clock::now();
+  const Coverage coverage = find_coverage(mesh, plane_thickness(mesh));
+  assemble_tiles(mesh, visibility, assembly_options(options), coverage, store);
+  const Eigen::VectorXd row_sums = store.totals().row_sums();
+  report_ = make_report(store.totals().census(), row_sums, store.layout().order, mesh.area,
+                        coverage.share);
+  const Eigen::VectorXd areas = areas_of_rows();
+  const Eigen::VectorXd open = (1 - coverage.share.array())(store.layout().order);
+  RowSums sums = close(visibility, row_sums, areas.cwiseProduct(open));
+  if (options.min_factor > 0) sums.mask.setOnes();
+  balance_.emplace(*closure_, areas, options.min_factor, sums.mask);
+  if (options.min_factor > 0) {
+    drop(sums);
+  } else {
+    balance(sums);
+  }
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  report_.seconds = elapsed.count();
+}
+
+Eigen::VectorXd StreamedFactors::areas_of_rows() const {
+  const std::vector<std::int32_t>& order = store_.layout().order;
+  Eigen::VectorXd areas(mesh_.size());
+  for (Index row = 0; row < areas.size(); ++row) areas[row] = mesh_.area[order[row]];
+  return areas;
+}
+
+/// Corrects closure. The wanted sums of rows that stay as they are become the present ones.
+RowSums StreamedFactors::close(const Visibility& visibility, const Eigen::VectorXd& row_sums,
+                               const Eigen::VectorXd& areas) {
+  closure_.emplace(store_, options_.buffers);
+  report_.closed = options_.closed == Closed::yes ||
+                   (options_.closed == Closed::automatic &&
+                    is_closed_within_errors(*closure_, row_sums, areas, options_.tolerance));
+  RowSums sums{row_sums, row_sums, Eigen::VectorXd::Ones(row_sums.size())};
+  std::vector<Index> open_rows;
+  if (report_.closed) {
+    ClosureCorrection correction =
+        correct_closure(*closure_, row_sums, areas, options_.tolerance, kClosureRounds);
+    open_rows = std::move(correction.open_rows);
+    sums = std::move(correction.sums);
+    sums.wanted = (sums.mask.array() != 0).select(sums.wanted, sums.present);
+  }
+  find_backs(mesh_, visibility, store_.layout().order, sums.present, open_rows, options_.seed,
+             report_);
+  closure_->release_memory();
+  return sums;
+}
+
+/// Balances what dropping the smallest pairs has left.
+void StreamedFactors::drop(RowSums& sums) {
+  const StoredBalance::Dropped dropped = balance_->dropped();
+  const double total = sums.present.sum();
+  const Eigen::VectorXd shares =
+      (sums.present.array() > 0).select(dropped.exchange.cwiseQuotient(sums.present), 0);
+  sums.present = balance_->row_sums();
+  balance(sums);
+  dropped_.entries = static_cast<std::int64_t>(dropped.entries.sum());
+  dropped_.share = total > 0 ? dropped.exchange.sum() / total : 0;
+  dropped_.largest_row_share = shares.size() > 0 ? shares.maxCoeff() : 0;
+  dropped_.unbalanced_rows =
+      ((sums.wanted - sums.present).array().abs() > kUnbalanced * sums.wanted.array()).count();
+}
+
+/// Makes the sums as wanted, round by round, as long as that brings them nearer.
+void StreamedFactors::balance(RowSums& sums) {
+  for (int round = 0; round < kBalanceRounds; ++round) {
+    options_.progress.check();
+    const Eigen::VectorXd before = sums.present;
+    const double gap = largest_gap(sums);
+    balance_rows(*balance_, sums, 1);
+    if (largest_gap(sums) < gap) continue;
+    if (sums.present != before) {
+      balance_->undo();
+      sums.present = before;
+    }
+    return;
+  }
+}
+
+void StreamedFactors::for_each_row(const RowVisitor& visit) const {
+  stream_rows(*balance_, store_.layout(), mesh_.area, visit,
+              {.memory = options_.buffers, .progress = options_.progress});
+}
+
+}  // namespace radiosity

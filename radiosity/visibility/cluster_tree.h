@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "radiosity/base/geometry.h"
+#include "radiosity/scene/patch_mesh.h"
+#include "radiosity/visibility/shaft.h"
+
+namespace radiosity {
+
+/// A set of patches that are alike in place and direction: order[begin..end) of its tree.
+struct Cluster {
+  Index begin = 0;
+  Index end = 0;
+  std::int32_t left = -1;  ///< child clusters, or -1 for a leaf
+  std::int32_t right = -1;
+  Box3 box;  ///< around the patches' corners, m
+  /// Corners of a convex set that holds the patches: of their hull, where they lie in one plane and
+  /// the hull has few corners, else of their box, m.
+  std::vector<Vec3> outline;
+  std::optional<HalfSpace> plane;  ///< if all patches lie in it and face its outside
+  [[nodiscard]] bool is_leaf() const { return left < 0; }
+};
+
+/// Patches in a binary tree. Splitting goes by normal and place together, with the normals weighted
+/// so that walls separate before they are divided.
+struct ClusterTree {
+  std::vector<std::int32_t> order;   ///< permutation: patches in tree order
+  std::vector<Cluster> clusters;     ///< [0] is the root, if there are patches
+  std::vector<std::int32_t> leaves;  ///< clusters that are leaves, in tree order
+};
+
+/// Builds the tree by halving at the median of the longest of the six axes (three of place, three
+/// of the normal) until no leaf has more than `leaf_size` patches. Deterministic. `thickness` is
+/// how far off a plane points may be and still count as on it, m.
+ClusterTree make_cluster_tree(const PatchMesh& mesh, Index leaf_size, double thickness);
+
+}  // namespace radiosity

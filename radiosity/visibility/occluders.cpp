@@ -1,0 +1,442 @@
+#include "radiosity/visibility/occluders.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "radiosity/base/disjoint_sets.h"
+#include "radiosity/polygon/convex_hull.h"
+#include "radiosity/visibility/blocker.h"
+#include "radiosity/visibility/shaft.h"
+
+namespace radiosity {
+namespace {
+
+/// Hulls with more corners than this are divided: every test loops over them.
+constexpr std::size_t kMaxCorners = Blocker::kMostFaces - 2;
+/// A hull is the union of its patches if its area exceeds theirs by no more than this share, and
+/// what the thickness makes along its border.
+constexpr double kSameArea = 1e-9;
+/// Polygons that meet in one corner are compared with each other up to this number.
+constexpr std::size_t kMostAtCorner = 32;
+
+/// Whether an edge of `a` separates it from `b`: b lies outside it but for `thickness`.
+bool is_separated_by_edge(const std::vector<Point2>& a, const std::vector<Point2>& b,
+                          double thickness) {
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    const Point2 edge = a[k + 1 < a.size() ? k + 1 : 0] - a[k];
+    const double limit = thickness * edge.norm();
+    if (std::all_of(b.begin(), b.end(),
+                    [&](const Point2& point) { return cross2(edge, point - a[k]) <= limit; })) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Whether two of these convex, counter-clockwise polygons overlap by more than their borders.
+bool has_overlap(const std::vector<std::vector<Point2>>& polygons, double thickness) {
+  std::vector<Eigen::AlignedBox2d> boxes(polygons.size());
+  for (std::size_t k = 0; k < polygons.size(); ++k) {
+    for (const Point2& point : polygons[k]) boxes[k].extend(point);
+  }
+  std::vector<std::size_t> sorted(polygons.size());
+  std::iota(sorted.begin(), sorted.end(), 0);
+  std::sort(sorted.begin(), sorted.end(),
+            [&](std::size_t a, std::size_t b) { return boxes[a].min().x() < boxes[b].min().x(); });
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    const std::size_t a = sorted[i];
+    for (std::size_t j = i + 1; j < sorted.size(); ++j) {
+      const std::size_t b = sorted[j];
+      if (boxes[b].min().x() >= boxes[a].max().x() - thickness) break;
+      if (boxes[b].min().y() >= boxes[a].max().y() - thickness ||
+          boxes[a].min().y() >= boxes[b].max().y() - thickness) {
+        continue;
+      }
+      if (!is_separated_by_edge(polygons[a], polygons[b], thickness) &&
+          !is_separated_by_edge(polygons[b], polygons[a], thickness)) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// Scenes with more plane-vertex tests than this keep their outer planes among the occluders: that
+/// costs time later, never correctness.
+constexpr double kMaxOuterPlaneTests = 2e9;
+/// Outer planes that are remembered.
+constexpr std::size_t kMostKnown = 64;
+
+class OuterPlanes {
+ public:
+  OuterPlanes(const PatchMesh& mesh, double thickness) : mesh_(mesh), thickness_(thickness) {
+    // What lies far out in some direction comes first, so that most planes are done with early.
+    order_ = mesh.vertices;
+    std::size_t n_first = 0;
+    for (int direction = 0; direction < 26; ++direction) {
+      const int code = direction < 13 ? direction : direction + 1;
+      const Vec3 way(code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1);
+      const auto furthest =
+          std::max_element(order_.begin(), order_.end(),
+                           [&](const Vec3& a, const Vec3& b) { return way.dot(a) < way.dot(b); });
+      if (furthest == order_.end()) return;
+      const auto place = static_cast<std::size_t>(furthest - order_.begin());
+      if (place >= n_first) std::swap(order_[place], order_[n_first++]);
+    }
+  }
+
+  bool holds(Index patch) {
+    for (std::size_t k = 0; k < std::min(known_.size(), kMostKnown); ++k) {
+      const HalfSpace& plane = known_[k];
+      if (std::abs(plane.normal.dot(mesh_.normal[patch])) > 0.9 && is_in(patch, plane)) return true;
+    }
+    const HalfSpace plane{mesh_.normal[patch], mesh_.normal[patch].dot(mesh_.centroid[patch])};
+    if (n_tests_ > kMaxOuterPlaneTests) return false;
+    bool any_above = false;
+    bool any_below = false;
+    for (const Vec3& vertex : order_) {
+      ++n_tests_;
+      const double height = plane.normal.dot(vertex) - plane.offset;
+      any_above |= height > thickness_;
+      any_below |= height < -thickness_;
+      if (any_above && any_below) return false;
+    }
+    known_.push_back(plane);
+    return true;
+  }
+
+ private:
+  [[nodiscard]] bool is_in(Index patch, const HalfSpace& plane) const {
+    for (int k = 0; k < mesh_.n_corners(patch); ++k) {
+      if (std::abs(plane.normal.dot(mesh_.corner(patch, k)) - plane.offset) > thickness_) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  const PatchMesh& mesh_;
+  double thickness_;
+  std::vector<Vec3> order_;
+  std::vector<HalfSpace> known_;
+  double n_tests_ = 0;
+};
+
+class Merger {
+ public:
+  Merger(const PatchMesh& mesh, double thickness) : mesh_(mesh), thickness_(thickness) {}
+
+  std::vector<Occluder> merge(const std::vector<std::int32_t>& patches) {
+    for (Group& unit : units_of(patches)) units_.push_back(std::move(unit));
+    for (std::vector<std::size_t>& part : connected_parts()) merge_units(part);
+    return std::move(occluders_);
+  }
+
+ private:
+  /// Patches in one plane, facing one way.
+  struct Group {
+    std::vector<std::int32_t> patches;
+    HalfSpace plane{};
+    double area = 0;
+    std::vector<Vec3> outline{};  // corners of its hull, if it is convex
+  };
+
+  [[nodiscard]] bool is_in(std::int32_t patch, const HalfSpace& plane) const {
+    for (int k = 0; k < mesh_.n_corners(patch); ++k) {
+      const double height = plane.normal.dot(mesh_.corner(patch, k)) - plane.offset;
+      if (std::abs(height) > thickness_) return false;
+    }
+    return true;
+  }
+
+  /// The plane through the patches that keeps most digits: of their summed vector area.
+  [[nodiscard]] HalfSpace plane_of(const std::vector<std::int32_t>& patches) const {
+    Vec3 normal = Vec3::Zero();
+    Vec3 center = Vec3::Zero();
+    double area = 0;
+    const Vec3& first = mesh_.normal[patches.front()];
+    for (const std::int32_t i : patches) {
+      normal += (mesh_.normal[i].dot(first) < 0 ? -1 : 1) * mesh_.area[i] * mesh_.normal[i];
+      center += mesh_.area[i] * mesh_.centroid[i];
+      area += mesh_.area[i];
+    }
+    normal.normalize();
+    return {normal, normal.dot(center) / area};
+  }
+
+  [[nodiscard]] bool are_coplanar(const Group& a, const Group& b) const {
+    return a.plane.normal.dot(b.plane.normal) > 0.5 &&
+           std::all_of(a.patches.begin(), a.patches.end(),
+                       [&](std::int32_t i) { return is_in(i, b.plane); }) &&
+           std::all_of(b.patches.begin(), b.patches.end(),
+                       [&](std::int32_t i) { return is_in(i, a.plane); });
+  }
+
+  /// The patches by input polygon, where these are planar.
+  [[nodiscard]] std::vector<Group> units_of(const std::vector<std::int32_t>& patches) const {
+    std::map<std::pair<std::int32_t, std::int32_t>, std::vector<std::int32_t>> by_polygon;
+    for (const std::int32_t i : patches) {
+      by_polygon[{mesh_.surface[i], mesh_.polygon[i]}].push_back(i);
+    }
+    std::vector<Group> units;
+    for (auto& [polygon, members] : by_polygon) {
+      const HalfSpace plane = plane_of(members);
+      const bool is_planar = std::all_of(members.begin(), members.end(), [&](std::int32_t i) {
+        return is_in(i, plane) && mesh_.normal[i].dot(plane.normal) > 0.5;
+      });
+      if (is_planar) {
+        units.push_back(make_group(std::move(members)));
+      } else {
+        for (const std::int32_t i : members) units.push_back(make_group({i}));
+      }
+    }
+    return units;
+  }
+
+  [[nodiscard]] Group make_group(std::vector<std::int32_t> patches) const {
+    Group group{std::move(patches)};
+    group.plane = plane_of(group.patches);
+    for (const std::int32_t i : group.patches) group.area += mesh_.area[i];
+    group.outline = hull_of(group);
+    return group;
+  }
+
+  /// Units that touch in a corner and lie in one plane.
+  std::vector<std::vector<std::size_t>> connected_parts() {
+    std::map<std::array<double, 3>, std::vector<std::size_t>> at;
+    for (std::size_t u = 0; u < units_.size(); ++u) {
+      for (const std::int32_t i : units_[u].patches) {
+        for (int c = 0; c < mesh_.n_corners(i); ++c) {
+          const Vec3& p = mesh_.corner(i, c);
+          std::vector<std::size_t>& units = at[{p.x(), p.y(), p.z()}];
+          if (units.empty() || units.back() != u) units.push_back(u);
+        }
+      }
+    }
+    DisjointSets parts(static_cast<Index>(units_.size()));
+    for (const auto& [place, units] : at) {
+      const std::size_t n = std::min(units.size(), kMostAtCorner);
+      for (std::size_t j = 1; j < n; ++j) {
+        for (std::size_t i = 0; i < j; ++i) {
+          const auto a = static_cast<Index>(units[i]);
+          const auto b = static_cast<Index>(units[j]);
+          if (parts.find(a) != parts.find(b) && are_coplanar(units_[a], units_[b])) {
+            parts.join(a, b);
+          }
+        }
+      }
+    }
+    std::vector<std::vector<std::size_t>> result;
+    for (const std::vector<Index>& part : parts.sets()) {
+      result.emplace_back(part.begin(), part.end());
+    }
+    return result;
+  }
+
+  /// Corners of the hull of a group if the group covers it once and all, else none.
+  [[nodiscard]] std::vector<Vec3> hull_of(const Group& group,
+                                          std::span<const Group* const> parts = {}) const {
+    const Vec3& normal = group.plane.normal;
+    const Vec3 u = normal.unitOrthogonal();
+    const Vec3 v = normal.cross(u);
+    const Vec3 origin = mesh_.centroid[group.patches.front()];
+    const auto flatten = [&](const Vec3& p) {
+      return Point2(u.dot(p - origin), v.dot(p - origin));
+    };
+    std::vector<Point2> points;
+    std::vector<Vec3> corners;
+    std::vector<std::vector<Point2>> outlines;
+    const auto add_outline = [&](std::span<const Vec3> outline) {
+      auto& flat = outlines.emplace_back();
+      for (const Vec3& corner : outline) {
+        corners.push_back(corner);
+        points.push_back(flatten(corner));
+        flat.push_back(points.back());
+      }
+    };
+    if (parts.empty()) {
+      for (const std::int32_t i : group.patches) add_outline(corners_of(i));
+    } else {
+      for (const Group* part : parts) add_outline(part->outline);
+    }
+    if (group.patches.size() == 1) return corners;  // collinear corners or not, its own outline
+    const std::vector<std::int32_t> hull = convex_hull(points, thickness_);
+    if (hull.empty() || hull.size() > kMaxCorners) return {};
+    double area = 0;
+    double perimeter = 0;
+    for (std::size_t k = 0; k < hull.size(); ++k) {
+      const Point2& a = points[hull[k]];
+      const Point2& b = points[hull[k + 1 < hull.size() ? k + 1 : 0]];
+      area += 0.5 * cross2(a - points[hull[0]], b - points[hull[0]]);
+      perimeter += (b - a).norm();
+    }
+    // Equal areas prove that the hull is covered, provided that nothing is covered twice.
+    const double slack = kSameArea * group.area + thickness_ * perimeter;
+    if (std::abs(area - group.area) > slack || has_overlap(outlines, thickness_)) return {};
+    std::vector<Vec3> result;
+    for (const std::int32_t k : hull) result.push_back(corners[k]);
+    return result;
+  }
+
+  [[nodiscard]] std::vector<Vec3> corners_of(std::int32_t patch) const {
+    std::vector<Vec3> corners;
+    for (int k = 0; k < mesh_.n_corners(patch); ++k) corners.push_back(mesh_.corner(patch, k));
+    return corners;
+  }
+
+  void add_occluder(const std::vector<Vec3>& outline, const HalfSpace& plane) {
+    Occluder occluder;
+    occluder.corners = outline;
+    occluder.normal = plane.normal;
+    occluder.offset = plane.offset;
+    for (const Vec3& corner : outline) occluder.box.extend(corner);
+    occluders_.push_back(std::move(occluder));
+  }
+
+  /// Adds one occluder if the units' hull is covered by them, else halves the set and tries again.
+  void merge_units(std::vector<std::size_t>& members) {
+    std::vector<const Group*> parts;
+    std::vector<std::int32_t> patches;
+    bool are_convex = true;
+    for (const std::size_t u : members) {
+      parts.push_back(&units_[u]);
+      are_convex &= !units_[u].outline.empty();
+      patches.insert(patches.end(), units_[u].patches.begin(), units_[u].patches.end());
+    }
+    Group all{patches, plane_of(patches)};
+    for (const std::int32_t i : patches) all.area += mesh_.area[i];
+    const bool is_planar = std::all_of(patches.begin(), patches.end(),
+                                       [&](std::int32_t i) { return is_in(i, all.plane); });
+    if (is_planar) {
+      const std::vector<Vec3> outline =
+          members.size() == 1 ? units_[members[0]].outline
+                              : hull_of(all, are_convex ? std::span<const Group* const>(parts)
+                                                        : std::span<const Group* const>());
+      if (!outline.empty()) {
+        add_occluder(outline, all.plane);
+        return;
+      }
+    }
+    if (members.size() > 1) {
+      const auto [left, right] =
+          halved(members, all.plane.normal, [&](std::size_t u) { return center_of(units_[u]); });
+      std::vector<std::size_t> first = left;
+      std::vector<std::size_t> second = right;
+      merge_units(first);
+      merge_units(second);
+      return;
+    }
+    merge_patches(patches);
+  }
+
+  /// The same for the patches of a polygon that is not convex.
+  void merge_patches(const std::vector<std::int32_t>& patches) {
+    const Group group = make_group(patches);
+    if (!group.outline.empty()) {
+      add_occluder(group.outline, group.plane);
+      return;
+    }
+    const auto [left, right] =
+        halved(patches, group.plane.normal, [&](std::int32_t i) { return mesh_.centroid[i]; });
+    merge_patches(left);
+    merge_patches(right);
+  }
+
+  [[nodiscard]] Vec3 center_of(const Group& group) const {
+    Vec3 center = Vec3::Zero();
+    for (const std::int32_t i : group.patches) center += mesh_.area[i] * mesh_.centroid[i];
+    return center / group.area;
+  }
+
+  /// Two halves along the longer of two directions in the plane.
+  template <typename T, typename Place>
+  static std::pair<std::vector<T>, std::vector<T>> halved(const std::vector<T>& members,
+                                                          const Vec3& normal, const Place& place) {
+    const Vec3 u = normal.unitOrthogonal();
+    const Vec3 v = normal.cross(u);
+    Eigen::AlignedBox2d box;
+    std::vector<std::pair<Point2, T>> places;
+    for (const T& member : members) {
+      const Vec3 p = place(member);
+      places.emplace_back(Point2(u.dot(p), v.dot(p)), member);
+      box.extend(places.back().first);
+    }
+    const int axis = box.sizes().x() >= box.sizes().y() ? 0 : 1;
+    std::sort(places.begin(), places.end(), [&](const auto& a, const auto& b) {
+      return a.first[axis] != b.first[axis] ? a.first[axis] < b.first[axis] : a.second < b.second;
+    });
+    std::pair<std::vector<T>, std::vector<T>> halves;
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      (2 * k < places.size() - 1 ? halves.first : halves.second).push_back(places[k].second);
+    }
+    return halves;
+  }
+
+  const PatchMesh& mesh_;
+  double thickness_;
+  std::vector<Group> units_;
+  std::vector<Occluder> occluders_;
+};
+
+/// Whether `inner` lies in the plane of `outer` and within its outline.
+bool is_within(const Occluder& inner, const Occluder& outer, double thickness) {
+  return std::all_of(inner.corners.begin(), inner.corners.end(), [&](const Vec3& point) {
+    if (std::abs(outer.normal.dot(point) - outer.offset) > thickness) return false;
+    for (std::size_t k = 0; k < outer.corners.size(); ++k) {
+      const Vec3& a = outer.corners[k];
+      const Vec3 edge = outer.corners[k + 1 < outer.corners.size() ? k + 1 : 0] - a;
+      if (outer.normal.dot(edge.cross(point - a)) < -thickness * edge.norm()) return false;
+    }
+    return true;
+  });
+}
+
+}  // namespace
+
+std::vector<std::int32_t> find_blocking_patches(const PatchMesh& mesh, double thickness) {
+  std::vector<std::int32_t> patches;
+  OuterPlanes outer(mesh, thickness);
+  for (std::int32_t i = 0; i < mesh.size(); ++i) {
+    const bool is_back_of_earlier = mesh.twin[i] >= 0 && mesh.twin[i] < i;
+    if (!is_back_of_earlier && !outer.holds(i)) patches.push_back(i);
+  }
+  return patches;
+}
+
+std::vector<Occluder> make_occluders(const PatchMesh& mesh,
+                                     const std::vector<std::int32_t>& patches, double thickness) {
+  return Merger(mesh, thickness).merge(patches);
+}
+
+void drop_covered_occluders(std::vector<Occluder>& occluders, double thickness) {
+  std::vector<std::size_t> sorted(occluders.size());
+  std::iota(sorted.begin(), sorted.end(), 0);
+  std::stable_sort(sorted.begin(), sorted.end(), [&](std::size_t a, std::size_t b) {
+    return occluders[a].box.min().x() < occluders[b].box.min().x();
+  });
+  std::vector<bool> is_dropped(occluders.size(), false);
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    for (std::size_t j = i + 1; j < sorted.size(); ++j) {
+      const std::size_t a = sorted[i];
+      const std::size_t b = sorted[j];
+      if (occluders[b].box.min().x() > occluders[a].box.max().x() + thickness) break;
+      if (is_dropped[a] || is_dropped[b]) continue;
+      if (std::abs(occluders[a].normal.dot(occluders[b].normal)) < 0.5) continue;
+      if (is_within(occluders[b], occluders[a], thickness)) {
+        is_dropped[b] = true;
+      } else if (is_within(occluders[a], occluders[b], thickness)) {
+        is_dropped[a] = true;
+      }
+    }
+  }
+  std::vector<Occluder> kept;
+  for (std::size_t k = 0; k < occluders.size(); ++k) {
+    if (!is_dropped[k]) kept.push_back(std::move(occluders[k]));
+  }
+  occluders = std::move(kept);
+}
+
+}  // namespace radiosity

@@ -1,0 +1,407 @@
+#include "radiosity/visibility/regions.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "radiosity/base/box_tree.h"
+#include "radiosity/base/disjoint_sets.h"
+#include "radiosity/base/parallel.h"
+
+namespace radiosity {
+namespace {
+
+/// Distance, in thicknesses, at which edges touch: each may be off by one.
+constexpr double kReach = 2;
+/// Sine of the angle of planes that count as parallel, but for what their sizes and the thickness
+/// make of it.
+constexpr double kParallel = 1e-6;
+/// Edges that touch at one end for no more than this share of the shorter one end there.
+constexpr double kLongTouch = 0.05;
+/// How far from the corner rays start, relative to the scene.
+constexpr double kStart = 2e-6;
+/// Volume, relative to area times size, that may be rounding.
+constexpr double kNoVolume = 1e-6;
+/// Directions in which rays leave a border: any that are along no axis or face.
+constexpr std::array<std::array<double, 3>, 4> kDirections{{{0.5377, 0.3188, 0.7807},
+                                                            {-0.6124, 0.5711, -0.5466},
+                                                            {0.2931, -0.8413, 0.4542},
+                                                            {0.7213, 0.2479, -0.6468}}};
+
+struct Interval {
+  double low;
+  double high;
+};
+
+/// A patch at an edge, seen along it.
+struct Spoke {
+  std::int32_t patch;
+  double angle;
+  double slack;            ///< by which its angle may be off
+  bool front_is_forwards;  ///< whether its front faces growing angles
+  Interval along;          ///< where it is at the edge, m
+};
+
+class RegionFinder {
+ public:
+  RegionFinder(const PatchMesh& mesh, const Visibility& visibility, double thickness)
+      : mesh_(mesh),
+        visibility_(visibility),
+        reach_(kReach * thickness),
+        boxes_(make_boxes(mesh, reach_)),
+        tree_(boxes_),
+        sides_(2 * mesh.size() + 1) {}
+
+  std::vector<std::int32_t> run() {
+    join_around_edges();
+    if (is_one()) return std::vector<std::int32_t>(mesh_.size(), 0);
+    join_by_rays();
+    std::vector<std::int32_t> region(mesh_.size());
+    std::map<Index, std::int32_t> numbers;
+    for (Index i = 0; i < mesh_.size(); ++i) {
+      const auto next = static_cast<std::int32_t>(numbers.size());
+      region[i] = numbers.try_emplace(sides_.find(front(i)), next).first->second;
+    }
+    return region;
+  }
+
+ private:
+  /// Sides to join.
+  using Joints = std::vector<std::pair<Index, Index>>;
+
+  static std::vector<Box3> make_boxes(const PatchMesh& mesh, double margin) {
+    std::vector<Box3> boxes;
+    boxes.reserve(mesh.size());
+    for (Index i = 0; i < mesh.size(); ++i) boxes.push_back(grown(patch_box(mesh, i), margin));
+    return boxes;
+  }
+
+  [[nodiscard]] Index front(Index patch) const { return 2 * patch; }
+  [[nodiscard]] Index back(Index patch) const {
+    return mesh_.twin[patch] < 0 ? 2 * patch + 1 : 2 * Index{mesh_.twin[patch]};
+  }
+  /// The side of all that lies in no direction behind anything.
+  [[nodiscard]] Index outside() const { return 2 * mesh_.size(); }
+  /// Of twins the second stands for nothing of its own.
+  [[nodiscard]] bool is_second(Index patch) const {
+    return mesh_.twin[patch] >= 0 && mesh_.twin[patch] < patch;
+  }
+
+  bool is_one() {
+    for (Index i = 1; i < mesh_.size(); ++i) {
+      if (sides_.find(front(i)) != sides_.find(front(0))) return false;
+    }
+    return true;
+  }
+
+  void join_all(std::int32_t i, std::int32_t j, Joints& joints) const {
+    joints.emplace_back(front(i), back(i));
+    joints.emplace_back(front(i), front(j));
+    joints.emplace_back(front(j), back(j));
+  }
+
+  void join_around_edges() {
+    constexpr Index kGrain = 64;
+    std::vector<Joints> joints(mesh_.size());
+    parallel_for(
+        mesh_.size(),
+        [&](Index i) {
+          if (!is_second(i)) join_around(static_cast<std::int32_t>(i), joints[i]);
+        },
+        kGrain);
+    for (const Joints& of_patch : joints) {
+      for (const auto& [a, b] : of_patch) sides_.join(a, b);
+    }
+  }
+
+  void join_around(std::int32_t i, Joints& joints) const {
+    std::vector<std::int32_t> near;
+    tree_.for_each_meeting(boxes_[i], [&](std::int32_t j) {
+      if (j != i && !is_second(j)) near.push_back(j);
+    });
+    for (const std::int32_t j : near) {
+      if (j > i && cross_or_cover(i, j)) join_all(i, j, joints);
+    }
+    for (int k = 0; k < mesh_.n_corners(i); ++k) join_at_edge(i, k, near, joints);
+  }
+
+  [[nodiscard]] const Vec3& corner(std::int32_t patch, int k) const {
+    const int n = mesh_.n_corners(patch);
+    return mesh_.corner(patch, k < n ? k : k - n);
+  }
+
+  /// The directions in a patch's plane off its edges, inwards.
+  [[nodiscard]] Vec3 inwards(std::int32_t patch, int edge) const {
+    const Vec3 along = corner(patch, edge + 1) - corner(patch, edge);
+    return mesh_.normal[patch].cross(along).normalized();
+  }
+
+  /// Sine of the angle between planes that may be parallel.
+  [[nodiscard]] double parallel_sine(std::int32_t i, std::int32_t j) const {
+    return kParallel + reach_ / std::sqrt(std::min(mesh_.area[i], mesh_.area[j]));
+  }
+
+  /// Whether patches touch elsewhere than edge to edge.
+  [[nodiscard]] bool cross_or_cover(std::int32_t i, std::int32_t j) const {
+    const Vec3 along = mesh_.normal[i].cross(mesh_.normal[j]);
+    const double sine = along.norm();
+    if (sine <= parallel_sine(i, j)) return overlap(i, j);
+    const auto segment = meeting(i, j, along);
+    if (!segment) return false;
+    const double margin = reach_ * (1 + 1 / sine);
+    return !is_along_edge(i, *segment, margin) || !is_along_edge(j, *segment, margin);
+  }
+
+  /// Whether some of patch j lies on patch i, off its edges, given that they are parallel.
+  [[nodiscard]] bool overlap(std::int32_t i, std::int32_t j) const {
+    const Vec3& normal = mesh_.normal[i];
+    const auto flat = [&](const Vec3& x) {
+      return Vec3(x - normal.dot(x - mesh_.centroid[i]) * normal);
+    };
+    // Separated by an edge of one of them, or by distance.
+    double nearest = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < mesh_.n_corners(j); ++k) {
+      nearest = std::min(nearest, std::abs(normal.dot(corner(j, k) - mesh_.centroid[i])));
+    }
+    if (nearest > reach_) return false;
+    for (const auto& [a, b] : {std::pair(i, j), std::pair(j, i)}) {
+      for (int k = 0; k < mesh_.n_corners(a); ++k) {
+        const Vec3 in = inwards(a, k);
+        double most = -std::numeric_limits<double>::infinity();
+        for (int m = 0; m < mesh_.n_corners(b); ++m) {
+          most = std::max(most, in.dot(flat(corner(b, m)) - corner(a, k)));
+        }
+        if (most <= reach_) return false;
+      }
+    }
+    return true;
+  }
+
+  /// The segment in which two patches meet whose planes do, if it is longer than `reach_`.
+  [[nodiscard]] std::optional<std::array<Vec3, 2>> meeting(std::int32_t i, std::int32_t j,
+                                                           const Vec3& along) const {
+    const Vec3 u = along.normalized();
+    std::optional<Interval> common;
+    for (const auto& [a, b] : {std::pair(i, j), std::pair(j, i)}) {
+      const Vec3& normal = mesh_.normal[a];
+      std::optional<Interval> here;
+      const auto add = [&](const Vec3& point) {
+        const double t = u.dot(point - mesh_.centroid[i]);
+        if (!here) here = {t, t};
+        here->low = std::min(here->low, t);
+        here->high = std::max(here->high, t);
+      };
+      for (int k = 0; k < mesh_.n_corners(b); ++k) {
+        const double first = normal.dot(corner(b, k) - mesh_.centroid[a]);
+        const double last = normal.dot(corner(b, k + 1) - mesh_.centroid[a]);
+        if (std::abs(first) <= reach_) {
+          add(corner(b, k));
+        } else if (std::abs(last) > reach_ && first * last < 0) {
+          add(corner(b, k) + first / (first - last) * (corner(b, k + 1) - corner(b, k)));
+        }
+      }
+      if (!here) return std::nullopt;
+      if (!common) {
+        common = here;
+      } else {
+        common->low = std::max(common->low, here->low);
+        common->high = std::min(common->high, here->high);
+      }
+    }
+    if (common->high - common->low <= reach_) return std::nullopt;
+    // A point of both planes.
+    const Vec3& n = mesh_.normal[i];
+    const Vec3& m = mesh_.normal[j];
+    const double c = n.dot(m);
+    const double height = m.dot(mesh_.centroid[i] - mesh_.centroid[j]);
+    const Vec3 foot = mesh_.centroid[i] - height / (1 - c * c) * (m - c * n);
+    return std::array<Vec3, 2>{foot + common->low * u, foot + common->high * u};
+  }
+
+  [[nodiscard]] bool is_along_edge(std::int32_t patch, const std::array<Vec3, 2>& segment,
+                                   double margin) const {
+    const auto corner_of = [&](int k) -> const Vec3& { return mesh_.corner(patch, k); };
+    return radiosity::is_along_edge(segment[0], segment[1], mesh_.n_corners(patch), corner_of,
+                                    margin);
+  }
+
+  /// Joins the sides about edge k of patch i with those next to them.
+  void join_at_edge(std::int32_t i, int k, std::span<const std::int32_t> near,
+                    Joints& joints) const {
+    const Vec3& a = corner(i, k);
+    const double length = (corner(i, k + 1) - a).norm();
+    if (length <= 2 * reach_) {
+      // Too short to tell what is beside it.
+      Box3 box(a, a);
+      box.extend(corner(i, k + 1));
+      for (const std::int32_t j : near) {
+        if (boxes_[j].intersects(box)) join_all(i, j, joints);
+      }
+      return;
+    }
+    const Vec3 u = (corner(i, k + 1) - a) / length;
+    std::vector<Spoke> spokes = {spoke(i, k, u, inwards(i, k), {0, length})};
+    for (const std::int32_t j : near) {
+      for (int m = 0; m < mesh_.n_corners(j); ++m) {
+        const Vec3 p = corner(j, m) - a;
+        const Vec3 q = corner(j, m + 1) - a;
+        const double t = u.dot(p);
+        const double s = u.dot(q);
+        if (std::max(t, s) <= 0 || std::min(t, s) >= length) continue;
+        if ((p - t * u).norm() > reach_ || (q - s * u).norm() > reach_) {
+          if (!touches(p, q, u, length)) continue;
+          // Lines at a small angle: beside each other for a while only.
+          join_all(i, j, joints);
+          continue;
+        }
+        const Interval along{std::max(0.0, std::min(t, s)), std::min(length, std::max(t, s))};
+        spokes.push_back(spoke(j, m, u, inwards(i, k), along));
+      }
+    }
+    std::vector<double> ends{0, length};
+    for (const Spoke& s : spokes) {
+      ends.push_back(s.along.low);
+      ends.push_back(s.along.high);
+    }
+    std::sort(ends.begin(), ends.end());
+    std::sort(spokes.begin(), spokes.end(),
+              [](const Spoke& x, const Spoke& y) { return x.angle < y.angle; });
+    std::vector<const Spoke*> here;
+    for (std::size_t e = 0; e + 1 < ends.size(); ++e) {
+      if (ends[e + 1] - ends[e] <= 2 * reach_) continue;
+      const double middle = (ends[e] + ends[e + 1]) / 2;
+      here.clear();
+      for (const Spoke& s : spokes) {
+        if (s.along.low <= middle && middle <= s.along.high) here.push_back(&s);
+      }
+      join_in_turn(here, joints);
+    }
+  }
+
+  /// Whether the line from p to q is closer than `reach_` to that from 0 to length u for a good
+  /// part of either.
+  [[nodiscard]] bool touches(const Vec3& p, const Vec3& q, const Vec3& u, double length) const {
+    // Distance from the line is convex along p-q: look where it is least.
+    const Vec3 d = q - p;
+    const Vec3 across_p = p - u.dot(p) * u;
+    const Vec3 across_d = d - u.dot(d) * u;
+    const double squared = across_d.squaredNorm();
+    if (squared <= 0) return false;  // parallel and further off
+    const double at = std::clamp(-across_p.dot(across_d) / squared, 0.0, 1.0);
+    const double least = (across_p + at * across_d).norm();
+    if (least > reach_) return false;
+    const double half = std::sqrt(reach_ * reach_ - least * least) / std::sqrt(squared);
+    const double t0 = u.dot(p + std::max(0.0, at - half) * d);
+    const double t1 = u.dot(p + std::min(1.0, at + half) * d);
+    const double overlap = std::min(length, std::max(t0, t1)) - std::max(0.0, std::min(t0, t1));
+    return overlap > std::max(4 * reach_, kLongTouch * std::min(length, d.norm()));
+  }
+
+  [[nodiscard]] Spoke spoke(std::int32_t patch, int edge, const Vec3& u, const Vec3& zero,
+                            const Interval& along) const {
+    const Vec3 w = inwards(patch, edge);
+    const double length = (corner(patch, edge + 1) - corner(patch, edge)).norm();
+    return {patch, std::atan2(w.dot(u.cross(zero)), w.dot(zero)),
+            kParallel + reach_ * length / mesh_.area[patch],
+            mesh_.normal[patch].dot(u.cross(w)) > 0, along};
+  }
+
+  [[nodiscard]] Index forwards(const Spoke& s) const {
+    return s.front_is_forwards ? front(s.patch) : back(s.patch);
+  }
+  [[nodiscard]] Index backwards(const Spoke& s) const {
+    return s.front_is_forwards ? back(s.patch) : front(s.patch);
+  }
+
+  /// Joins what faces each other of neighbours in the order of angles.
+  void join_in_turn(std::span<const Spoke* const> spokes, Joints& joints) const {
+    for (std::size_t k = 0; k < spokes.size(); ++k) {
+      const Spoke& one = *spokes[k];
+      const Spoke& next = *spokes[k + 1 < spokes.size() ? k + 1 : 0];
+      joints.emplace_back(forwards(one), backwards(next));
+      if (&one == &next) continue;
+      const double turn = next.angle - one.angle + (k + 1 < spokes.size() ? 0 : 2 * kPi);
+      if (turn <= one.slack + next.slack) join_all(one.patch, next.patch, joints);
+    }
+  }
+
+  struct Border {
+    std::vector<Index> sides;
+    double volume = 0;  ///< within, m³; negative if it is outside
+    double area = 0;
+  };
+
+  void join_by_rays() {
+    const Box3 box = bounds(mesh_);
+    const double size = box.diagonal().norm();
+    const Vec3 center = box.center();
+    std::map<Index, Border> borders;
+    for (Index i = 0; i < mesh_.size(); ++i) {
+      const double third = mesh_.area[i] * mesh_.normal[i].dot(mesh_.centroid[i] - center) / 3;
+      const auto add = [&](Index side, double volume) {
+        Border& border = borders[sides_.find(side)];
+        border.sides.push_back(i);
+        border.volume += volume;
+        border.area += mesh_.area[i];
+      };
+      add(front(i), third);
+      if (mesh_.twin[i] < 0) add(back(i), -third);
+    }
+    for (auto& [name, border] : borders) {
+      if (border.volume < -kNoVolume * border.area * size) continue;  // around its region
+      for (const auto& [x, y, z] : kDirections) {
+        leave(name, border, Vec3(x, y, z).normalized(), kStart * size);
+      }
+    }
+  }
+
+  /// Joins a border to what is beyond it in a direction.
+  void leave(Index name, const Border& border, const Vec3& direction, double start) {
+    const Vec3* furthest = nullptr;
+    for (const Index patch : border.sides) {
+      for (int k = 0; k < mesh_.n_corners(patch); ++k) {
+        const Vec3& x = mesh_.corner(patch, k);
+        if (furthest == nullptr || direction.dot(x) > direction.dot(*furthest)) furthest = &x;
+      }
+    }
+    tree_.for_each_meeting(grown(Box3(*furthest, *furthest), start), [&](std::int32_t patch) {
+      // What is closer than rays start.
+      const double distance = mesh_.normal[patch].dot(*furthest - mesh_.centroid[patch]);
+      if (std::abs(distance) > start + reach_) return;
+      if (has_side_of(patch, name)) return;
+      sides_.join(name, front(patch));
+      sides_.join(name, back(patch));
+    });
+    const auto hit = visibility_.first_hit(*furthest + start * direction, direction);
+    if (!hit) {
+      sides_.join(name, outside());
+      return;
+    }
+    sides_.join(name, hit->front ? front(hit->patch) : back(hit->patch));
+  }
+
+  /// Whether a patch belongs to the border that `name` stands for.
+  bool has_side_of(std::int32_t patch, Index name) {
+    const Index set = sides_.find(name);
+    return sides_.find(front(patch)) == set || sides_.find(back(patch)) == set;
+  }
+
+  const PatchMesh& mesh_;
+  const Visibility& visibility_;
+  double reach_;
+  std::vector<Box3> boxes_;
+  BoxTree tree_;
+  DisjointSets sides_;
+};
+
+}  // namespace
+
+std::vector<std::int32_t> find_regions(const PatchMesh& mesh, const Visibility& visibility,
+                                       double thickness) {
+  if (mesh.size() == 0) return {};
+  return RegionFinder(mesh, visibility, thickness).run();
+}
+
+}  // namespace radiosity

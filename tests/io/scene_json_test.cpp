@@ -1,0 +1,365 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <span>
+
+#include "io/scene/scene_keys.h"
+#include "tests/support/sample_files.h"
+#include "tests/support/scratch_files.h"
+
+namespace {
+
+using radiosity::Bands;
+using radiosity::Emission;
+using radiosity::kPi;
+using radiosity::Scene;
+using radiosity::Vec3;
+
+class SceneJson : public ScratchFiles {
+ protected:
+  /// A scene of one triangle with the given members before its surfaces and in its material.
+  static std::string scene(const std::string& members,
+                           const std::string& material = R"("reflectance": 0.5)") {
+    return "{" + members + R"("materials": {"grey": {)" + material +
+           R"(}}, "surfaces": [{"name": "floor", "material": "grey",
+               "polygons": [[[0, 0, 0], [2, 0, 0], [2, 3, 0]]]}]})";
+  }
+  /// A scene with the given surfaces and a material "grey".
+  static std::string surfaces(const std::string& list) {
+    return R"({"materials": [{"name": "grey", "reflectance": 0.5}], "surfaces": [)" + list + "]}";
+  }
+  static std::string mesh(const std::string& members) {
+    return R"({"name": "m", )" + members + "}";
+  }
+};
+
+TEST_F(SceneJson, ReadsEverything) {
+  (void)file("square.off", kOff);
+  (void)file("spectra.csv", kCsv);
+  const Scene scene = read("a.json", kJson);
+  EXPECT_EQ(scene.bands.kind, Bands::Kind::wavelengths);
+  EXPECT_EQ(scene.bands.wavelengths, (std::vector<double>{400, 450, 600}));
+  ASSERT_EQ(scene.materials.size(), 2U);
+  EXPECT_TRUE(scene.materials[0].reflectance.isApprox(Eigen::Vector3d(0.5, 0.6, 0.8), 1e-15));
+  EXPECT_EQ(scene.materials[1].emission.kind, Emission::Kind::radiance);
+  EXPECT_EQ(scene.materials[1].emission.value, Eigen::Vector3d(1, 2, 3));
+  ASSERT_EQ(scene.surfaces.size(), 3U);
+  EXPECT_EQ(scene.surfaces[2].name, "mesh");
+  EXPECT_TRUE(scene.surfaces[1].two_sided);
+  EXPECT_FALSE(scene.surfaces[0].two_sided);
+  ASSERT_EQ(scene.n_polygons(), 4);
+  EXPECT_EQ(scene.vertices[scene.polygon(0)[2]], Vec3(2e-3, 3e-3, 0));
+  EXPECT_EQ(scene.vertices[scene.polygon(1)[3]], Vec3(0, 1e-3, 1e-3));
+  // The mesh is in metres, its translation in the scene's millimetres.
+  EXPECT_TRUE(scene.vertices[scene.polygon(2)[2]].isApprox(Vec3(2, 2, 0.5), 1e-15));
+  ASSERT_TRUE(scene.camera.has_value());
+  EXPECT_EQ(scene.camera->position, Vec3(0, 0, 0.1));
+  EXPECT_EQ(scene.camera->direction, Vec3(0, 0, -1));
+  EXPECT_EQ(scene.camera->up, Vec3(0, 1, 0));
+  EXPECT_DOUBLE_EQ(scene.camera->vertical_fov, kPi / 2);
+  EXPECT_EQ(scene.closed, std::optional(false));
+  EXPECT_TRUE(scene.warnings.empty());
+  const Scene in_metres = io::read_scene(folder() / "a.json", {.unit = "m", .progress = {}});
+  EXPECT_EQ(in_metres.camera->position, Vec3(0, 0, 100));
+}
+
+TEST_F(SceneJson, ReadsMaterials) {
+  const std::string grey = R"("bands": "grey", )";
+  const Scene thermal = read("a.json", scene(grey, R"("emissivity": 0.8, "temperature": 300)"));
+  EXPECT_DOUBLE_EQ(thermal.materials[0].reflectance[0], 1 - 0.8);
+  EXPECT_EQ(thermal.materials[0].emission.kind, Emission::Kind::temperature);
+  EXPECT_EQ(thermal.materials[0].emission.value, Eigen::VectorXd::Constant(1, 300));
+  EXPECT_EQ(thermal.closed, std::nullopt);
+  EXPECT_FALSE(thermal.camera.has_value());
+
+  const Scene power = read("b.json", scene("", R"("reflectance": 0, "power": 60)"));
+  EXPECT_EQ(power.bands.kind, Bands::Kind::rgb);
+  EXPECT_EQ(power.materials[0].emission.kind, Emission::Kind::power);
+  EXPECT_EQ(power.materials[0].emission.value, Eigen::Vector3d::Constant(60));
+  const Scene exitance = read(
+      "c.json", scene("", R"("reflectance": [0, 0.5, 1], "emission": {"exitance": [1, 2, 3]})"));
+  EXPECT_EQ(exitance.materials[0].reflectance, Eigen::Vector3d(0, 0.5, 1));
+  EXPECT_EQ(exitance.materials[0].emission.kind, Emission::Kind::exitance);
+}
+
+TEST_F(SceneJson, PlacesMeshes) {
+  (void)file("materials.mtl", kMtl);
+  (void)file("room.obj", kObj);
+  const Scene whole = read("a.json", surfaces(mesh(R"("mesh": "room.obj")")));
+  ASSERT_EQ(whole.surfaces.size(), 2U);
+  EXPECT_EQ(whole.surfaces[0].name, "m/square");
+  EXPECT_EQ(whole.materials[whole.surfaces[1].material].emission.value, Eigen::Vector3d(3, 2, 1));
+
+  const Scene one = read("b.json", surfaces(mesh(R"("mesh": "room.obj", "object": "lamp",
+      "material": "grey", "transform": {"rotate": {"axis": [0, 0, 2], "degrees": 90},
+      "scale": [2, 1, 1], "translate": [0, 0, 5]})")));
+  ASSERT_EQ(one.surfaces.size(), 1U);
+  EXPECT_EQ(one.surfaces[0].name, "m");
+  EXPECT_EQ(one.materials[one.surfaces[0].material].name, "grey");
+  ASSERT_EQ(one.n_polygons(), 1);
+  // (1, 1, 0) is first stretched to (2, 1, 0), then turned, then lifted.
+  EXPECT_TRUE(one.vertices[one.polygon(0)[2]].isApprox(Vec3(-1, 2, 5), 1e-15));
+
+  const Scene mirror = read("c.json", surfaces(mesh(R"("mesh": "room.obj", "transform": {"matrix":
+      [[-1, 0, 0, 7], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]})")));
+  const auto triangle = mirror.polygon(1);
+  EXPECT_EQ(mirror.vertices[triangle[0]], Vec3(6, 1, 0));
+  EXPECT_EQ(mirror.vertices[triangle[2]], Vec3(7, 0, 0));
+}
+
+TEST_F(SceneJson, ReadsCameras) {
+  const auto camera = [&](const std::string& members) {
+    return *read("a.json", scene(R"("camera": {"position": [0, 0, 0], )" + members + "}, ")).camera;
+  };
+  const auto film = camera(R"("direction": [0, 0, 3], "focal_length": 35, "film": [36, 24])");
+  EXPECT_DOUBLE_EQ(film.vertical_fov, 2 * std::atan(12.0 / 35));
+  EXPECT_EQ(film.direction, Vec3(0, 0, 1));
+  EXPECT_DOUBLE_EQ(
+      camera(R"("look_at": [1, 0, 0], "focal_length": 0.05, "film": 0.1)").vertical_fov, kPi / 2);
+  const auto down = camera(R"("direction": [0, -1, 0])");
+  EXPECT_GT(down.up.cross(down.direction).norm(), 0.5);
+  EXPECT_EQ(camera(R"("direction": [1, 0, 0], "up": [0, 0, 2])").up, Vec3(0, 0, 1));
+}
+
+struct BadScene {
+  std::string content;
+  const char* message;
+};
+
+TEST_F(SceneJson, ExplainsBadStructure) {
+  const std::string triangle = R"("polygons": [[[0, 0, 0], [2, 0, 0], [2, 3, 0]]])";
+  const std::vector<BadScene> bad = {
+      {surfaces(R"({"name": "a", "material": "grey", )" + triangle + R"(},
+                   {"name": "b", "materail": "grey"})"),
+       R"(a.json: surfaces[1]: unknown key "materail", did you mean "material"?)"},
+      {scene(R"("kamera": {}, )"), R"(a.json: unknown key "kamera", did you mean "camera"?)"},
+      {scene(R"("zzzzzzzzzz": 1, )"), "known are $schema, name"},
+      {scene("", R"("reflectence": 1)"), R"(materials.grey: unknown key "reflectence")"},
+      {"{\n\"unit\": \"m\",\n}", "a.json:3: syntax error"},
+      {"[]", "a.json: expected an object, found a list of 0"},
+      {"{}", "a.json: has no \"surfaces\""},
+      {surfaces(""), "a.json: has no polygons"},
+      {scene(R"("unit": "m", "unit": "mm", )"), "key \"unit\" stands twice"},
+      {scene(R"("unit": "yard", )"), "a.json: unit: unknown unit \"yard\", expected one of m, mm"},
+      {scene(R"("unit": 1, )"), "a.json: unit: expected a string, found 1"},
+      {scene(R"("closed": "yes", )"), "closed: expected true or false, found \"yes\""},
+      {scene(R"("bands": "gray", )"), "bands: found \"gray\", expected \"rgb\", \"grey\""},
+      {scene(R"("bands": [500, 400], )"), "bands[1]: wavelength 400 does not follow 500"},
+      {scene(R"("bands": [0], )"), "bands[0]: wavelength 0 is not positive"},
+      {scene(R"("bands": [], )"), "bands: has no wavelengths"},
+      {scene(R"("camera": {"position": [0, 0, 0]}, )"), "camera: expected either \"look_at\""},
+      {scene(R"("camera": {"direction": [0, 0, 1]}, )"), "camera: has no \"position\""},
+      {scene(R"("camera": {"position": [0, 0], "direction": [0, 0, 1]}, )"),
+       "camera.position: expected three numbers [x, y, z], found a list of 2"},
+      {scene(R"("camera": {"position": [0, 0, 0], "direction": [0, 0, 0]}, )"),
+       "camera.direction: is [0, 0, 0], expected a direction"},
+      {scene(R"("camera": {"position": [0, 0, 0], "direction": [0, 2, 0], "up": [0, 1, 0]}, )"),
+       "camera.up: is parallel to the viewing direction"},
+      {scene(R"("camera": {"position": [0, 0, 0], "look_at": [0, 0, 0]}, )"),
+       "camera.look_at: is the camera's position"},
+      {scene(R"("camera": {"position": [0, 0, 0], "direction": [0, 2, 0],
+                "vertical_fov_deg": 180}, )"),
+       "camera.vertical_fov_deg: 180 is outside (0, 180)"},
+      {scene(R"("camera": {"position": [0, 0, 0], "direction": [0, 2, 0], "film": 1}, )"),
+       "camera: has no \"focal_length\""},
+      {surfaces(R"({"name": "a", )" + triangle + "}"), "surfaces[0]: has no \"material\""},
+      {surfaces(R"({"material": "grey", )" + triangle + "}"), "surfaces[0]: has no \"name\""},
+      {surfaces(R"({"name": "a", "material": "gray", )" + triangle + "}"),
+       "surfaces[0].material: unknown material \"gray\", expected one of grey"},
+      {surfaces(R"({"name": "a", "material": "grey", )" + triangle + R"(},
+                   {"name": "a", "material": "grey", )" +
+                triangle + "}"),
+       "surfaces[1]: a surface named \"a\" exists already"},
+      {surfaces(R"({"name": "a", "material": "grey"})"),
+       "expected either \"mesh\" or \"polygons\""},
+      {surfaces(R"({"name": "a", "material": "grey", "polygons": [[[0, 0, 0], [1, 0, 0]]]})"),
+       "surfaces[0].polygons[0]: face has 2 vertices"},
+      {surfaces(R"({"name": "a", "material": "grey", "polygons": [[0, 1, 2]]})"),
+       "surfaces[0].polygons[0][0]: expected a point [x, y, z]; indices need \"vertices\""},
+      {surfaces(R"({"name": "a", "material": "grey", "vertices": [[0, 0, 0], [1, 0, 0], [1, 1, 0]],
+                    "polygons": [[0, 1, 3]]})"),
+       "surfaces[0].polygons[0]: face uses vertex 3, but there are 3"},
+      {surfaces(R"({"name": "a", "material": "grey", "polygons": []})"), "has no polygons"},
+      {surfaces(
+           R"({"name": "a", "material": "grey", "polygons": [[[1e300, 0, 0], [1, 0, 0], [0, 1e999, 0]]]})"),
+       "a.json: "},
+  };
+  for (const auto& [content, message] : bad) EXPECT_CONTAINS(error_of("a.json", content), message);
+}
+
+TEST_F(SceneJson, ExplainsBadMaterials) {
+  (void)file("spectra.csv", kCsv);
+  (void)file("jumbled.csv", "wavelength_nm,white\n500,1\n400,1\n");
+  (void)file("bright.csv", "wavelength_nm,white\n400,0.5\n500,1.25\n700,0.5\n");
+  (void)file("negative.csv", "wavelength_nm,white\n400,0.5\n500,-0.25\n700,0.5\n");
+  const std::string wavelengths = R"("bands": [450, 650], )";
+  const std::string csv = R"("reflectance": {"csv": "spectra.csv", "column": )";
+  const std::vector<BadScene> bad = {
+      {scene("", R"("reflectance": 1.5)"),
+       "materials.grey.reflectance: reflectance 1.5 is outside [0, 1]"},
+      {scene("", R"("reflectance": [0.5, -0.1, 0])"), "reflectance -0.1 is outside [0, 1]"},
+      {scene("", R"("reflectance": [0.5, 0.1])"), "found 2 values, expected 3, one per band"},
+      {scene("", R"("emissivity": 2)"), "materials.grey.emissivity: emissivity 2 is outside"},
+      {scene("", ""), "materials.grey: expected either \"reflectance\" or \"emissivity\""},
+      {scene("", R"("reflectance": 0, "radiance": -1)"), "radiance is -1, expected a finite"},
+      {scene(R"("bands": "grey", )", R"("reflectance": 0, "temperature": -1)"),
+       "materials.grey.temperature: temperature is -1"},
+      {scene("", R"("reflectance": 0, "temperature": 300)"), "a temperature needs \"bands\""},
+      {scene("", R"("reflectance": 0, "power": 1, "emission": {"radiance": 1})"),
+       "emission is given twice, by \"radiance\" and by \"power\""},
+      {scene("", R"("reflectance": 0, "emission": {})"), "emission: expected one of radiance"},
+      {scene(wavelengths, csv + R"("white"})"), "spectra.csv covers 400 to 600 nm"},
+      {scene(wavelengths, csv + R"("blue"})"),
+       "spectra.csv:2: no column \"blue\", expected one of white, red"},
+      {scene("", csv + R"("white"})"), "a spectrum needs \"bands\" given as wavelengths"},
+      {scene(wavelengths, R"("reflectance": {"csv": "jumbled.csv", "column": "white"})"),
+       "jumbled.csv:3: wavelengths do not increase"},
+      {scene(wavelengths, R"("reflectance": {"csv": "bright.csv", "column": "white"})"),
+       "bright.csv:3: reflectance 1.25 is outside [0, 1]"},
+      {scene(wavelengths, R"("reflectance": {"csv": "negative.csv", "column": "white"})"),
+       "negative.csv:3: reflectance -0.25 is outside [0, 1]"},
+      {scene(wavelengths,
+             R"("reflectance": 0, "radiance": {"csv": "negative.csv", "column": "white"})"),
+       "negative.csv:3: radiance is -0.25, expected a finite"},
+      {scene(R"("bands": [300, 350], )", csv + R"("white"})"), "spectra.csv covers 400 to 600 nm"},
+      {scene(wavelengths, R"("reflectance": {"csv": "gone.csv", "column": "white"})"),
+       "gone.csv: no such file"},
+  };
+  for (const auto& [content, message] : bad) EXPECT_CONTAINS(error_of("a.json", content), message);
+}
+
+TEST_F(SceneJson, ExplainsBadMeshes) {
+  (void)file("materials.mtl", kMtl);
+  (void)file("room.obj", kObj);
+  (void)file("square.off", kOff);
+  const std::vector<BadScene> bad = {
+      {surfaces(mesh(R"("mesh": "gone.obj")")), "gone.obj: no such file"},
+      {surfaces(mesh(R"("mesh": "square.off")")),
+       "surfaces[0]: has no \"material\", and square.off gives none to its surface \"square\""},
+      {surfaces(mesh(R"("mesh": "room.obj", "object": "door")")),
+       "surfaces[0].object: no surface \"door\" in the mesh, expected one of square, lamp"},
+      {R"({"bands": "grey", "surfaces": [)" + mesh(R"("mesh": "room.obj")") + "]}",
+       "the materials of room.obj have 3 bands (RGB), the scene has 1 (grey)"},
+      {surfaces(mesh(R"("mesh": "a.json")")), "surfaces[0].mesh: is a scene, expected a mesh file"},
+      {surfaces(mesh(R"("mesh": "room.obj", "polygons": [])")),
+       "has both \"mesh\" and \"polygons\""},
+      {surfaces(mesh(R"("mesh": "room.obj", "transform": {"scale": 0})")),
+       "surfaces[0].transform: the transform flattens space"},
+      {surfaces(mesh(R"("mesh": "room.obj", "transform": {"scale": 2, "matrix": [[1]]})")),
+       "surfaces[0].transform: expected \"matrix\" alone"},
+      {surfaces(mesh(R"("mesh": "room.obj", "transform": {"matrix": [[1]]})")),
+       "surfaces[0].transform.matrix: expected 4 rows"},
+      {surfaces(mesh(R"("mesh": "room.obj", "transform": {"rotate": {"axis": [0, 0, 1]}})")),
+       "surfaces[0].transform.rotate: has no \"degrees\""},
+  };
+  for (const auto& [content, message] : bad) EXPECT_CONTAINS(error_of("a.json", content), message);
+}
+
+/// The schema, for editors, and the reader know the same keys.
+TEST(SceneSchema, ListsTheKeysOfTheReader) {
+  std::ifstream stream(std::filesystem::path(RADIOSITY_SCENES) / "../docs/scene.schema.json");
+  const auto definitions = nlohmann::json::parse(stream).at("$defs");
+  const auto expect_keys = [&](const char* name, std::span<const std::string_view> keys) {
+    std::set<std::string> listed;
+    for (const auto& [key, unused] : definitions.at(name).at("properties").items()) {
+      listed.insert(key);
+    }
+    EXPECT_EQ(listed, std::set<std::string>(keys.begin(), keys.end())) << name;
+    EXPECT_EQ(definitions.at(name).at("additionalProperties"), false) << name;
+  };
+  expect_keys("scene", io::keys::kScene);
+  expect_keys("material", io::keys::kMaterial);
+  expect_keys("emission", io::keys::kEmission);
+  expect_keys("spectrum", io::keys::kSpectrum);
+  expect_keys("surface", io::keys::kSurface);
+  expect_keys("transform", io::keys::kTransform);
+  expect_keys("rotation", io::keys::kRotation);
+  expect_keys("camera", io::keys::kCamera);
+  for (const auto& unit : definitions.at("unit").at("enum")) {
+    EXPECT_GT(io::metres_per_unit(unit.get<std::string>()), 0);
+  }
+}
+
+/// Vector area of polygon i, m².
+Vec3 polygon_area(const Scene& scene, radiosity::Index i) {
+  std::vector<Vec3> points;
+  for (const auto index : scene.polygon(i)) points.push_back(scene.vertices[index]);
+  return radiosity::vector_area(points);
+}
+
+TEST(Scenes, AllLoad) {
+  int n_scenes = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(RADIOSITY_SCENES)) {
+    if (entry.path().extension() != ".json") continue;
+    SCOPED_TRACE(entry.path().string());
+    const Scene scene = io::read_scene(entry.path());
+    EXPECT_TRUE(scene.warnings.empty());
+    // The vector areas of a closed surface add up to zero; coordinates are rounded to 1e-9 m.
+    double total = 0;
+    Vec3 sum = Vec3::Zero();
+    for (radiosity::Index i = 0; i < scene.n_polygons(); ++i) {
+      // The two sides of a two-sided one do so by themselves.
+      if (!scene.surfaces[scene.polygon_surface[i]].two_sided) sum += polygon_area(scene, i);
+      total += polygon_area(scene, i).norm();
+    }
+    if (scene.closed == true) {
+      EXPECT_LT(sum.norm(), 1e-9 * total);
+    }
+    ++n_scenes;
+  }
+  EXPECT_EQ(n_scenes, 8);
+}
+
+TEST(Scenes, CornellBoxFacesInwards) {
+  const auto data = std::filesystem::path(RADIOSITY_TEST_DATA);
+  const Scene scene = io::read_scene(std::filesystem::path(RADIOSITY_SCENES) / "cornell-box.json");
+  const Scene reference =
+      io::read_scene(data / "cornell-box/patches-8x8.obj", {.unit = "mm", .progress = {}});
+  const auto surface_area = [](const Scene& whole, const std::string& name) {
+    Vec3 sum = Vec3::Zero();
+    for (radiosity::Index i = 0; i < whole.n_polygons(); ++i) {
+      if (whole.surfaces[whole.polygon_surface[i]].name == name) sum += polygon_area(whole, i);
+    }
+    return sum;
+  };
+  ASSERT_EQ(scene.surfaces.size(), 16U);
+  for (const auto& surface : scene.surfaces) {
+    Vec3 expected = surface_area(reference, surface.name);
+    if (surface.name == "floor") {  // which leaves out the blocks' feet; they are like their tops
+      expected -= surface_area(reference, "short_top") + surface_area(reference, "tall_top");
+    }
+    EXPECT_GT(expected.norm(), 0) << surface.name;
+    // The reference has 12 digits or so; its bilinear patches add up to the same vector area.
+    EXPECT_LT((surface_area(scene, surface.name) - expected).norm(), 1e-9) << surface.name;
+  }
+  EXPECT_NEAR(scene.camera->vertical_fov * 180 / kPi, 39.3076, 5e-5);
+}
+
+TEST(Scenes, SpectralCornellBoxIsTheSameBoxInMeasuredBands) {
+  const std::filesystem::path folder(RADIOSITY_SCENES);
+  const Scene rgb = io::read_scene(folder / "cornell-box.json");
+  const Scene scene = io::read_scene(folder / "cornell-box-spectral.json");
+  EXPECT_EQ(scene.vertices, rgb.vertices);
+  EXPECT_EQ(scene.corners, rgb.corners);
+  EXPECT_EQ(scene.first_corner, rgb.first_corner);
+  EXPECT_EQ(scene.polygon_surface, rgb.polygon_surface);
+  EXPECT_EQ(scene.camera->position, rgb.camera->position);
+  ASSERT_EQ(scene.bands.count(), 76);
+  EXPECT_EQ(scene.bands.wavelengths.front(), 400);
+  EXPECT_EQ(scene.bands.wavelengths.back(), 700);
+  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
+    EXPECT_EQ(scene.surfaces[s].name, rgb.surfaces[s].name);
+    EXPECT_EQ(scene.materials[scene.surfaces[s].material].name,
+              rgb.materials[rgb.surfaces[s].material].name);
+  }
+  EXPECT_EQ(scene.materials[0].reflectance[0], 0.343);  // white at 400 nm
+  EXPECT_EQ(scene.materials[1].reflectance[5], 0.050);  // red at 420 nm
+  EXPECT_EQ(scene.materials[2].reflectance[1], 0.096);  // green at 404 nm
+  EXPECT_EQ(scene.materials[3].reflectance, Eigen::VectorXd::Constant(76, 0.78));
+  // Light: 0 at 400 nm, 8 at 500 nm, 18.4 at 700 nm.
+  EXPECT_EQ(scene.materials[3].emission.kind, Emission::Kind::radiance);
+  EXPECT_NEAR(scene.materials[3].emission.value[10], 3.2, 1e-12);
+  EXPECT_EQ(scene.materials[3].emission.value[75], 18.4);
+}
+
+}  // namespace

@@ -1,0 +1,148 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tests/support/scratch_files.h"
+
+// Small files of every format for the tests of reading.
+
+inline const std::string kObj =
+    "# a square and a triangle\r\n"
+    "mtllib materials.mtl\r\n"
+    "v 0 0 0\r\n"
+    "v 1 0 0 0.5 0.5 0.5\r\n"
+    "v 1 1 0\r\n"
+    "v 0 0.8660254037844386 0\r\n"
+    "vn 0 0 1\r\n"
+    "o square\r\n"
+    "usemtl white\r\n"
+    "f 1/1/1 2//1 \\\r\n"
+    "  3/2 -1\r\n"
+    "o lamp\r\n"
+    "usemtl lamp\r\n"
+    "f 1 2 3\r\n";
+
+inline const std::string kMtl =
+    "newmtl white\nKd 0.7 0.6 0.5\nKe 0 0 0\nillum 2\nmap_Kd wood.png\n"
+    "newmtl lamp\nKd 0.25\nKe 3 2 1\n";
+
+inline const std::string kOff =
+    "COFF  # colours\n\n4 2 0\n0 0 0 255 0 0\n1 0 0 0 255 0\n1 1 0\n0 0.8660254037844386 0\n"
+    "4 0 1 2 3 0.5 0.5 0.5\n3 0 1 2\n";
+
+inline const std::string kPlyHeader =
+    "element material 1\nproperty uchar shininess\nproperty list uchar int maps\n"
+    "element vertex 4\nproperty float quality\nproperty double x\nproperty double y\n"
+    "property double z\n"
+    "element face 2\nproperty uchar flags\nproperty list uchar int vertex_indices\nend_header\n";
+
+inline const std::string kAsciiPly =
+    "ply\nformat ascii 1.0\ncomment made by hand\n" + kPlyHeader +
+    "7 2 5 6\n0 0 0 0\n0 1 0 0\n0 1 1 0\n0 0 0.8660254037844386 0\n0 4 0 1 2 3\n0 3 0 1 2\n";
+
+inline std::string binary_ply(std::endian order) {
+  std::string text = "ply\nformat binary_";
+  text += order == std::endian::little ? "little" : "big";
+  text += "_endian 1.0\n" + kPlyHeader;
+  text += bytes<std::uint8_t>(7) + bytes<std::uint8_t>(2) + bytes(5, order) + bytes(6, order);
+  for (const auto& [x, y] :
+       {std::pair(0.0, 0.0), {1.0, 0.0}, {1.0, 1.0}, {0.0, 0.8660254037844386}}) {
+    text += bytes(0.5F, order) + bytes(x, order) + bytes(y, order) + bytes(0.0, order);
+  }
+  for (const std::vector<int>& face : {std::vector{0, 1, 2, 3}, std::vector{0, 1, 2}}) {
+    text += bytes<std::uint8_t>(1) + bytes(static_cast<std::uint8_t>(face.size()));
+    for (const int index : face) text += bytes(index, order);
+  }
+  return text;
+}
+
+inline const std::string kAsciiStl =
+    "solid left wall\n"
+    " facet normal 0 0 1\n  outer loop\n   vertex 0 0 0\n   vertex 1 0 0\n"
+    "   vertex 1 0.8660254037844386 0\n  endloop\n endfacet\n"
+    " facet normal 0 0 1\n  outer loop\n   vertex -0 0 0\n   vertex 1 0.8660254037844386 0\n"
+    "   vertex 0 1 0\n  endloop\n endfacet\n"
+    "endsolid left wall\n"
+    "solid right\n"
+    " facet normal 0 0 1\n  outer loop\n   vertex 0 0 0\n   vertex 1 0 0\n   vertex 1 1 2\n"
+    "  endloop\n endfacet\n"
+    "endsolid\n";
+
+/// Two triangles of a unit square.
+inline std::string binary_stl() {
+  std::string text(80, ' ');
+  text.replace(0, 5, "solid");  // as some programs write, though the file is not ascii
+  text += bytes<std::uint32_t>(2);
+  for (const auto& triangle : {std::array{0, 0, 1, 0, 1, 1}, std::array{0, 0, 1, 1, 0, 1}}) {
+    text += bytes(0.0F) + bytes(0.0F) + bytes(1.0F);
+    for (int k = 0; k < 3; ++k) {
+      text += bytes(static_cast<float>(triangle[2 * k])) +
+              bytes(static_cast<float>(triangle[2 * k + 1])) + bytes(0.0F);
+    }
+    text += bytes<std::uint16_t>(0);
+  }
+  return text;
+}
+
+/// A triangle in three nodes: moved by x = 10, mirrored in x, and without a material.
+inline std::string gltf_json(const std::string& buffer) {
+  return R"({"asset": {"version": "2.0"},
+"extensionsUsed": ["KHR_materials_emissive_strength"],
+"scene": 0, "scenes": [{"nodes": [0, 1, 3]}],
+"nodes": [{"name": "moved", "mesh": 0, "translation": [10, 0, 0]},
+          {"name": "parent", "scale": [-1, 1, 1], "children": [2]},
+          {"name": "mirrored", "mesh": 0},
+          {"name": "moved", "mesh": 1}],
+"meshes": [{"name": "triangle", "primitives": [{"attributes": {"POSITION": 0}, "indices": 1,
+            "material": 0}]},
+           {"name": "plain", "primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+"materials": [{"name": "glow", "doubleSided": true, "emissiveFactor": [1, 0.5, 0.25],
+  "extensions": {"KHR_materials_emissive_strength": {"emissiveStrength": 8}},
+  "pbrMetallicRoughness": {"baseColorFactor": [0.5, 0.25, 0.75, 1]}}],
+"accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+               "min": [0, 0, 0], "max": [1, 1, 0]},
+              {"bufferView": 1, "componentType": 5123, "count": 3, "type": "SCALAR"}],
+"bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 6}],
+"buffers": [{)" +
+         buffer + R"("byteLength": 44}]})";
+}
+
+inline std::string gltf_buffer() {
+  std::string data;
+  for (const float x : {0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F, 0.F}) data += bytes(x);
+  for (const int index : {0, 1, 2, 0}) data += bytes(static_cast<std::uint16_t>(index));
+  return data;
+}
+
+inline std::string glb() {
+  std::string json = gltf_json("");
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  const std::string data = gltf_buffer();
+  const auto size = static_cast<std::uint32_t>(12 + 8 + json.size() + 8 + data.size());
+  return "glTF" + bytes<std::uint32_t>(2) + bytes(size) +
+         bytes(static_cast<std::uint32_t>(json.size())) + "JSON" + json +
+         bytes(static_cast<std::uint32_t>(data.size())) + std::string("BIN\0", 4) + data;
+}
+
+inline const std::string kCsv =
+    "# measured\nwavelength_nm, white, red\n400, 0.5, 0.1\n500, 0.7, 0.2\n600, 0.8, 0.6\n";
+
+inline const std::string kJson = R"({
+  "unit": "mm",
+  "bands": [400, 450, 600],
+  "materials": {
+    "white": {"reflectance": {"csv": "spectra.csv", "column": "white"}},
+    "lamp": {"reflectance": 0.5, "emission": {"radiance": [1, 2, 3]}}
+  },
+  "surfaces": [
+    {"name": "floor", "material": "white", "polygons": [[[0, 0, 0], [2, 0, 0], [2, 3, 0]]]},
+    {"name": "lamp", "material": "lamp", "two_sided": true,
+     "vertices": [[0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]], "polygons": [[0, 1, 2, 3]]},
+    {"name": "mesh", "material": "white", "mesh": "square.off", "unit": "m",
+     "transform": {"scale": 2, "translate": [0, 0, 500]}}
+  ],
+  "camera": {"position": [0, 0, 100], "look_at": [0, 0, 0], "vertical_fov_deg": 90},
+  "closed": false
+}
+)";

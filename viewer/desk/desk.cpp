@@ -1,0 +1,116 @@
+#include "viewer/desk/desk.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "io/base/output_check.h"
+#include "io/result/result_file.h"
+#include "io/scene/scene_writer.h"
+#include "radiosity/base/error.h"
+#include "radiosity/picture/render.h"
+#include "radiosity/scene/patch_mesh.h"
+
+namespace viewer {
+
+using radiosity::Index;
+
+bool update(Desk& desk) {
+  bool has_changed = desk.session.update();
+  const Session& session = desk.session;
+  if (desk.asks_light_path) desk.session.ask_light_path();
+  const Session::Versions& now = session.versions();
+  const Session::Versions& then = desk.facts_versions;
+  if (now.light == then.light && now.selection == then.selection && now.model == then.model) {
+    return has_changed;
+  }
+  desk.facts_versions = now;
+  desk.facts.reset();
+  desk.emitter_shares.clear();
+  if (!session.selected()) return true;
+  desk.facts = patch_facts(session);
+  if (session.light_path() != nullptr && session.light() != nullptr) {
+    desk.emitter_shares = emitter_shares(*session.light_path(), *session.model().mesh,
+                                         session.light()->solution.exitance, session.mix());
+  }
+  return true;
+}
+
+void show(Desk& desk, const std::string& name) {
+  const auto known = show_named(name);
+  if (!known) {
+    std::string list;
+    for (const ShowName& other : show_names()) {
+      list += fmt::format("{}{}", list.empty() ? "" : ", ", other.name);
+    }
+    throw std::invalid_argument(fmt::format("nothing is called '{}'; there are {}", name, list));
+  }
+  desk.look.show = known->show;
+  if (known->show == Show::quantity) desk.look.quantity = known->quantity;
+  desk.look.range.reset();
+  if (known->show == Show::light_path) desk.asks_light_path = true;
+}
+
+void fit_camera(Desk& desk) {
+  if (!desk.session.is_open()) return;
+  const radiosity::PatchMesh& mesh = *desk.session.model().mesh;
+  desk.camera =
+      CameraControl(radiosity::fit_camera(mesh, desk.camera.camera()), radiosity::bounds(mesh));
+}
+
+void use_scene_camera(Desk& desk) {
+  if (!desk.session.is_open()) return;
+  const Model& model = desk.session.model();
+  const bool has_camera = model.scene && model.scene->camera;
+  desk.camera =
+      CameraControl(has_camera ? *model.scene->camera : radiosity::fit_camera(*model.mesh),
+                    radiosity::bounds(*model.mesh));
+}
+
+std::optional<Index> patch_at(const Desk& desk, double x, double y) {
+  if (!desk.session.is_open() || desk.region.height <= 0) return std::nullopt;
+  const double aspect = static_cast<double>(desk.region.width) / desk.region.height;
+  const radiosity::Camera& camera = desk.camera.camera();
+  const auto hit = desk.session.model().visibility->first_front_hit(
+      camera.position, ray_direction(camera, x, y, aspect));
+  if (!hit) return std::nullopt;
+  return hit->patch;
+}
+
+void check_output(const Desk& desk, const std::string& path) {
+  const Model& model = desk.session.model();
+  std::vector<std::filesystem::path> inputs = desk.kept_files;
+  if (!model.path.empty()) inputs.emplace_back(model.path);
+  inputs.emplace_back(desk.session.asked_path());
+  if (model.scene) {
+    inputs.insert(inputs.end(), model.scene->files.begin(), model.scene->files.end());
+  }
+  io::check_not_input(path, inputs);
+}
+
+void save_result(const Desk& desk, const std::string& path) {
+  if (desk.session.light() == nullptr) {
+    throw radiosity::OutputError("there is no light yet that could be saved");
+  }
+  if (!desk.session.has_result()) {
+    throw radiosity::OutputError(
+        path +
+        ": not saved: the light that is shown is a preview, or its errors are still being "
+        "found; it can be saved once it is solved");
+  }
+  check_output(desk, path);
+  io::write(path, *desk.session.model().mesh, desk.session.light()->solution,
+            {.wavelengths = desk.session.model().bands.wavelengths});
+}
+
+void save_scene(const Desk& desk, const std::string& path) {
+  if (!desk.session.model().scene) {
+    throw radiosity::OutputError("there is no scene that could be saved");
+  }
+  check_output(desk, path);
+  radiosity::Scene scene = mixed_scene(*desk.session.model().scene, desk.session.mix());
+  scene.camera = desk.camera.camera();
+  io::write_scene(path, scene);
+}
+
+}  // namespace viewer

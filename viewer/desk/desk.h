@@ -1,0 +1,74 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/picture/color_map.h"
+#include "radiosity/base/geometry.h"
+#include "viewer/desk/camera_control.h"
+#include "viewer/desk/look.h"
+#include "viewer/desk/patch_facts.h"
+#include "viewer/desk/region.h"
+#include "viewer/work/session.h"
+
+namespace viewer {
+
+/// What the colour bar beside the picture tells.
+struct Legend {
+  std::vector<std::string> title;
+  io::ColorScale scale;
+  bool has_below = false;  ///< values below the scale are shown, as its lowest colour
+  bool has_above = false;
+};
+
+/// Everything that the window shows. Panels, keys and scripts act on it through the functions below
+/// and through its session, so that all can do the same.
+struct Desk {
+  explicit Desk(SolveSettings settings = {}) : session(std::move(settings)) {}
+
+  Session session;
+  Look look;
+  CameraControl camera;
+  double exposure = 1;                       ///< automatic part, from radiosity to display value
+  bool is_exposure_due = true;               ///< it shall be found anew
+  std::optional<Legend> legend;              ///< of what is shown now
+  Region region;                             ///< of the picture in the window
+  std::optional<PatchFacts> facts;           ///< of the selected patch
+  std::vector<EmitterShare> emitter_shares;  ///< of its light, once the light path is known
+  bool shows_panels = true;
+  bool shows_help = false;
+  bool asks_light_path = false;           ///< for each patch that is selected
+  Session::Versions facts_versions = {};  ///< at which the facts were found
+  std::optional<std::string> screenshot;  ///< file that the next drawing shall be written to
+  /// Not to be overwritten, beside what is open and what it refers to.
+  std::vector<std::filesystem::path> kept_files = {};
+};
+
+/// Brings the session and what is told of the selected patch up to date. Whether anything changed.
+bool update(Desk& desk);
+
+/// Shows what has that name (`show_named`). Throws std::invalid_argument if nothing has.
+void show(Desk& desk, const std::string& name);
+
+/// Moves the camera until it sees the whole scene from outside, in its direction.
+void fit_camera(Desk& desk);
+/// The scene's camera, or one that sees the whole scene.
+void use_scene_camera(Desk& desk);
+
+/// The patch whose emitting side is seen at a point of the picture; x and y in [0, 1] from its top
+/// left.
+std::optional<radiosity::Index> patch_at(const Desk& desk, double x, double y);
+
+/// Throws OutputError if a file must not be written, since what is open is read from it.
+void check_output(const Desk& desk, const std::string& path);
+
+/// Writes the light as .vtp, .csv or .ply. Throws OutputError, also if there is none, or none yet
+/// that is a result: a preview, say, or one whose errors are not known.
+void save_result(const Desk& desk, const std::string& path);
+/// Writes the scene as the mix has it, and with the camera as it stands, as .json. Throws
+/// OutputError, also if there is none.
+void save_scene(const Desk& desk, const std::string& path);
+
+}  // namespace viewer

@@ -1,0 +1,169 @@
+#include "viewer/desk/look.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "radiosity/solve/solution.h"
+
+namespace viewer {
+namespace {
+
+using radiosity::Index;
+using radiosity::Quantity;
+using radiosity::QuantityField;
+
+const std::vector<ShowName>& names() {
+  static const std::vector<ShowName> all = [] {
+    std::vector<ShowName> list = {{"true-colour", Show::true_color}};
+    for (const auto& info : radiosity::quantity_infos()) {
+      list.push_back({info.name, Show::quantity, info.quantity});
+    }
+    for (const ShowName& name :
+         {ShowName{"area", Show::area}, ShowName{"direct", Show::direct},
+          ShowName{"indirect", Show::indirect}, ShowName{"form-factors", Show::form_factors},
+          ShowName{"light-path", Show::light_path}, ShowName{"watched", Show::watched},
+          ShowName{"unshot", Show::unshot}}) {
+      list.push_back(name);
+    }
+    return list;
+  }();
+  return all;
+}
+
+/// The chosen band, or the mean over all.
+Eigen::VectorXd one_band(const Eigen::MatrixXd& values, const radiosity::Bands& bands,
+                         std::optional<Index> band) {
+  if (values.cols() == 1) return values.col(0);
+  if (band && *band < values.cols()) return values.col(*band);
+  return radiosity::mean_over_bands(values, bands.wavelengths);
+}
+
+ShownField banded(std::string what, const std::string& unit, const Eigen::MatrixXd& values,
+                  const Session& session, const Look& look) {
+  const radiosity::Bands& bands = session.model().bands;
+  ShownField field{.title = {std::move(what)}, .values = one_band(values, bands, look.band)};
+  if (!unit.empty()) field.title.push_back(unit);
+  if (values.cols() > 1) field.title.push_back(band_title(bands, look.band));
+  return field;
+}
+
+std::optional<ShownField> quantity_field(const Session& session, const Look& look) {
+  if (session.light() == nullptr) return std::nullopt;
+  const QuantityField field = make_field(look.quantity, *session.model().mesh,
+                                         session.light()->solution, session.model().bands);
+  std::string name(field.info.name);
+  std::replace(name.begin(), name.end(), '-', ' ');
+  if (look.quantity == Quantity::error) {
+    name = "error of radiosity (1 σ)";
+    if (!session.light()->has_errors()) return std::nullopt;
+  }
+  return banded(std::move(name), field.unit, field.values, session, look);
+}
+
+/// Irradiance straight from the emitters, or the rest.
+std::optional<ShownField> direct_field(const Session& session, const Look& look) {
+  if (session.light() == nullptr || !session.model().transport) return std::nullopt;
+  const radiosity::Solution& solution = session.light()->solution;
+  const Eigen::MatrixXd direct = session.model().transport->apply(solution.exitance);
+  const std::string unit = radiosity::band_unit("W/m²", session.model().bands);
+  if (look.show == Show::direct) return banded("direct irradiance", unit, direct, session, look);
+  const Eigen::MatrixXd indirect = (solution.irradiance - direct).cwiseMax(0);
+  return banded("indirect irradiance", unit, indirect, session, look);
+}
+
+std::optional<ShownField> row_field(const Session& session) {
+  if (!session.selected() || !session.model().factors) return std::nullopt;
+  const Index patch = *session.selected();
+  return ShownField{.title = {fmt::format("form factor from patch {}", patch)},
+                    .values = session.model().factors.row(patch)};
+}
+
+std::optional<ShownField> path_field(const Session& session, const Look& look) {
+  const LightPath* path = session.light_path();
+  if (path == nullptr) return std::nullopt;
+  // Per area, so that the size of the patches does not show.
+  const Eigen::Map<const Eigen::VectorXd> area(session.model().mesh->area.data(),
+                                               session.model().mesh->size());
+  const Eigen::MatrixXd density = area.cwiseInverse().asDiagonal() * path->importance;
+  return banded(fmt::format("share reaching patch {}", path->patch), "per W emitted, 1/m²", density,
+                session, look);
+}
+
+const IterationFrame* watched_frame(const Session& session, const Look& look) {
+  const IterationRecord* record = session.iteration();
+  if (record == nullptr || record->frames.empty()) return nullptr;
+  return record->frames[std::min(look.step, record->frames.size() - 1)].get();
+}
+
+}  // namespace
+
+std::span<const ShowName> show_names() { return names(); }
+
+std::optional<ShowName> show_named(std::string_view name) {
+  std::string wanted(name);
+  std::replace(wanted.begin(), wanted.end(), '_', '-');
+  std::replace(wanted.begin(), wanted.end(), ' ', '-');
+  if (wanted == "true-color") wanted = "true-colour";
+  if (wanted == "lux") wanted = "illuminance";
+  for (const ShowName& known : names()) {
+    if (known.name == wanted) return known;
+  }
+  return std::nullopt;
+}
+
+std::string_view show_name(const Look& look) {
+  for (const ShowName& known : names()) {
+    if (known.show == look.show &&
+        (known.show != Show::quantity || known.quantity == look.quantity))
+      return known.name;
+  }
+  return "";
+}
+
+std::optional<ShownField> shown_field(const Session& session, const Look& look) {
+  if (!session.is_open()) return std::nullopt;
+  switch (look.show) {
+    case Show::true_color:
+    case Show::watched:
+      return std::nullopt;
+    case Show::quantity:
+      return quantity_field(session, look);
+    case Show::area:
+      return ShownField{.title = {"area", "m²"},
+                        .values = Eigen::Map<const Eigen::VectorXd>(
+                            session.model().mesh->area.data(), session.model().mesh->size())};
+    case Show::direct:
+    case Show::indirect:
+      return direct_field(session, look);
+    case Show::form_factors:
+      return row_field(session);
+    case Show::light_path:
+      return path_field(session, look);
+    case Show::unshot: {
+      const IterationFrame* frame = watched_frame(session, look);
+      if (frame == nullptr) return std::nullopt;
+      return banded("unshot radiosity", radiosity::band_unit("W/m²", session.model().bands),
+                    frame->unshot.cast<double>(), session, look);
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<Eigen::MatrixXd> shown_radiosity(const Session& session, const Look& look) {
+  if (look.show == Show::watched) {
+    const IterationFrame* frame = watched_frame(session, look);
+    if (frame != nullptr) return frame->radiosity.cast<double>();
+  }
+  if (session.light() == nullptr) return std::nullopt;
+  return session.light()->solution.radiosity;
+}
+
+std::string band_title(const radiosity::Bands& bands, std::optional<Index> band) {
+  if (!band || *band >= bands.count()) return fmt::format("mean of {} bands", bands.count());
+  return radiosity::band_names(bands)[static_cast<std::size_t>(*band)];
+}
+
+}  // namespace viewer

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/picture/color_map.h"
+#include "radiosity/base/geometry.h"
+#include "radiosity/scene/scene.h"
+#include "radiosity/solve/quantity.h"
+#include "viewer/work/session.h"
+
+namespace viewer {
+
+/// What the patches' colours show.
+enum class Show {
+  true_color,    ///< the light as the eye would see it
+  quantity,      ///< a quantity of the solution
+  area,          ///< of the patches
+  direct,        ///< irradiance straight from the emitters
+  indirect,      ///< irradiance by way of reflections
+  form_factors,  ///< the row of the selected patch
+  light_path,    ///< what each patch's exitance contributes to the selected patch
+  watched,       ///< radiosity at a step of the recorded iteration, in true colour
+  unshot         ///< light not passed on yet at that step
+};
+
+/// How the scene is drawn.
+struct Look {
+  Show show = Show::true_color;
+  radiosity::Quantity quantity = radiosity::Quantity::illuminance;  ///< if show is `quantity`
+  std::optional<radiosity::Index> band = {};  ///< of what has bands; absent: their mean
+  bool logarithmic = false;
+  std::optional<io::ColorScale> range = {};  ///< absent: one that fits
+  double stops = 0;                          ///< exposure beyond the automatic one, in powers of 2
+  bool smooth = true;
+  bool edges = false;
+  bool hide_backs = true;
+  std::size_t step = 0;  ///< frame of the recorded iteration
+};
+
+/// What can be shown, with the name that scripts use ("true-colour", "illuminance",
+/// "form-factors").
+struct ShowName {
+  std::string_view name;
+  Show show = Show::true_color;
+  radiosity::Quantity quantity = radiosity::Quantity::radiosity;
+};
+std::span<const ShowName> show_names();
+/// Empty if there is no such name; "color" and underscores are understood, too.
+std::optional<ShowName> show_named(std::string_view name);
+/// The name of what a look shows.
+std::string_view show_name(const Look& look);
+
+/// One value per patch, in a unit.
+struct ShownField {
+  std::vector<std::string> title;  ///< lines: what, unit, band
+  Eigen::VectorXd values;          ///< n; not finite = nothing is known
+};
+
+/// The values in false colour; empty if true colour is shown or nothing is known (yet).
+std::optional<ShownField> shown_field(const Session& session, const Look& look);
+
+/// Radiosity that is shown in true colour, n x b; empty if there is none (yet).
+std::optional<Eigen::MatrixXd> shown_radiosity(const Session& session, const Look& look);
+
+/// "mean of 3 bands", "red", "550 nm".
+std::string band_title(const radiosity::Bands& bands, std::optional<radiosity::Index> band);
+
+}  // namespace viewer

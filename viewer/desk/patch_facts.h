@@ -1,0 +1,50 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "radiosity/base/geometry.h"
+#include "viewer/work/session.h"
+
+namespace viewer {
+
+/// Another patch as the selected one sees it.
+struct Partner {
+  radiosity::Index patch = -1;
+  double factor = 0;  ///< F from the selected patch
+  double error = 0;   ///< one standard error of it
+};
+
+/// What is known of one patch. Radiometric values have one entry per band, W/m².
+struct PatchFacts {
+  radiosity::Index patch = -1;
+  std::string surface;
+  std::string material;  ///< empty if there is no scene
+  std::int32_t polygon = -1;
+  double area = 0;  ///< m²
+  radiosity::Vec3 centroid = radiosity::Vec3::Zero();
+  radiosity::Vec3 normal = radiosity::Vec3::Zero();
+
+  bool has_light = false;
+  Eigen::VectorXd radiosity;
+  Eigen::VectorXd irradiance;
+  Eigen::VectorXd exitance;
+  Eigen::VectorXd reflectance;
+  Eigen::VectorXd error;   ///< one standard error of the radiosity; empty if not known (yet)
+  Eigen::VectorXd direct;  ///< irradiance straight from emitters; empty without form factors
+  double illuminance = 0;  ///< lux
+  double luminance = 0;    ///< cd/m²
+
+  bool has_factors = false;
+  std::vector<Partner> partners;  ///< the ten largest form factors, the largest first
+  double row_sum = 0;  ///< Σ_j F_ij; what is missing to 1 leaves the scene or meets backs
+};
+
+/// Of the selected patch, which there must be.
+PatchFacts patch_facts(const Session& session);
+
+/// Values with a unit in few digits, for a person: "0.532 0.41 0.2".
+std::string number_list(const Eigen::VectorXd& values);
+
+}  // namespace viewer

@@ -1,0 +1,219 @@
+#include "viewer/draw/overlay.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "io/picture/color_bar.h"
+#include "radiosity/scene/patch_mesh.h"
+
+namespace viewer {
+namespace {
+
+using radiosity::Index;
+using radiosity::Vec3;
+
+constexpr ImU32 kInk = IM_COL32(235, 235, 235, 255);
+constexpr ImU32 kPanel = IM_COL32(26, 27, 31, 255);
+constexpr ImU32 kOutline = IM_COL32(255, 170, 40, 255);
+constexpr ImU32 kPartner = IM_COL32(255, 255, 255, 230);
+constexpr float kLegendMargin = 12;  // at scale 1, as the others
+constexpr float kBarWidth = 18;
+constexpr float kBarHeight = 380;
+constexpr ImU32 kShadow = IM_COL32(0, 0, 0, 200);
+
+/// Where a point of the scene appears; empty if it lies behind the camera.
+std::optional<ImVec2> project(const Desk& desk, const Vec3& point) {
+  const radiosity::Camera& camera = desk.camera.camera();
+  const Vec3 offset = point - camera.position;
+  const double depth = offset.dot(camera.direction);
+  if (!(depth > 0)) return std::nullopt;
+  const Vec3 right = camera.direction.cross(camera.up).normalized();
+  const Vec3 up = right.cross(camera.direction);
+  const double unit = 0.5 * desk.region.height / (depth * std::tan(camera.vertical_fov / 2));
+  return ImVec2(
+      static_cast<float>(desk.region.left + 0.5 * desk.region.width + unit * offset.dot(right)),
+      static_cast<float>(desk.region.top + 0.5 * desk.region.height - unit * offset.dot(up)));
+}
+
+void outline(const Desk& desk, ImDrawList& list, Index patch, ImU32 color, float width) {
+  const radiosity::PatchMesh& mesh = *desk.session.model().mesh;
+  std::array<ImVec2, 4> corners;
+  const int n = mesh.n_corners(patch);
+  for (int k = 0; k < n; ++k) {
+    const auto place = project(desk, mesh.corner(patch, k));
+    if (!place) return;
+    corners[k] = *place;
+  }
+  list.AddPolyline(corners.data(), n, kShadow, ImDrawFlags_Closed, width + 2);
+  list.AddPolyline(corners.data(), n, color, ImDrawFlags_Closed, width);
+}
+
+/// Whether the camera sees the middle of a patch.
+bool is_seen(const Desk& desk, Index patch) {
+  const Model& model = desk.session.model();
+  const Vec3 origin = desk.camera.camera().position;
+  const auto hit = model.visibility->first_front_hit(origin, model.mesh->centroid[patch] - origin);
+  return hit && hit->patch == patch;
+}
+
+void draw_text(ImDrawList& list, ImVec2 place, ImU32 color, const std::string& text) {
+  list.AddText(ImVec2(place.x + 1, place.y + 1), kShadow, text.c_str());
+  list.AddText(place, color, text.c_str());
+}
+
+void draw_partners(const Desk& desk, ImDrawList& list, float scale) {
+  if (!desk.facts) return;
+  const std::vector<Partner>& partners = desk.facts->partners;
+  for (std::size_t k = 0; k < partners.size(); ++k) {
+    if (!is_seen(desk, partners[k].patch)) continue;
+    outline(desk, list, partners[k].patch, kPartner, 1.2F * scale);
+    const auto center = project(desk, desk.session.model().mesh->centroid[partners[k].patch]);
+    if (!center) continue;
+    const std::string rank = std::to_string(k + 1);
+    const ImVec2 size = ImGui::CalcTextSize(rank.c_str());
+    draw_text(list, ImVec2(center->x - size.x / 2, center->y - size.y / 2), kPartner, rank);
+  }
+}
+
+void draw_bar(ImDrawList& list, const Legend& legend, ImVec2 top, ImVec2 size) {
+  constexpr int kSteps = 64;
+  for (int k = 0; k < kSteps; ++k) {
+    const auto color = [](int step) {
+      const io::Rgb rgb = io::map_color(1 - static_cast<double>(step) / kSteps);
+      return IM_COL32(rgb[0], rgb[1], rgb[2], 255);
+    };
+    const float y0 = top.y + size.y * static_cast<float>(k) / kSteps;
+    const float y1 = top.y + size.y * static_cast<float>(k + 1) / kSteps;
+    list.AddRectFilledMultiColor(ImVec2(top.x, y0), ImVec2(top.x + size.x, y1), color(k), color(k),
+                                 color(k + 1), color(k + 1));
+  }
+  const float tip = 0.6F * size.x;
+  const auto end_color = [](double position) {
+    const io::Rgb rgb = io::map_color(position);
+    return IM_COL32(rgb[0], rgb[1], rgb[2], 255);
+  };
+  const float right = top.x + size.x;
+  const float middle = top.x + size.x / 2;
+  const float bottom = top.y + size.y;
+  if (legend.has_above) {
+    list.AddTriangleFilled(ImVec2(top.x, top.y - 1), ImVec2(middle, top.y - 1 - tip),
+                           ImVec2(right, top.y - 1), end_color(1));
+  }
+  if (legend.has_below) {
+    list.AddTriangleFilled(ImVec2(top.x, bottom + 1), ImVec2(right, bottom + 1),
+                           ImVec2(middle, bottom + 1 + tip), end_color(0));
+  }
+}
+
+/// Values to label beside a bar of this height.
+std::vector<double> ticks_of(const Legend& legend, float bar_height) {
+  const int most = static_cast<int>(bar_height / (1.8F * ImGui::GetTextLineHeight()));
+  return io::tick_values(legend.scale, std::max(2, most));
+}
+
+void draw_legend(const Desk& desk, ImDrawList& list, float scale) {
+  const Legend& legend = *desk.legend;
+  const float line = ImGui::GetTextLineHeight();
+  const float margin = kLegendMargin * scale;
+  const auto top = static_cast<float>(desk.region.top);
+  const auto left = static_cast<float>(desk.region.left + desk.region.width);
+  list.AddRectFilled(
+      ImVec2(left, top),
+      ImVec2(left + legend_width(desk, scale), top + static_cast<float>(desk.region.height)),
+      kPanel);
+  ImVec2 place(left + margin, top + margin);
+  for (const std::string& text : legend.title) {
+    list.AddText(place, kInk, text.c_str());
+    place.y += line;
+  }
+  place.y += 1.5F * line;
+  const float room = top + static_cast<float>(desk.region.height) - place.y - 2 * line;
+  const float bar_height = std::min(room, kBarHeight * scale);
+  if (bar_height < 2 * line) return;
+  const float bar_width = kBarWidth * scale;
+  draw_bar(list, legend, place, ImVec2(bar_width, bar_height));
+  for (const double tick : ticks_of(legend, bar_height)) {
+    const auto position = static_cast<float>(io::position_on(legend.scale, tick));
+    const float y = place.y + (1 - position) * bar_height;
+    const float x = place.x + bar_width;
+    list.AddLine(ImVec2(x, y), ImVec2(x + 4 * scale, y), kInk, scale);
+    list.AddText(ImVec2(x + 8 * scale, y - line / 2), kInk, io::tick_label(tick).c_str());
+  }
+}
+
+/// What to say if what is to be shown is not there, or is no result yet.
+std::string missing_text(const Desk& desk) {
+  const Session& session = desk.session;
+  if (!session.is_open()) {
+    return session.status().is_busy ? "Opening ..."
+                                    : "Drop a scene or result file here, or press Ctrl+O";
+  }
+  const Show show = desk.look.show;
+  if (show == Show::form_factors && !desk.legend) {
+    return session.model().factors ? "Click a patch to see its form factors"
+                                   : "Form factors are not known (yet)";
+  }
+  if (show == Show::light_path && !desk.legend) {
+    if (!session.model().transport) return "Light paths need form factors, not known (yet)";
+    return session.selected() ? "Working out where the light comes from ..."
+                              : "Click a patch to see where its light comes from";
+  }
+  if ((show == Show::watched || show == Show::unshot) && session.iteration() == nullptr) {
+    return "Record an iteration in the panel 'Watch'";
+  }
+  if (show != Show::true_color && show != Show::watched && !desk.legend) return "Not known yet";
+  if (session.light() == nullptr && !session.status().is_busy) return "No light is known";
+  const bool is_preview = session.light() != nullptr && !session.light()->is_solved();
+  if (is_preview && show != Show::watched && show != Show::unshot) return "Preview, not solved yet";
+  return "";
+}
+
+}  // namespace
+
+float legend_width(const Desk& desk, double scale) {
+  if (!desk.legend) return 0;
+  const auto size = static_cast<float>(scale);
+  float width = 0;
+  for (const double tick : ticks_of(*desk.legend, kBarHeight * size)) {
+    width = std::max(width, ImGui::CalcTextSize(io::tick_label(tick).c_str()).x);
+  }
+  width += (kBarWidth + 8) * size;
+  for (const std::string& text : desk.legend->title) {
+    width = std::max(width, ImGui::CalcTextSize(text.c_str()).x);
+  }
+  return width + 2 * kLegendMargin * size;
+}
+
+void draw_overlay(const Desk& desk, double scale) {
+  if (desk.region.width <= 0 || desk.region.height <= 0) return;
+  const auto size = static_cast<float>(scale);
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const ImVec2 top_left(static_cast<float>(desk.region.left), static_cast<float>(desk.region.top));
+  const ImVec2 bottom_right(top_left.x + static_cast<float>(desk.region.width),
+                            top_left.y + static_cast<float>(desk.region.height));
+  list.PushClipRect(top_left, bottom_right);
+  if (desk.session.selected()) {
+    if (desk.look.show == Show::form_factors && desk.session.model().factors) {
+      draw_partners(desk, list, size);
+    }
+    outline(desk, list, *desk.session.selected(), kOutline, 2.5F * size);
+  }
+  if (const std::string text = missing_text(desk); !text.empty()) {
+    const ImVec2 extent = ImGui::CalcTextSize(text.c_str());
+    const ImVec2 place(
+        (top_left.x + bottom_right.x - extent.x) / 2,
+        desk.session.is_open() ? top_left.y + 2 * extent.y : (top_left.y + bottom_right.y) / 2);
+    list.AddRectFilled(ImVec2(place.x - 8 * size, place.y - 4 * size),
+                       ImVec2(place.x + extent.x + 8 * size, place.y + extent.y + 4 * size), kPanel,
+                       4 * size);
+    list.AddText(place, kInk, text.c_str());
+  }
+  list.PopClipRect();
+  if (desk.legend) draw_legend(desk, list, size);
+}
+
+}  // namespace viewer

@@ -1,0 +1,228 @@
+#include "viewer/draw/scene_view.h"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkCellArray.h>
+#include <vtkFloatArray.h>
+#include <vtkLookupTable.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "io/picture/color_map.h"
+
+namespace viewer {
+namespace {
+
+using radiosity::Index;
+using radiosity::PatchMesh;
+using radiosity::Vec3;
+
+constexpr int kMapColors = 256;
+constexpr std::array<double, 3> kBackground = {0.13, 0.14, 0.16};
+constexpr std::array<double, 3> kUnknown = {0.45, 0.45, 0.45};
+constexpr std::array<double, 3> kEdges = {0.05, 0.05, 0.05};
+
+void fill_color_map(vtkLookupTable& table) {
+  table.SetNumberOfTableValues(kMapColors);
+  table.SetTableRange(0, 1);
+  for (int k = 0; k < kMapColors; ++k) {
+    const io::Rgb color = io::map_color(static_cast<double>(k) / (kMapColors - 1));
+    table.SetTableValue(k, color[0] / 255.0, color[1] / 255.0, color[2] / 255.0, 1);
+  }
+  table.SetUseBelowRangeColor(1);
+  table.SetBelowRangeColor(kUnknown[0], kUnknown[1], kUnknown[2], 1);
+}
+
+/// Relative to `origin`, since a graphics card has single precision.
+vtkSmartPointer<vtkPoints> make_points(std::span<const Vec3> positions, const Vec3& origin) {
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(positions.size()));
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const Vec3 position = positions[i] - origin;
+    points->SetPoint(static_cast<vtkIdType>(i), position.data());
+  }
+  return points;
+}
+
+}  // namespace
+
+struct SceneView::Parts {
+  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkPolyData> patches;
+  vtkNew<vtkPolyDataMapper> patch_mapper;
+  vtkNew<vtkActor> patch_actor;
+  vtkNew<vtkPolyData> edges;
+  vtkNew<vtkPolyDataMapper> edge_mapper;
+  vtkNew<vtkActor> edge_actor;
+  vtkNew<vtkLookupTable> color_map;
+  std::shared_ptr<const PatchMesh> mesh;
+  Vec3 origin = Vec3::Zero();  // of VTK's coordinates, m
+  radiosity::Camera camera;
+  Region region;
+  int window_width = 0;
+  int window_height = 0;
+  bool are_edges_stale = true;
+};
+
+SceneView::SceneView() : parts_(std::make_unique<Parts>()) {
+  Parts& parts = *parts_;
+  parts.renderer->SetBackground(kBackground.data());
+  parts.patch_mapper->SetInputData(parts.patches);
+  parts.patch_actor->SetMapper(parts.patch_mapper);
+  parts.patch_actor->GetProperty()->LightingOff();
+  parts.patch_actor->GetProperty()->BackfaceCullingOn();
+  fill_color_map(*parts.color_map);
+  parts.edge_mapper->SetInputData(parts.edges);
+  parts.edge_mapper->ScalarVisibilityOff();
+  parts.edge_actor->SetMapper(parts.edge_mapper);
+  parts.edge_actor->GetProperty()->LightingOff();
+  parts.edge_actor->GetProperty()->SetColor(kEdges[0], kEdges[1], kEdges[2]);
+  parts.edge_actor->VisibilityOff();
+  vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
+  parts.patch_mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(1, 1);
+  parts.renderer->AddActor(parts.patch_actor);
+  parts.renderer->AddActor(parts.edge_actor);
+}
+
+SceneView::~SceneView() = default;
+
+vtkRenderer& SceneView::renderer() { return *parts_->renderer; }
+
+void SceneView::set_patches(std::shared_ptr<const PatchMesh> mesh, const PatchPoints& points) {
+  Parts& parts = *parts_;
+  parts.mesh = std::move(mesh);
+  parts.origin = radiosity::bounds(*parts.mesh).center();
+  parts.edges->Initialize();
+  vtkNew<vtkCellArray> triangles;
+  triangles->AllocateEstimate(static_cast<vtkIdType>(points.triangles().size()), 3);
+  for (const auto& triangle : points.triangles()) {
+    const std::array<vtkIdType, 3> ids = {triangle[0], triangle[1], triangle[2]};
+    triangles->InsertNextCell(3, ids.data());
+  }
+  parts.patches->Initialize();
+  parts.patches->SetPoints(make_points(points.positions(), parts.origin));
+  parts.patches->SetPolys(triangles);
+  set_map_positions(std::vector<float>(points.positions().size(), -1.F));
+  parts.are_edges_stale = true;
+  update_edges();
+}
+
+void SceneView::set_colors(const std::vector<io::Rgb>& colors) {
+  Parts& parts = *parts_;
+  vtkNew<vtkUnsignedCharArray> array;
+  array->SetNumberOfComponents(3);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(colors.size()));
+  for (std::size_t i = 0; i < colors.size(); ++i) {
+    std::copy(colors[i].begin(), colors[i].end(), array->GetPointer(static_cast<vtkIdType>(3 * i)));
+  }
+  parts.patches->GetPointData()->SetScalars(array);
+  parts.patch_mapper->SetColorModeToDirectScalars();
+  parts.patch_mapper->InterpolateScalarsBeforeMappingOff();
+  is_dirty_ = true;
+}
+
+void SceneView::set_map_positions(std::span<const float> positions) {
+  Parts& parts = *parts_;
+  vtkNew<vtkFloatArray> array;
+  array->SetNumberOfTuples(static_cast<vtkIdType>(positions.size()));
+  std::copy(positions.begin(), positions.end(), array->GetPointer(0));
+  parts.patches->GetPointData()->SetScalars(array);
+  parts.patch_mapper->SetColorModeToMapScalars();
+  // The colour of the value between the points, not a mixture of their colours.
+  parts.patch_mapper->InterpolateScalarsBeforeMappingOn();
+  parts.patch_mapper->SetLookupTable(parts.color_map);
+  parts.patch_mapper->UseLookupTableScalarRangeOn();
+  is_dirty_ = true;
+}
+
+void SceneView::set_edges(bool are_shown) {
+  if (static_cast<bool>(parts_->edge_actor->GetVisibility()) == are_shown) return;
+  parts_->edge_actor->SetVisibility(are_shown ? 1 : 0);
+  update_edges();
+  is_dirty_ = true;
+}
+
+void SceneView::set_backs_hidden(bool are_hidden) {
+  vtkProperty& property = *parts_->patch_actor->GetProperty();
+  if (static_cast<bool>(property.GetBackfaceCulling()) == are_hidden) return;
+  property.SetBackfaceCulling(are_hidden ? 1 : 0);
+  parts_->are_edges_stale = true;
+  update_edges();
+  is_dirty_ = true;
+}
+
+void SceneView::set_camera(const radiosity::Camera& camera) {
+  Parts& parts = *parts_;
+  const radiosity::Camera& old = parts.camera;
+  const bool is_same = old.position == camera.position && old.direction == camera.direction &&
+                       old.up == camera.up && old.vertical_fov == camera.vertical_fov;
+  if (is_same) return;
+  parts.camera = camera;
+  parts.are_edges_stale = true;
+  update_edges();
+  is_dirty_ = true;
+}
+
+void SceneView::set_region(const Region& region, int window_width, int window_height) {
+  Parts& parts = *parts_;
+  const bool is_same = parts.region == region && parts.window_width == window_width &&
+                       parts.window_height == window_height;
+  if (is_same || window_width <= 0 || window_height <= 0) return;
+  parts.region = region;
+  parts.window_width = window_width;
+  parts.window_height = window_height;
+  const double w = window_width;
+  const double h = window_height;
+  // VTK counts from the bottom.
+  parts.renderer->SetViewport(region.left / w, 1 - (region.top + region.height) / h,
+                              (region.left + region.width) / w, 1 - region.top / h);
+  is_dirty_ = true;
+}
+
+/// Sets VTK's camera, and lets the edges be those of the patches that face it: VTK culls faces, but
+/// not lines.
+void SceneView::update_edges() {
+  Parts& parts = *parts_;
+  vtkCamera& view = *parts.renderer->GetActiveCamera();
+  const Vec3 position = parts.camera.position - parts.origin;
+  const Vec3 target = position + parts.camera.direction;
+  view.SetPosition(position.data());
+  view.SetFocalPoint(target.data());
+  view.SetViewUp(parts.camera.up.data());
+  view.SetViewAngle(parts.camera.vertical_fov * 180 / radiosity::kPi);
+  if (parts.mesh) {
+    std::array<double, 6> bounds{};
+    parts.patches->GetBounds(bounds.data());
+    parts.renderer->ResetCameraClippingRange(bounds.data());
+  }
+  if (!parts.mesh || !parts.are_edges_stale || parts.edge_actor->GetVisibility() == 0) return;
+  parts.are_edges_stale = false;
+  const PatchMesh& mesh = *parts.mesh;
+  const bool hides_backs = parts.patch_actor->GetProperty()->GetBackfaceCulling() != 0;
+  if (parts.edges->GetNumberOfPoints() != static_cast<vtkIdType>(mesh.vertices.size())) {
+    parts.edges->Initialize();
+    parts.edges->SetPoints(make_points(mesh.vertices, parts.origin));
+  }
+  vtkNew<vtkCellArray> lines;
+  for (Index i = 0; i < mesh.size(); ++i) {
+    if (hides_backs && mesh.normal[i].dot(parts.camera.position - mesh.centroid[i]) <= 0) continue;
+    const int n = mesh.n_corners(i);
+    std::array<vtkIdType, 5> loop{};
+    for (int k = 0; k <= n; ++k) loop[k] = mesh.corners[i][k % n];
+    lines->InsertNextCell(n + 1, loop.data());
+  }
+  parts.edges->SetLines(lines);
+  parts.edges->Modified();
+}
+
+}  // namespace viewer

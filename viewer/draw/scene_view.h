@@ -1,0 +1,51 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "io/picture/rgb_picture.h"
+#include "radiosity/scene/patch_mesh.h"
+#include "radiosity/scene/scene.h"
+#include "viewer/desk/patch_points.h"
+#include "viewer/desk/region.h"
+
+class vtkRenderer;
+
+namespace viewer {
+
+/// The patches as VTK draws them. Notes itself whether a new drawing would differ from the last.
+class SceneView {
+ public:
+  SceneView();
+  ~SceneView();
+  SceneView(const SceneView&) = delete;
+  SceneView& operator=(const SceneView&) = delete;
+
+  /// Draws these patches from now on, grey until they get colours.
+  void set_patches(std::shared_ptr<const radiosity::PatchMesh> mesh, const PatchPoints& points);
+  /// 8-bit sRGB per point of the patches.
+  void set_colors(const std::vector<io::Rgb>& colors);
+  /// Positions on the colour map, in [0, 1], per point; negative: nothing is known, grey.
+  void set_map_positions(std::span<const float> positions);
+  void set_edges(bool are_shown);
+  void set_backs_hidden(bool are_hidden);
+  void set_camera(const radiosity::Camera& camera);
+  /// The part of the window that the scene takes, of a window of this size.
+  void set_region(const Region& region, int window_width, int window_height);
+
+  [[nodiscard]] vtkRenderer& renderer();
+  [[nodiscard]] bool is_dirty() const { return is_dirty_; }
+  /// To be called when it has been drawn.
+  void set_drawn() { is_dirty_ = false; }
+
+ private:
+  void update_edges();
+
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+  bool is_dirty_ = true;
+};
+
+}  // namespace viewer

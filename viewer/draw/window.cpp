@@ -1,0 +1,249 @@
+#include "viewer/draw/window.h"
+
+// VTK's loader of OpenGL must come before GLFW.
+#include <vtk_glew.h>
+
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+#include <imgui_impl_glfw.h>
+#include <imgui_impl_opengl3.h>
+#include <vtkAutoInit.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkNew.h>
+#include <vtkRenderer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <utility>
+
+VTK_MODULE_INIT(vtkRenderingOpenGL2)
+
+namespace viewer {
+namespace {
+
+constexpr double kTextSize = 15;  // pixels on a plain screen
+constexpr int kMultiSamples = 4;
+
+/// GLFW reports errors through a function without context.
+std::string& last_glfw_error() {
+  static std::string error;
+  return error;
+}
+
+/// GLFW itself, for as long as there is a window.
+struct Library {
+  Library() {
+    glfwSetErrorCallback([](int, const char* text) { last_glfw_error() = text; });
+    if (glfwInit() == GLFW_FALSE) {
+      throw WindowError("there is no display to open a window on (" + last_glfw_error() +
+                        "); 'radiosity render' makes pictures without one");
+    }
+  }
+  ~Library() { glfwTerminate(); }
+  Library(const Library&) = delete;
+  Library& operator=(const Library&) = delete;
+};
+
+GLFWwindow* open_window(const WindowOptions& options) {
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 2);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  GLFWwindow* window =
+      glfwCreateWindow(options.width, options.height, options.title.c_str(), nullptr, nullptr);
+  if (window == nullptr) {
+    throw WindowError("the window needs OpenGL 3.2, which this display does not have (" +
+                      last_glfw_error() + "); 'radiosity render' makes pictures without it");
+  }
+  return window;
+}
+
+/// Letters with ², ρ, σ and the like. Without the font ImGui's own does, which lacks some of them.
+void add_font(double scale) {
+  ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
+  const auto size = static_cast<float>(kTextSize * scale);
+  static const std::vector<ImWchar> ranges = {
+      0x20, 0xFF, 0x370, 0x3FF, 0x2010, 0x2027, 0x2070, 0x209F, 0x2190, 0x21FF, 0x2200, 0x22FF, 0};
+  const std::string path = RADIOSITY_FONT;
+  if (std::filesystem::exists(path) &&
+      fonts.AddFontFromFileTTF(path.c_str(), size, nullptr, ranges.data()) != nullptr) {
+    return;
+  }
+  ImFontConfig config;
+  config.SizePixels = static_cast<float>(13 * std::max(1.0, std::round(scale)));
+  fonts.AddFontDefault(&config);
+}
+
+/// Mesa's renderers that use no graphics card.
+bool is_software_renderer() {
+  const auto* text = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  const std::string name = text != nullptr ? text : "";
+  return name.find("llvmpipe") != std::string::npos || name.find("softpipe") != std::string::npos;
+}
+
+void set_style(double scale) {
+  ImGui::StyleColorsDark();
+  ImGuiStyle& style = ImGui::GetStyle();
+  style.WindowRounding = 0;
+  style.FrameRounding = 3;
+  style.WindowBorderSize = 1;
+  style.Colors[ImGuiCol_WindowBg] = ImVec4(0.10F, 0.105F, 0.12F, 1.0F);
+  style.ScaleAllSizes(static_cast<float>(scale));
+}
+
+}  // namespace
+
+struct Window::Parts {
+  Library library;
+  GLFWwindow* window = nullptr;
+  vtkNew<vtkGenericOpenGLRenderWindow> render_window;
+  vtkRenderer* renderer = nullptr;  // the one that is in the render window
+  std::vector<std::string> dropped;
+  double scale = 1;
+  bool is_software = false;
+  bool is_antialiased = true;
+  bool is_stale = false;  // what VTK keeps is not what the window shall show
+  int width = 0;
+  int height = 0;
+};
+
+Window::Window(const WindowOptions& options) : parts_(std::make_unique<Parts>()) {
+  Parts& parts = *parts_;
+  parts.window = open_window(options);
+  glfwMakeContextCurrent(parts.window);
+  glfwSwapInterval(1);
+  float x_scale = 1;
+  glfwGetWindowContentScale(parts.window, &x_scale, nullptr);
+  parts.scale = options.scale > 0 ? options.scale : std::max(1.0F, x_scale);
+  glfwGetFramebufferSize(parts.window, &parts.width, &parts.height);
+
+  parts.render_window->SetOwnContext(0);
+  parts.render_window->SetReadyForRendering(true);
+  parts.render_window->SetIsCurrent(true);
+  parts.render_window->SetSupportsOpenGL(1);
+  parts.render_window->SetFrameBlitModeToBlitToCurrent();
+  parts.render_window->SetMultiSamples(kMultiSamples);
+  parts.render_window->SetSize(parts.width, parts.height);
+  parts.render_window->InitializeFromCurrentContext();
+  parts.is_software = is_software_renderer();
+
+  glfwSetWindowUserPointer(parts.window, &parts);
+  glfwSetDropCallback(parts.window, [](GLFWwindow* window, int n, const char** paths) {
+    auto& dropped = static_cast<Parts*>(glfwGetWindowUserPointer(window))->dropped;
+    dropped.insert(dropped.end(), paths, paths + n);
+  });
+
+  IMGUI_CHECKVERSION();
+  ImGui::CreateContext();
+  ImGui::GetIO().IniFilename = nullptr;  // leave no files about
+  set_style(parts.scale);
+  add_font(parts.scale);
+  ImGui_ImplGlfw_InitForOpenGL(parts.window, true);
+  ImGui_ImplOpenGL3_Init("#version 150");
+}
+
+Window::~Window() {
+  Parts& parts = *parts_;
+  ImGui_ImplOpenGL3_Shutdown();
+  ImGui_ImplGlfw_Shutdown();
+  ImGui::DestroyContext();
+  if (parts.renderer != nullptr) parts.render_window->RemoveRenderer(parts.renderer);
+  parts.render_window->Finalize();
+  glfwDestroyWindow(parts.window);
+}
+
+bool Window::is_closing() const { return glfwWindowShouldClose(parts_->window) != 0; }
+void Window::close() { glfwSetWindowShouldClose(parts_->window, GLFW_TRUE); }
+void Window::set_title(const std::string& title) {
+  glfwSetWindowTitle(parts_->window, title.c_str());
+}
+void Window::resize(int width, int height) {
+  // X ends programs that ask for none.
+  glfwSetWindowSize(parts_->window, std::max(1, width), std::max(1, height));
+}
+int Window::width() const { return parts_->width; }
+int Window::height() const { return parts_->height; }
+double Window::scale() const { return parts_->scale; }
+
+bool Window::is_software() const { return parts_->is_software; }
+
+void Window::set_antialiased(bool is_on) {
+  if (is_on == parts_->is_antialiased) return;
+  parts_->is_antialiased = is_on;
+  parts_->render_window->SetMultiSamples(is_on ? kMultiSamples : 0);
+  parts_->is_stale = true;
+}
+
+void Window::begin_frame(double seconds) {
+  if (seconds > 0) {
+    glfwWaitEventsTimeout(seconds);
+  } else {
+    glfwPollEvents();
+  }
+  glfwGetFramebufferSize(parts_->window, &parts_->width, &parts_->height);
+  ImGui_ImplOpenGL3_NewFrame();
+  ImGui_ImplGlfw_NewFrame();
+  ImGui::NewFrame();
+}
+
+void Window::end_frame(SceneView& view) {
+  draw(view);
+  glfwSwapBuffers(parts_->window);
+}
+
+io::RgbPicture Window::end_captured_frame(SceneView& view) {
+  draw(view);
+  io::RgbPicture picture = read_pixels();
+  glfwSwapBuffers(parts_->window);
+  return picture;
+}
+
+void Window::draw(SceneView& view) {
+  Parts& parts = *parts_;
+  ImGui::Render();
+  if (parts.width <= 0 || parts.height <= 0) return;
+  if (parts.renderer != &view.renderer()) {
+    if (parts.renderer != nullptr) parts.render_window->RemoveRenderer(parts.renderer);
+    parts.renderer = &view.renderer();
+    parts.render_window->AddRenderer(parts.renderer);
+    parts.is_stale = true;
+  }
+  const int* size = parts.render_window->GetSize();
+  if (size[0] != parts.width || size[1] != parts.height) {
+    parts.render_window->SetSize(parts.width, parts.height);
+    parts.is_stale = true;
+  }
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  if (view.is_dirty() || parts.is_stale) {
+    parts.render_window->Render();
+    view.set_drawn();
+    parts.is_stale = false;
+  } else {
+    parts.render_window->Frame();  // VTK keeps its picture
+  }
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+io::RgbPicture Window::read_pixels() const {
+  const Parts& parts = *parts_;
+  io::RgbPicture picture{.width = parts.width, .height = parts.height, .bytes = {}};
+  const std::size_t row = 3 * static_cast<std::size_t>(parts.width);
+  picture.bytes.resize(row * parts.height);
+  if (picture.bytes.empty()) return picture;
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  glReadBuffer(GL_BACK);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, parts.width, parts.height, GL_RGB, GL_UNSIGNED_BYTE, picture.bytes.data());
+  // OpenGL counts rows from the bottom.
+  for (int y = 0; y < parts.height / 2; ++y) {
+    std::swap_ranges(picture.bytes.begin() + static_cast<std::ptrdiff_t>(row * y),
+                     picture.bytes.begin() + static_cast<std::ptrdiff_t>(row * (y + 1)),
+                     picture.bytes.end() - static_cast<std::ptrdiff_t>(row * (y + 1)));
+  }
+  return picture;
+}
+
+std::vector<std::string> Window::take_dropped_files() { return std::exchange(parts_->dropped, {}); }
+
+}  // namespace viewer

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "io/picture/rgb_picture.h"
+#include "viewer/draw/scene_view.h"
+
+namespace viewer {
+
+/// There is no window to be had: no display, or its OpenGL is too old. The message says so in one
+/// line and offers `radiosity render`.
+struct WindowError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+struct WindowOptions {
+  std::string title = "radiosity";
+  int width = 1280;  ///< pixels
+  int height = 800;  ///< pixels
+  double scale = 0;  ///< of text and panels; 0 = what the screen asks for
+};
+
+/// A window of the desktop with an OpenGL context that VTK and Dear ImGui share. Of one thread.
+class Window {
+ public:
+  /// Opens it. Throws WindowError.
+  explicit Window(const WindowOptions& options);
+  ~Window();
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+
+  [[nodiscard]] bool is_closing() const;
+  void close();
+  void set_title(const std::string& title);
+  void resize(int width, int height);
+  /// Of the framebuffer, pixels; 0 x 0 while it is minimised.
+  [[nodiscard]] int width() const;
+  [[nodiscard]] int height() const;
+  /// Size of text and panels relative to a plain screen.
+  [[nodiscard]] double scale() const;
+
+  /// Whether OpenGL is done by the processor, which then has less time for other things.
+  [[nodiscard]] bool is_software() const;
+  /// Whether edges are smoothed; on by default. Costs most of the time if OpenGL is software.
+  void set_antialiased(bool is_on);
+
+  /// Handles what has happened at keyboard and mouse, waiting at most `seconds` for it, and begins
+  /// a frame of ImGui.
+  void begin_frame(double seconds);
+  /// Draws the scene, if that is needed, and the panels above it, and shows them. Nothing is drawn
+  /// while the window has no size.
+  void end_frame(SceneView& view);
+  /// The same, and returns what is shown: 0 x 0 pixels if the window has no size.
+  io::RgbPicture end_captured_frame(SceneView& view);
+
+  /// Files that were dropped onto the window since the last call.
+  std::vector<std::string> take_dropped_files();
+
+ private:
+  void draw(SceneView& view);
+  [[nodiscard]] io::RgbPicture read_pixels() const;
+
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace viewer

@@ -1,0 +1,109 @@
+#include "viewer/panels/input.h"
+
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+
+#include <cmath>
+
+namespace viewer {
+namespace {
+
+constexpr double kTurn = 3.0;          // radian for a drag over the picture's height
+constexpr double kClick = 4;           // pixels that a hand may move in a click
+constexpr double kZoomStep = 0.88;     // per notch of the wheel
+constexpr double kWalk = 0.25;         // of the scene's size per second
+constexpr double kFast = 4;            // times as fast with Shift
+constexpr double kExposureStep = 0.5;  // stops
+
+// ImGui 1.86 counts most keys as GLFW does.
+bool is_pressed(int key) { return ImGui::IsKeyPressed(key); }
+
+}  // namespace
+
+void Input::handle(Desk& desk, Panels& panels) {
+  handle_mouse(desk);
+  if (!ImGui::GetIO().WantCaptureKeyboard && !Panels::is_popup_open()) {
+    handle_keys(desk, panels);
+    fly(desk);
+  }
+}
+
+void Input::handle_mouse(Desk& desk) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const Region& region = desk.region;
+  if (region.width <= 0 || region.height <= 0) return;
+  const double x = (static_cast<double>(io.MousePos.x) - region.left) / region.width;
+  const double y = (static_cast<double>(io.MousePos.y) - region.top) / region.height;
+  const bool is_over = !io.WantCaptureMouse && x >= 0 && x < 1 && y >= 0 && y < 1;
+  if (is_over && io.MouseWheel != 0) desk.camera.zoom(std::pow(kZoomStep, io.MouseWheel));
+
+  const bool is_down = ImGui::IsMouseDown(0) || ImGui::IsMouseDown(1) || ImGui::IsMouseDown(2);
+  const bool went_down =
+      ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1) || ImGui::IsMouseClicked(2);
+  if (went_down) {
+    is_dragging_ = is_over;
+    dragged_ = 0;
+  }
+  if (is_dragging_ && ImGui::IsMouseReleased(0) && dragged_ < kClick && is_over) {
+    desk.session.select(patch_at(desk, x, y));
+  }
+  if (!is_down) is_dragging_ = false;
+  if (!is_dragging_) return;
+  dragged_ += std::hypot(io.MouseDelta.x, io.MouseDelta.y);
+  if (dragged_ < kClick) return;
+  const double right = static_cast<double>(io.MouseDelta.x) / region.height;
+  const double up = -static_cast<double>(io.MouseDelta.y) / region.height;
+  if (ImGui::IsMouseDown(2) || (ImGui::IsMouseDown(0) && io.KeyShift)) {
+    desk.camera.pan(-right, -up);
+  } else if (ImGui::IsMouseDown(1)) {
+    desk.camera.look_around(kTurn / 2 * right, kTurn / 2 * up);
+  } else {
+    desk.camera.orbit(-kTurn * right, -kTurn * up);
+  }
+}
+
+void Input::handle_keys(Desk& desk, Panels& panels) {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (io.KeyCtrl) {
+    if (is_pressed(GLFW_KEY_O)) panels.choose_file(desk);
+    if (is_pressed(GLFW_KEY_P)) desk.screenshot = "radiosity.png";
+    return;
+  }
+  if (is_pressed(GLFW_KEY_F)) fit_camera(desk);
+  if (is_pressed(GLFW_KEY_C)) use_scene_camera(desk);
+  if (is_pressed(GLFW_KEY_T)) show(desk, "true-colour");
+  if (is_pressed(GLFW_KEY_I)) show(desk, "illuminance");
+  if (is_pressed(GLFW_KEY_R)) show(desk, "error");
+  if (is_pressed(GLFW_KEY_X)) show(desk, "form-factors");
+  if (is_pressed(GLFW_KEY_L)) show(desk, "light-path");
+  if (is_pressed(GLFW_KEY_G)) desk.look.logarithmic = !desk.look.logarithmic;
+  if (is_pressed(GLFW_KEY_M)) desk.look.smooth = !desk.look.smooth;
+  if (is_pressed(GLFW_KEY_N)) desk.look.edges = !desk.look.edges;
+  if (is_pressed(GLFW_KEY_B)) desk.look.hide_backs = !desk.look.hide_backs;
+  if (is_pressed(GLFW_KEY_TAB)) desk.shows_panels = !desk.shows_panels;
+  if (is_pressed(GLFW_KEY_SPACE)) desk.session.set_paused(!desk.session.is_paused());
+  if (is_pressed(GLFW_KEY_ESCAPE)) desk.session.select(std::nullopt);
+  // By the letter, since keyboards have them in different places.
+  for (const ImWchar letter : io.InputQueueCharacters) {
+    if (letter == '?') desk.shows_help = !desk.shows_help;
+    if (letter == '+') desk.look.stops += kExposureStep;
+    if (letter == '-') desk.look.stops -= kExposureStep;
+  }
+}
+
+void Input::fly(Desk& desk) {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (!desk.session.is_open() || io.KeyCtrl) return;
+  const auto direction = [](int forth, int back) {
+    return (ImGui::IsKeyDown(forth) ? 1.0 : 0.0) - (ImGui::IsKeyDown(back) ? 1.0 : 0.0);
+  };
+  const double forward = direction(GLFW_KEY_W, GLFW_KEY_S);
+  const double right = direction(GLFW_KEY_D, GLFW_KEY_A);
+  const double up = direction(GLFW_KEY_E, GLFW_KEY_Q);
+  if (forward == 0 && right == 0 && up == 0) return;
+  const double size = radiosity::bounds(*desk.session.model().mesh).diagonal().norm();
+  const double step = kWalk * size * io.DeltaTime * (io.KeyShift ? kFast : 1);
+  desk.camera.fly(step * forward, step * right, step * up);
+}
+
+}  // namespace viewer

@@ -1,0 +1,441 @@
+#include "viewer/script/script.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <functional>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "io/base/atomic_file.h"
+#include "viewer/script/script_arguments.h"
+#include "viewer/script/state_report.h"
+
+namespace viewer {
+namespace {
+
+using nlohmann::json;
+using Clock = std::chrono::steady_clock;
+
+constexpr double kPatience = 600;  // s, that a script waits unless it says otherwise
+
+/// What an action works on, and whether it is done.
+struct Stage {
+  Desk& desk;
+  ScriptHost& host;
+  double seconds;  ///< since the action began
+  bool is_first;   ///< whether this is its first frame
+};
+
+/// Returns whether the action is done; called again with the next frame if not.
+using Perform = std::function<bool(Stage&, ScriptArguments&)>;
+
+struct ActionKind {
+  std::string main_key;  ///< of the argument in the short form {"action": argument}
+  Perform perform;
+};
+
+/// An action that is done at once.
+Perform at_once(std::function<void(Stage&, ScriptArguments&)> work) {
+  return [work = std::move(work)](Stage& stage, ScriptArguments& arguments) {
+    work(stage, arguments);
+    return true;
+  };
+}
+
+std::string last_error(const Session& session) {
+  const auto& messages = session.messages();
+  const auto found = std::find_if(messages.rbegin(), messages.rend(),
+                                  [](const Message& message) { return message.is_error; });
+  return found == messages.rend() ? "no light was found" : found->text;
+}
+
+void check_patience(const Stage& stage, ScriptArguments& arguments) {
+  const double patience = arguments.number_or("timeout", kPatience);
+  if (stage.seconds > patience) {
+    throw std::runtime_error(fmt::format("was not done within {} s", patience));
+  }
+}
+
+bool wait_solved(Stage& stage, ScriptArguments& arguments) {
+  check_patience(stage, arguments);
+  const Session& session = stage.desk.session;
+  if (stage.is_first || !session.is_settled() || session.is_paused()) return false;
+  if (!is_solved(session)) throw std::runtime_error(last_error(session));
+  return true;
+}
+
+bool wait_idle(Stage& stage, ScriptArguments& arguments) {
+  check_patience(stage, arguments);
+  return !stage.is_first && stage.desk.session.is_idle();
+}
+
+void load(Stage& stage, ScriptArguments& arguments) { stage.host.open(arguments.text("scene")); }
+
+void select_patch(Stage& stage, ScriptArguments& arguments) {
+  if (arguments.value("patch").is_null()) {
+    stage.desk.session.select(std::nullopt);
+  } else {
+    stage.desk.session.select(arguments.integer("patch"));
+  }
+}
+
+void select_at(Stage& stage, ScriptArguments& arguments) {
+  stage.desk.session.select(patch_at(stage.desk, arguments.number("x"), arguments.number("y")));
+}
+
+void set_quantity(Stage& stage, ScriptArguments& arguments) {
+  Look& look = stage.desk.look;
+  show(stage.desk, arguments.text("quantity"));
+  look.logarithmic = arguments.flag_or("log", false);
+  look.band.reset();
+  if (arguments.has("band")) {
+    const long band = arguments.integer("band");
+    if (band < 0 || band >= stage.desk.session.model().bands.count()) {
+      throw std::invalid_argument(fmt::format("there is no band {}", band));
+    }
+    look.band = band;
+  }
+  if (!arguments.has("range")) return;
+  const Eigen::VectorXd range = arguments.numbers("range");
+  if (range.size() != 2 || !(range[0] < range[1])) {
+    throw std::invalid_argument("'range' needs two numbers, the first one smaller");
+  }
+  look.range = io::ColorScale{.low = range[0], .high = range[1]};
+}
+
+void set_exposure(Stage& stage, ScriptArguments& arguments) {
+  if (arguments.value("stops") == "auto") {
+    stage.desk.look.stops = 0;
+    stage.desk.is_exposure_due = true;
+  } else {
+    stage.desk.look.stops = arguments.number("stops");
+  }
+}
+
+void set_look(Stage& stage, ScriptArguments& arguments) {
+  Desk& desk = stage.desk;
+  desk.look.smooth = arguments.flag_or("smooth", desk.look.smooth);
+  desk.look.edges = arguments.flag_or("edges", desk.look.edges);
+  desk.look.hide_backs = arguments.flag_or("hide_backs", desk.look.hide_backs);
+  desk.shows_panels = arguments.flag_or("panels", desk.shows_panels);
+  desk.shows_help = arguments.flag_or("help", desk.shows_help);
+}
+
+std::size_t emitter_of(const Stage& stage, ScriptArguments& arguments) {
+  const std::string name = arguments.name("emitter");
+  const auto emitter = emitter_named(stage.desk.session.mix(), name);
+  if (emitter) return *emitter;
+  std::string known;
+  for (const Emitter& other : stage.desk.session.mix().emitters) known += " '" + other.name + "'";
+  throw std::invalid_argument(fmt::format("no emitter is called '{}'; there are{}", name, known));
+}
+
+void set_emitter(Stage& stage, ScriptArguments& arguments) {
+  Session& session = stage.desk.session;
+  const std::size_t e = emitter_of(stage, arguments);
+  const Emitter& emitter = session.mix().emitters[e];
+  session.set_emitter(e, arguments.number_or("scale", emitter.scale),
+                      arguments.flag_or("on", emitter.is_on));
+}
+
+void toggle_emitter(Stage& stage, ScriptArguments& arguments) {
+  Session& session = stage.desk.session;
+  const std::size_t e = emitter_of(stage, arguments);
+  const Emitter& emitter = session.mix().emitters[e];
+  session.set_emitter(e, emitter.scale, !emitter.is_on);
+}
+
+void set_reflectance(Stage& stage, ScriptArguments& arguments) {
+  Session& session = stage.desk.session;
+  const std::string name = arguments.name("material");
+  const std::size_t n_materials = session.mix().reflectance.size();
+  std::size_t m = 0;
+  while (m < n_materials && session.model().scene->materials[m].name != name) ++m;
+  if (m == n_materials) throw std::invalid_argument("no material is called '" + name + "'");
+  if (arguments.value("value").is_array()) {
+    session.set_reflectance(m, arguments.numbers("value"));
+    return;
+  }
+  const double mean = arguments.number("value");
+  if (!(mean >= 0 && mean <= 1)) throw std::invalid_argument("'value' must be in [0, 1]");
+  session.set_reflectance(m, with_mean_reflectance(session.original_mix().reflectance[m], mean));
+}
+
+void restart(Stage& stage, ScriptArguments& arguments) {
+  SolveSettings settings = stage.desk.session.settings();
+  settings.as_is = false;
+  settings.adaptive = arguments.flag_or("adaptive", settings.adaptive);
+  if (arguments.has("patches")) {
+    settings.n_patches = arguments.integer("patches");
+    settings.max_edge.reset();
+  }
+  if (arguments.has("max_edge")) {
+    settings.max_edge = arguments.number("max_edge");
+    settings.n_patches.reset();
+  }
+  if (settings.n_patches && *settings.n_patches < 1) {
+    throw std::invalid_argument("'patches' must be at least 1");
+  }
+  if (settings.max_edge && !(*settings.max_edge > 0)) {
+    throw std::invalid_argument("'max_edge' must be above 0");
+  }
+  stage.desk.session.restart(settings);
+}
+
+void set_camera(Stage& stage, ScriptArguments& arguments) {
+  if (!stage.desk.session.is_open()) throw std::runtime_error("there is no scene");
+  radiosity::Camera camera = stage.desk.camera.camera();
+  if (arguments.has("position")) camera.position = arguments.vector("position");
+  if (arguments.has("direction")) camera.direction = arguments.vector("direction");
+  if (arguments.has("look_at")) camera.direction = arguments.vector("look_at") - camera.position;
+  if (arguments.has("up")) camera.up = arguments.vector("up");
+  const double degree = radiosity::kPi / 180;
+  camera.vertical_fov = degree * arguments.number_or("fov", camera.vertical_fov / degree);
+  const bool is_possible = camera.direction.norm() > 0 && camera.up.norm() > 0 &&
+                           camera.direction.cross(camera.up).norm() >
+                               1e-6 * camera.direction.norm() * camera.up.norm() &&
+                           camera.vertical_fov > 0 && camera.vertical_fov < radiosity::kPi;
+  if (!is_possible) throw std::invalid_argument("nothing can be seen in that direction");
+  stage.desk.camera = CameraControl(camera, radiosity::bounds(*stage.desk.session.model().mesh));
+}
+
+void record_iteration(Stage& stage, ScriptArguments& arguments) {
+  const std::string name = arguments.text("method");
+  const auto method = radiosity::method_named(name);
+  if (!method) {
+    throw std::invalid_argument("no method is called '" + name +
+                                "'; there are cg, jacobi, gauss-seidel, southwell, chebyshev");
+  }
+  stage.desk.session.record_iteration(*method);
+  show(stage.desk, "watched");
+  stage.desk.look.step = 0;
+}
+
+void set_step(Stage& stage, ScriptArguments& arguments) {
+  const IterationRecord* record = stage.desk.session.iteration();
+  if (record == nullptr) throw std::runtime_error("no iteration is recorded");
+  const std::size_t last = record->frames.size() - 1;
+  const json& step = arguments.value("step");
+  if (step == "last") {
+    stage.desk.look.step = last;
+    return;
+  }
+  const long wanted = arguments.integer("step");
+  if (wanted < 0) throw std::invalid_argument("'step' must be at least 0");
+  stage.desk.look.step = std::min(static_cast<std::size_t>(wanted), last);
+}
+
+void write_report(Stage& stage, ScriptArguments& arguments) {
+  const std::string file = arguments.text("file");
+  json report = state_report(stage.desk);
+  report["frame_times"] = stage.host.frame_times();
+  check_output(stage.desk, file);
+  io::write_stream_atomically(file,
+                              [&](std::ofstream& stream) { stream << report.dump(1) << '\n'; });
+}
+
+/// Waits until the picture has been drawn and written.
+bool screenshot(Stage& stage, ScriptArguments& arguments) {
+  const std::string file = arguments.text("file");
+  if (stage.is_first) stage.desk.screenshot = file;
+  return !stage.desk.screenshot;
+}
+
+const std::map<std::string, ActionKind>& action_kinds() {
+  static const std::map<std::string, ActionKind> kinds = {
+      {"load", {"scene", at_once(load)}},
+      {"wait-solved", {"timeout", wait_solved}},
+      {"wait-idle", {"timeout", wait_idle}},
+      {"wait",
+       {"seconds",
+        [](Stage& stage, ScriptArguments& arguments) {
+          return stage.seconds >= arguments.number("seconds");
+        }}},
+      {"select-patch", {"patch", at_once(select_patch)}},
+      {"select-at", {"", at_once(select_at)}},
+      {"set-quantity", {"quantity", at_once(set_quantity)}},
+      {"set-exposure", {"stops", at_once(set_exposure)}},
+      {"set-look", {"", at_once(set_look)}},
+      {"set-emitter", {"emitter", at_once(set_emitter)}},
+      {"toggle-emitter", {"emitter", at_once(toggle_emitter)}},
+      {"set-reflectance", {"material", at_once(set_reflectance)}},
+      {"reset-scene",
+       {"", at_once([](Stage& stage, ScriptArguments&) { stage.desk.session.reset_mix(); })}},
+      {"restart", {"patches", at_once(restart)}},
+      {"pause",
+       {"", at_once([](Stage& stage, ScriptArguments&) { stage.desk.session.set_paused(true); })}},
+      {"resume",
+       {"", at_once([](Stage& stage, ScriptArguments&) { stage.desk.session.set_paused(false); })}},
+      {"stop", {"", at_once([](Stage& stage, ScriptArguments&) { stage.desk.session.stop(); })}},
+      {"camera", {"", at_once(set_camera)}},
+      {"orbit", {"", at_once([](Stage& stage, ScriptArguments& arguments) {
+                   constexpr double kDegree = radiosity::kPi / 180;
+                   stage.desk.camera.orbit(kDegree * arguments.number_or("right", 0),
+                                           kDegree * arguments.number_or("up", 0));
+                 })}},
+      {"zoom", {"factor", at_once([](Stage& stage, ScriptArguments& arguments) {
+                  const double factor = arguments.number("factor");
+                  if (!(factor > 0)) throw std::invalid_argument("'factor' must be above 0");
+                  stage.desk.camera.zoom(factor);
+                })}},
+      {"fly", {"", at_once([](Stage& stage, ScriptArguments& arguments) {
+                 stage.desk.camera.fly(arguments.number_or("forward", 0),
+                                       arguments.number_or("right", 0),
+                                       arguments.number_or("up", 0));
+               })}},
+      {"fit", {"", at_once([](Stage& stage, ScriptArguments&) { fit_camera(stage.desk); })}},
+      {"scene-camera",
+       {"", at_once([](Stage& stage, ScriptArguments&) { use_scene_camera(stage.desk); })}},
+      {"light-path", {"on", at_once([](Stage& stage, ScriptArguments& arguments) {
+                        stage.desk.asks_light_path = arguments.flag_or("on", true);
+                      })}},
+      {"record-iteration", {"method", at_once(record_iteration)}},
+      {"set-step", {"step", at_once(set_step)}},
+      {"screenshot", {"file", screenshot}},
+      {"save-result", {"file", at_once([](Stage& stage, ScriptArguments& arguments) {
+                         save_result(stage.desk, arguments.text("file"));
+                       })}},
+      {"save-scene", {"file", at_once([](Stage& stage, ScriptArguments& arguments) {
+                        save_scene(stage.desk, arguments.text("file"));
+                      })}},
+      {"resize", {"", at_once([](Stage& stage, ScriptArguments& arguments) {
+                    stage.host.resize(static_cast<int>(arguments.integer("width")),
+                                      static_cast<int>(arguments.integer("height")));
+                  })}},
+      {"report", {"file", at_once(write_report)}},
+      {"forget-frame-times",
+       {"", at_once([](Stage& stage, ScriptArguments&) { stage.host.forget_frame_times(); })}}};
+  return kinds;
+}
+
+struct Action {
+  std::string name;
+  json arguments;
+};
+
+std::string known_name(std::string name) {
+  std::replace(name.begin(), name.end(), '_', '-');
+  std::replace(name.begin(), name.end(), ' ', '-');
+  static const std::map<std::string, std::string> others = {{"open", "load"},
+                                                            {"select", "select-patch"},
+                                                            {"show", "set-quantity"},
+                                                            {"wait-for-solved", "wait-solved"}};
+  if (const auto other = others.find(name); other != others.end()) name = other->second;
+  if (!action_kinds().contains(name)) {
+    std::string list;
+    for (const auto& [known, kind] : action_kinds()) {
+      list += (list.empty() ? "" : ", ") + known;
+    }
+    throw std::invalid_argument(fmt::format("no action is called '{}'; there are {}", name, list));
+  }
+  return name;
+}
+
+/// {"action": "load", "scene": "x"}, {"load": "x"}, {"load": {"scene": "x"}} or "fit".
+Action as_action(const json& item) {
+  if (item.is_string()) return {known_name(item.get<std::string>()), json::object()};
+  if (!item.is_object() || item.empty()) {
+    throw std::invalid_argument("found " + item.dump() + R"(, expected {"action": "name", ...})");
+  }
+  if (item.contains("action")) {
+    if (!item["action"].is_string()) throw std::invalid_argument("'action' must be a text");
+    return {known_name(item["action"].get<std::string>()), item};
+  }
+  const auto first = item.begin();
+  if (item.size() != 1) {
+    throw std::invalid_argument("found " + item.dump() + R"(, expected {"action": "name", ...})");
+  }
+  const std::string name = known_name(first.key());
+  if (first.value().is_object()) return {name, first.value()};
+  const std::string& key = action_kinds().at(name).main_key;
+  if (key.empty()) throw std::invalid_argument("'" + name + "' needs its arguments by name");
+  return {name, {{key, first.value()}}};
+}
+
+json parsed(const std::filesystem::path& path) {
+  std::ifstream stream(path);
+  if (!stream) throw ScriptError(path.string() + ": cannot be read");
+  try {
+    json list = json::parse(stream);
+    if (list.is_object() && list.contains("actions")) list = list["actions"];
+    if (!list.is_array()) throw ScriptError(path.string() + ": expected a list of actions");
+    return list;
+  } catch (const json::exception& error) {
+    throw ScriptError(path.string() + ": " + error.what());
+  }
+}
+
+}  // namespace
+
+bool is_solved(const Session& session) {
+  if (!session.is_open()) return false;
+  if (!session.model().scene) return true;  // nothing to solve
+  return session.light() != nullptr && session.light()->has_errors();
+}
+
+struct Script::State {
+  std::string path;
+  std::vector<Action> actions;
+  std::size_t next = 0;
+  std::optional<Clock::time_point> begun;  // of the action that is being done
+
+  [[nodiscard]] std::string place(std::size_t k) const {
+    return fmt::format("{}: action {}", path, k);
+  }
+};
+
+Script::Script(const std::filesystem::path& path) : state_(std::make_unique<State>()) {
+  state_->path = path.string();
+  const json list = parsed(path);
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    try {
+      state_->actions.push_back(as_action(list[k]));
+    } catch (const std::exception& error) {
+      throw ScriptError(state_->place(k) + ": " + error.what());
+    }
+  }
+}
+
+Script::~Script() = default;
+Script::Script(Script&&) noexcept = default;
+Script& Script::operator=(Script&&) noexcept = default;
+
+std::vector<std::string> Script::outputs() const {
+  std::vector<std::string> files;
+  for (const Action& action : state_->actions) {
+    const bool is_writing = action.name == "report" || action.name == "screenshot" ||
+                            action.name == "save-result" || action.name == "save-scene";
+    if (!is_writing || !action.arguments.contains("file")) continue;
+    if (action.arguments["file"].is_string()) files.push_back(action.arguments["file"]);
+  }
+  return files;
+}
+
+bool Script::has_ended() const { return state_->next >= state_->actions.size(); }
+
+void Script::advance(Desk& desk, ScriptHost& host) {
+  if (has_ended()) return;
+  State& state = *state_;
+  const Action& action = state.actions[state.next];
+  const auto now = Clock::now();
+  const bool is_first = !state.begun;
+  if (is_first) state.begun = now;
+  Stage stage{desk, host, std::chrono::duration<double>(now - *state.begun).count(), is_first};
+  try {
+    ScriptArguments arguments(action.arguments);
+    const bool is_done = action_kinds().at(action.name).perform(stage, arguments);
+    arguments.check_all_used();
+    if (!is_done) return;
+  } catch (const std::exception& error) {
+    throw ScriptError(
+        fmt::format("{} ({}): {}", state.place(state.next), action.name, error.what()));
+  }
+  ++state.next;
+  state.begun.reset();
+}
+
+}  // namespace viewer

@@ -1,0 +1,192 @@
+#include "viewer/script/state_report.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "radiosity/solve/solution.h"
+
+namespace viewer {
+namespace {
+
+using nlohmann::json;
+
+json number(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
+
+json list(const Eigen::VectorXd& values) {
+  json result = json::array();
+  for (const double value : values) result.push_back(number(value));
+  return result;
+}
+
+json list(const radiosity::Vec3& values) { return list(Eigen::VectorXd(values)); }
+
+std::string kind_name(Light::Kind kind) {
+  switch (kind) {
+    case Light::Kind::preview:
+      return "preview";
+    case Light::Kind::quick:
+      return "quick";
+    case Light::Kind::solved:
+      return "solved";
+    case Light::Kind::complete:
+      return "complete";
+    case Light::Kind::stored:
+      return "stored";
+  }
+  return "";
+}
+
+json light_json(const Session& session) {
+  const Light* light = session.light();
+  if (light == nullptr) return nullptr;
+  const radiosity::Solution& solution = light->solution;
+  const Eigen::Map<const Eigen::VectorXd> area(session.model().mesh->area.data(),
+                                               session.model().mesh->size());
+  return {{"kind", kind_name(light->kind)},
+          {"residual", number(solution.residual)},
+          {"iterations", solution.iterations},
+          {"unshot_share", number(session.unshot_share())},
+          {"seconds", number(session.seconds_to_solve())},
+          {"mean_radiosity",
+           list(Eigen::VectorXd(solution.radiosity.transpose() * area / area.sum()))}};
+}
+
+json patch_json(const Desk& desk) {
+  if (!desk.facts) return nullptr;
+  const PatchFacts& facts = *desk.facts;
+  json result = {{"patch", facts.patch},        {"surface", facts.surface},
+                 {"material", facts.material},  {"polygon", facts.polygon},
+                 {"area", number(facts.area)},  {"centroid", list(facts.centroid)},
+                 {"normal", list(facts.normal)}};
+  if (facts.has_light) {
+    result["radiosity"] = list(facts.radiosity);
+    result["irradiance"] = list(facts.irradiance);
+    result["exitance"] = list(facts.exitance);
+    result["reflectance"] = list(facts.reflectance);
+    result["error"] = list(facts.error);
+    result["direct"] = list(facts.direct);
+    result["illuminance"] = number(facts.illuminance);
+    result["luminance"] = number(facts.luminance);
+  }
+  if (facts.has_factors) {
+    result["row_sum"] = number(facts.row_sum);
+    result["partners"] = json::array();
+    for (const Partner& partner : facts.partners) {
+      result["partners"].push_back({{"patch", partner.patch},
+                                    {"factor", number(partner.factor)},
+                                    {"error", number(partner.error)}});
+    }
+  }
+  if (!desk.emitter_shares.empty()) {
+    result["emitters"] = json::array();
+    for (const EmitterShare& share : desk.emitter_shares) {
+      result["emitters"].push_back({{"emitter", desk.session.mix().emitters[share.emitter].name},
+                                    {"share", number(share.share)},
+                                    {"radiosity", list(share.radiosity)}});
+    }
+  }
+  return result;
+}
+
+json mix_json(const Session& session) {
+  json emitters = json::array();
+  for (const Emitter& emitter : session.mix().emitters) {
+    emitters.push_back({{"name", emitter.name}, {"scale", emitter.scale}, {"on", emitter.is_on}});
+  }
+  json materials = json::array();
+  for (std::size_t m = 0; m < session.mix().reflectance.size(); ++m) {
+    materials.push_back({{"name", session.model().scene->materials[m].name},
+                         {"reflectance", list(session.mix().reflectance[m])}});
+  }
+  return {{"emitters", emitters},
+          {"materials", materials},
+          {"change_seconds", number(session.change_seconds())},
+          {"superposed", session.can_superpose()}};
+}
+
+json look_json(const Desk& desk) {
+  json result = {{"quantity", std::string(show_name(desk.look))},
+                 {"stops", number(desk.look.stops)},
+                 {"exposure", number(desk.exposure * std::exp2(desk.look.stops))},
+                 {"log", desk.look.logarithmic},
+                 {"smooth", desk.look.smooth},
+                 {"edges", desk.look.edges},
+                 {"hide_backs", desk.look.hide_backs},
+                 {"panels", desk.shows_panels},
+                 {"legend", nullptr}};
+  if (desk.legend) {
+    result["legend"] = {{"title", desk.legend->title},
+                        {"low", number(desk.legend->scale.low)},
+                        {"high", number(desk.legend->scale.high)},
+                        {"log", desk.legend->scale.logarithmic}};
+  }
+  return result;
+}
+
+json camera_json(const Desk& desk) {
+  const radiosity::Camera& camera = desk.camera.camera();
+  return {{"position", list(camera.position)},
+          {"direction", list(camera.direction)},
+          {"up", list(camera.up)},
+          {"fov", number(camera.vertical_fov * 180 / radiosity::kPi)}};
+}
+
+json iteration_json(const Desk& desk) {
+  const IterationRecord* record = desk.session.iteration();
+  if (record == nullptr || record->frames.empty()) return nullptr;
+  json frames = json::array();
+  for (const auto& frame : record->frames) {
+    frames.push_back(
+        {{"iteration", frame->iteration}, {"unshot_share", number(frame->unshot_share)}});
+  }
+  json bounds = json::array();
+  for (const double bound : record->bounds) bounds.push_back(number(bound));
+  return {{"method", std::string(radiosity::method_name(record->method))},
+          {"complete", record->is_complete},
+          {"step", std::min(desk.look.step, record->frames.size() - 1)},
+          {"frames", frames},
+          {"bounds", bounds}};
+}
+
+/// Memory of this process, as Linux tells; null elsewhere.
+json resident_bytes() {
+  std::ifstream stream("/proc/self/statm");
+  long pages = 0;
+  long resident = 0;
+  if (!(stream >> pages >> resident)) return nullptr;
+  return resident * sysconf(_SC_PAGESIZE);
+}
+
+}  // namespace
+
+json state_report(const Desk& desk) {
+  const Session& session = desk.session;
+  json messages = json::array();
+  for (const Message& message : session.messages()) {
+    messages.push_back({{"error", message.is_error}, {"text", message.text}});
+  }
+  return {{"path", session.model().path},
+          {"patches", session.is_open() ? session.model().mesh->size() : 0},
+          {"resident_bytes", resident_bytes()},
+          {"settled", session.is_settled()},
+          {"paused", session.is_paused()},
+          {"light", light_json(session)},
+          {"selected", patch_json(desk)},
+          {"mix", mix_json(session)},
+          {"look", look_json(desk)},
+          {"camera", camera_json(desk)},
+          {"region",
+           {{"left", desk.region.left},
+            {"top", desk.region.top},
+            {"width", desk.region.width},
+            {"height", desk.region.height}}},
+          {"iteration", iteration_json(desk)},
+          {"messages", messages}};
+}
+
+}  // namespace viewer

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "radiosity/scene/patch_mesh.h"
+#include "radiosity/scene/scene.h"
+#include "radiosity/solve/solution.h"
+
+namespace viewer {
+
+/// Something that gives light and can be dimmed: a surface, or in scenes with many lamps all
+/// surfaces of a material.
+struct Emitter {
+  std::string name;
+  std::vector<std::int32_t> surfaces;
+  double scale = 1;  ///< of its exitance, >= 0
+  bool is_on = true;
+
+  [[nodiscard]] double factor() const { return is_on ? scale : 0; }
+};
+
+/// More emitting surfaces than this are taken together by material.
+inline constexpr std::size_t kMostEmitters = 48;
+
+/// What a person changes about a scene's light: the emitters' strength and the materials'
+/// reflectance.
+struct LightMix {
+  std::vector<Emitter> emitters;
+  std::vector<Eigen::VectorXd> reflectance;  ///< per material, per band, in [0, 1]
+
+  /// Whether the reflectances are those of the other mix.
+  [[nodiscard]] bool has_reflectance_of(const LightMix& other) const;
+};
+
+/// The scene as it is in its file.
+LightMix make_mix(const radiosity::Scene& scene);
+
+/// Index of the emitter of that name, or whose index it is; empty if there is none.
+std::optional<std::size_t> emitter_named(const LightMix& mix, const std::string& name);
+
+/// A reflectance whose mean over the bands is `mean` in [0, 1]: all bands scaled alike, as far as
+/// none exceeds 1; grey if the original is black.
+Eigen::VectorXd with_mean_reflectance(const Eigen::VectorXd& original, double mean);
+
+/// The scene with the mix's reflectances and its emitters as they are in the file.
+radiosity::Scene with_reflectance(const radiosity::Scene& scene, const LightMix& mix);
+
+/// The scene as the mix has it, to solve afresh or to save. Surfaces whose emission differs from
+/// that of their material get a material of their own. (A temperature grows with the fourth root of
+/// the emitter's scale.)
+radiosity::Scene mixed_scene(const radiosity::Scene& scene, const LightMix& mix);
+
+/// Rows of `exitance` (n x b) of one emitter's patches, 0 elsewhere, at full strength.
+Eigen::MatrixXd emitter_exitance(const radiosity::PatchMesh& mesh, const Eigen::MatrixXd& exitance,
+                                 const Emitter& emitter);
+
+/// The light of each emitter alone, at full strength, for one choice of reflectances. Since light
+/// adds up, any mix of the emitters is a weighted sum.
+struct EmitterLights {
+  std::vector<Eigen::MatrixXd> exitance;    ///< per emitter: M_e, W/m², n x b
+  std::vector<Eigen::MatrixXd> irradiance;  ///< per emitter: H, W/m², n x b
+  Eigen::MatrixXd reflectance;              ///< n x b
+};
+
+/// Exitance, irradiance and radiosity of the mix; takes as many additions as there are values.
+/// Errors and energy are left empty.
+radiosity::Solution superpose(const EmitterLights& lights, const LightMix& mix);
+
+}  // namespace viewer

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "radiosity/assembly/assembly_report.h"
+#include "radiosity/assembly/transport_options.h"
+#include "radiosity/base/geometry.h"
+#include "radiosity/operator/transport.h"
+#include "radiosity/scene/patch_mesh.h"
+#include "radiosity/scene/scene.h"
+#include "radiosity/solve/solution.h"
+#include "radiosity/visibility/visibility.h"
+
+namespace viewer {
+
+/// How the scene is divided and how exactly it is solved.
+struct SolveSettings {
+  std::optional<double> max_edge = {};           ///< m
+  std::optional<long> n_patches = {};            ///< about so many
+  bool as_is = false;                            ///< each input polygon is one patch
+  bool adaptive = false;                         ///< patches are refined where the light varies
+  double tolerance = 1e-2;                       ///< relative error asked of the form factors
+  std::optional<radiosity::Closed> closed = {};  ///< absent: what the scene says
+  std::uint64_t seed = 0;                        ///< of the visibility samples
+  std::optional<std::string> unit = {};          ///< of the file's coordinates
+  std::optional<double> precision = {};          ///< of these, m; absent: as said or found
+  bool strict = false;                           ///< refuse files with faults that can be mended
+};
+
+/// Rows of form factors, from memory or from a file.
+struct FactorRows {
+  std::function<Eigen::VectorXd(radiosity::Index)> row;    ///< F_ij of a patch i, n
+  std::function<Eigen::VectorXd(radiosity::Index)> error;  ///< their standard errors, n
+  explicit operator bool() const { return static_cast<bool>(row); }
+};
+
+/// What is in the window. The parts are immutable and shared with the workers; each is absent until
+/// it is known: a form-factor file never has light, a result file no scene.
+struct Model {
+  std::string path;
+  std::shared_ptr<const radiosity::Scene> scene;
+  radiosity::Bands bands;
+  std::shared_ptr<const radiosity::PatchMesh> mesh;
+  std::shared_ptr<const radiosity::Visibility> visibility;
+  std::shared_ptr<const radiosity::Transport> transport;
+  FactorRows factors;
+};
+
+/// Light on the patches of a model.
+struct Light {
+  enum class Kind {
+    preview,   ///< rough, from progressive shooting
+    quick,     ///< of a mix, to the accuracy that a picture needs
+    solved,    ///< to the iteration's tolerance; errors not known yet
+    complete,  ///< with `radiosity_error`
+    stored     ///< from a file
+  };
+  Kind kind = Kind::preview;
+  radiosity::Solution solution;
+
+  [[nodiscard]] bool is_solved() const { return kind != Kind::preview && kind != Kind::quick; }
+  [[nodiscard]] bool has_errors() const { return kind == Kind::complete || kind == Kind::stored; }
+};
+
+}  // namespace viewer

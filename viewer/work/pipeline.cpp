@@ -1,0 +1,265 @@
+#include "viewer/work/pipeline.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <utility>
+
+#include "io/base/extension.h"
+#include "io/result/form_factor_reader.h"
+#include "io/result/result_reader.h"
+#include "io/scene/scene_file.h"
+#include "meshing/adaptive/adaptive.h"
+#include "meshing/inspect/inspect.h"
+#include "meshing/patches/patches.h"
+#include "radiosity/assembly/make_transport.h"
+#include "radiosity/assembly/transport_options.h"
+#include "radiosity/operator/transport.h"
+#include "radiosity/picture/shooting_preview.h"
+#include "radiosity/scene/patch_mesh.h"
+#include "radiosity/scene/radiometry.h"
+#include "radiosity/solve/discretisation_error.h"
+#include "radiosity/solve/solution.h"
+#include "radiosity/solve/solve.h"
+#include "radiosity/visibility/visibility.h"
+
+namespace viewer {
+namespace {
+
+using radiosity::Index;
+using radiosity::PatchMesh;
+using radiosity::Progress;
+using radiosity::Scene;
+using radiosity::Solution;
+using radiosity::Transport;
+
+constexpr double kPreviewSeconds = 3;
+constexpr double kPreviewInterval = 0.08;  // s
+constexpr double kLittleUnshot = 0.01;     // share of the emitted power at which a preview ends
+
+constexpr double kQuickTolerance = 1e-3;  // no pixel shows it
+constexpr double kTolerance = 1e-8;
+
+radiosity::TransportOptions transport_options(const SolveSettings& settings, const Scene& scene,
+                                              const Progress& progress) {
+  using radiosity::Closed;
+  Closed closed = Closed::automatic;
+  if (scene.closed) closed = *scene.closed ? Closed::yes : Closed::no;
+  return {.tolerance = settings.tolerance,
+          .closed = settings.closed.value_or(closed),
+          .seed = settings.seed,
+          .progress = progress};
+}
+
+/// Rows of an operator in memory.
+FactorRows rows_of(std::shared_ptr<const Transport> transport) {
+  return {.row = [transport](Index i) { return transport->row(i); },
+          .error = [transport](Index i) { return transport->row_error(i); }};
+}
+
+/// Radiosity before any iteration as a solution, to be shown.
+Solution preview_solution(Eigen::MatrixXd radiosity, const Eigen::MatrixXd& exitance,
+                          const Eigen::MatrixXd& reflectance) {
+  Solution solution;
+  // H = (B - M) / ρ; where nothing is reflected it is not known.
+  solution.irradiance = (reflectance.array() > 0)
+                            .select((radiosity - exitance).array() / reflectance.array(), 0)
+                            .matrix();
+  solution.radiosity = std::move(radiosity);
+  solution.exitance = exitance;
+  solution.reflectance = reflectance;
+  solution.radiosity_error = Eigen::MatrixXd::Zero(exitance.rows(), exitance.cols());
+  return solution;
+}
+
+void preview(const Model& model, const LightMix& mix, const PipelineEvents& events,
+             const Progress& progress) {
+  const Scene scene = with_reflectance(*model.scene, mix);
+  const Eigen::MatrixXd emitted = mix_exitance(scene, *model.mesh, mix);
+  if (emitted.isZero(0)) return;
+  const Eigen::MatrixXd reflectance = radiosity::reflectance(scene, *model.mesh);
+  radiosity::ShootingPreview shooting(*model.mesh, *model.visibility, emitted, reflectance);
+  const auto start = std::chrono::steady_clock::now();
+  double seconds = 0;
+  while (seconds < kPreviewSeconds && shooting.unshot_share() > kLittleUnshot) {
+    shooting.shoot(kPreviewInterval, progress);
+    events.previewed(preview_solution(shooting.with_ambient(), emitted, reflectance),
+                     shooting.unshot_share());
+    seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    progress.check();
+    if (progress.report) progress.report("preview", seconds, kPreviewSeconds, "s");
+  }
+}
+
+Model refined(const Model& coarse, const SolveSettings& settings, const PipelineEvents& events,
+              const Progress& progress) {
+  meshing::AdaptiveMesh adaptive = meshing::make_adaptive_patches(
+      *coarse.scene, {.tolerance = settings.tolerance,
+                      .max_patches = settings.n_patches.value_or(meshing::kMostAdaptivePatches),
+                      .transport = transport_options(settings, *coarse.scene, progress),
+                      .progress = progress});
+  if (!adaptive.refinement.is_accurate) {
+    events.warned(
+        fmt::format("the patches ({}) are spent: the error of the radiosity is about "
+                    "{:.2g}, {:.2g} was asked for",
+                    adaptive.mesh.size(), adaptive.refinement.error, settings.tolerance));
+  }
+  Model model = coarse;
+  model.mesh = std::make_shared<PatchMesh>(std::move(adaptive.mesh));
+  model.visibility = std::make_shared<radiosity::Visibility>(std::move(adaptive.visibility));
+  model.transport = std::move(adaptive.transport);
+  return model;
+}
+
+void warn_of_findings(const Scene& scene, const PipelineEvents& events) {
+  for (const std::string& warning : scene.warnings) events.warned(warning);
+  for (const std::string& message : meshing::serious_findings(scene)) events.warned(message);
+}
+
+radiosity::SolveOptions solve_options(double tolerance, const Progress& progress) {
+  radiosity::SolveOptions options;
+  options.tolerance = tolerance;
+  options.estimates_errors = false;
+  options.progress = progress;
+  return options;
+}
+
+EmitterLights separate(const Model& model, const LightMix& mix, const Scene& scene,
+                       const Eigen::MatrixXd& reflectance, const Progress& progress) {
+  EmitterLights lights;
+  lights.reflectance = reflectance;
+  const Index n_bands = reflectance.cols();
+  const auto n_emitters = static_cast<Index>(mix.emitters.size());
+  const Eigen::MatrixXd full = radiosity::exitance(scene, *model.mesh);
+  Eigen::MatrixXd all(reflectance.rows(), n_emitters * n_bands);
+  for (Index e = 0; e < n_emitters; ++e) {
+    lights.exitance.push_back(emitter_exitance(*model.mesh, full, mix.emitters[e]));
+    all.middleCols(e * n_bands, n_bands) = lights.exitance.back();
+  }
+  const Solution solution =
+      solve(*model.transport, all, reflectance, solve_options(kTolerance, progress));
+  for (Index e = 0; e < n_emitters; ++e) {
+    lights.irradiance.emplace_back(solution.irradiance.middleCols(e * n_bands, n_bands));
+  }
+  return lights;
+}
+
+}  // namespace
+
+bool is_result_file(const std::string& path) {
+  const std::string extension = io::lower_case_extension(path);
+  return extension == ".vtp" || extension == ".h5";
+}
+
+void open_result(const std::string& path, const PipelineEvents& events) {
+  Model model;
+  model.path = path;
+  std::optional<Solution> solution;
+  if (io::lower_case_extension(path) == ".vtp") {
+    io::StoredResult result = io::read_result(path);
+    for (const std::string& warning : result.warnings) events.warned(warning);
+    model.mesh = std::make_shared<PatchMesh>(std::move(result.mesh));
+    model.bands = result.bands;
+    solution = std::move(result.solution);
+  } else {
+    auto reader = std::make_shared<io::FormFactorReader>(path);
+    for (const std::string& warning : reader->warnings()) events.warned(warning);
+    model.mesh = std::make_shared<PatchMesh>(reader->mesh());
+    model.bands.kind = radiosity::Bands::Kind::grey;
+    model.factors = {.row = [reader](Index i) { return reader->row(i); },
+                     .error = [reader](Index i) { return reader->row_error(i); }};
+  }
+  model.visibility = std::make_shared<radiosity::Visibility>(*model.mesh);
+  events.opened(std::move(model));
+  if (solution) events.stored(*std::move(solution));
+}
+
+Scene read_whole_scene(const std::string& path, const SolveSettings& settings,
+                       const PipelineEvents& events, const Progress& progress) {
+  Scene scene = io::read_scene(path, {.unit = settings.unit,
+                                      .precision = settings.precision,
+                                      .strict = settings.strict,
+                                      .progress = progress});
+  if (scene.n_polygons() == 0) throw radiosity::SceneError(path + ": the scene has no polygons");
+  warn_of_findings(scene, events);
+  return scene;
+}
+
+void run_pipeline(const std::string& path, std::shared_ptr<const Scene> scene, const LightMix& mix,
+                  const SolveSettings& settings, const PipelineEvents& events,
+                  const Progress& progress) {
+  Model model;
+  model.path = path;
+  model.scene = std::move(scene);
+  model.bands = model.scene->bands;
+  model.mesh = std::make_shared<PatchMesh>(meshing::make_patches(
+      *model.scene, meshing::make_patch_options({.max_edge = settings.max_edge,
+                                                 .n_patches = settings.n_patches,
+                                                 .as_is = settings.as_is,
+                                                 .adaptive = settings.adaptive},
+                                                *model.scene, progress)));
+  if (!settings.as_is) {
+    if (const auto uncut = meshing::uncut_warning(*model.mesh)) events.warned(*uncut);
+  }
+  model.visibility = std::make_shared<radiosity::Visibility>(*model.mesh);
+  events.opened(model);
+  preview(model, mix, events, progress);
+  if (settings.adaptive) {
+    model = refined(model, settings, events, progress);
+    events.opened(model);
+  } else {
+    model.transport = make_transport(*model.mesh, *model.visibility,
+                                     transport_options(settings, *model.scene, progress));
+  }
+  const radiosity::AssemblyReport& report = model.transport->report();
+  if (report.open_rows > 0) {
+    events.warned(fmt::format("the scene is taken as closed, but {} of {} patches see an opening",
+                              report.open_rows, report.row_sums.size()));
+  }
+  model.factors = rows_of(model.transport);
+  events.assembled(std::move(model));
+}
+
+Eigen::MatrixXd mix_exitance(const Scene& scene, const PatchMesh& mesh, const LightMix& mix) {
+  const Eigen::MatrixXd full = radiosity::exitance(scene, mesh);
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(full.rows(), full.cols());
+  for (const Emitter& emitter : mix.emitters) {
+    if (emitter.factor() > 0) result += emitter.factor() * emitter_exitance(mesh, full, emitter);
+  }
+  return result;
+}
+
+void solve_light(const Model& model, const LightMix& mix, const LightStart& start,
+                 const LightEvents& events, const Progress& progress) {
+  const Scene scene = with_reflectance(*model.scene, mix);
+  const Eigen::MatrixXd reflectance = radiosity::reflectance(scene, *model.mesh);
+  const Eigen::MatrixXd emitted = mix_exitance(scene, *model.mesh, mix);
+  radiosity::SolveOptions options = solve_options(kQuickTolerance, progress);
+  options.start = start.irradiance;
+  if (start.is_quick_wanted) {
+    Solution quick = solve(*model.transport, emitted, reflectance, options);
+    options.start = quick.irradiance;
+    events.lit({Light::Kind::quick, std::move(quick)});
+  }
+  options.tolerance = kTolerance;
+  Solution solution = solve(*model.transport, emitted, reflectance, options);
+  if (!solution.converged) {
+    events.warned(fmt::format("the iteration has not converged: its error may be {:.1e}",
+                              solution.error_bound));
+  }
+  options.start = solution.irradiance;
+  events.lit({Light::Kind::solved, std::move(solution)});
+  if (start.is_separation_wanted && !mix.emitters.empty()) {
+    events.separated(separate(model, mix, scene, reflectance, progress));
+  }
+  options.estimates_errors = true;
+  Solution complete = solve(*model.transport, emitted, reflectance, options);
+  const auto discretisation =
+      radiosity::discretisation_error(*model.mesh, *model.transport, complete, progress);
+  events.lit({Light::Kind::complete,
+              radiosity::with_discretisation_error(std::move(complete), discretisation)});
+}
+
+}  // namespace viewer

@@ -1,0 +1,321 @@
+#include "viewer/work/session.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <stdexcept>
+#include <utility>
+
+#include "radiosity/scene/radiometry.h"
+#include "radiosity/solve/importance.h"
+#include "radiosity/solve/solution.h"
+#include "radiosity/solve/solve.h"
+#include "viewer/work/pipeline.h"
+
+namespace viewer {
+namespace {
+
+using radiosity::Index;
+using radiosity::Scene;
+
+constexpr std::size_t kMostMessages = 200;
+
+/// A callback for a worker's thread: what it is told is delivered to `take` on the window's thread.
+template <typename... Arguments, typename Take>
+std::function<void(Arguments...)> posting(const Worker::Context& context, Take take) {
+  return [context, take](Arguments... arguments) {
+    // Shared, since std::function wants to copy what it holds.
+    auto kept = std::make_shared<std::tuple<std::decay_t<Arguments>...>>(std::move(arguments)...);
+    context.post([take, kept] { std::apply(take, std::move(*kept)); });
+  };
+}
+
+}  // namespace
+
+Session::Session(SolveSettings settings)
+    : settings_(std::move(settings)), pipeline_(&pause_), lighting_(&pause_), recording_(&pause_) {}
+
+void Session::open(const std::string& path) { begin(path, nullptr); }
+
+void Session::restart(const SolveSettings& settings) {
+  settings_ = settings;
+  if (!model_.scene) {
+    tell_error("only a scene can be solved again; a result file holds its result alone");
+    return;
+  }
+  begin(model_.path, model_.scene);
+}
+
+void Session::begin(const std::string& path, std::shared_ptr<const Scene> scene) {
+  start_ = std::chrono::steady_clock::now();
+  asked_path_ = path;
+  pause_.set(false);
+  const auto take_model = [this](Model model) { this->take_model(std::move(model)); };
+  pipeline_.start([=, this, settings = settings_, mix = mix_](const Worker::Context& context) {
+    const PipelineEvents events = {.opened = posting<Model>(context, take_model),
+                                   .previewed = posting<radiosity::Solution, double>(
+                                       context,
+                                       [this](radiosity::Solution solution, double unshot) {
+                                         unshot_share_ = unshot;
+                                         take_light({Light::Kind::preview, std::move(solution)});
+                                       }),
+                                   .assembled = posting<Model>(context, take_model),
+                                   .stored = posting<radiosity::Solution>(
+                                       context,
+                                       [this](radiosity::Solution solution) {
+                                         take_light({Light::Kind::stored, std::move(solution)});
+                                       }),
+                                   .warned = posting<const std::string&>(
+                                       context, [this](const std::string& text) { tell(text); })};
+    if (is_result_file(path)) {
+      open_result(path, events);
+    } else if (scene) {
+      run_pipeline(path, scene, mix, settings, events, context.progress);
+    } else {
+      const auto read =
+          std::make_shared<const Scene>(read_whole_scene(path, settings, events, context.progress));
+      run_pipeline(path, read, make_mix(*read), settings, events, context.progress);
+    }
+  });
+}
+
+void Session::stop() {
+  pause_.set(false);
+  pipeline_.cancel();
+  lighting_.cancel();
+  recording_.cancel();
+  tell("stopped");
+}
+
+void Session::take_model(Model model) {
+  const bool is_other_mesh = model.mesh != model_.mesh;
+  const bool is_other_scene = model.scene != model_.scene || model.scene == nullptr;
+  model_ = std::move(model);
+  ++versions_.model;
+  if (is_other_mesh) {
+    lighting_.cancel();
+    forget_light_path();
+    light_.reset();
+    emitter_lights_.reset();
+    seconds_to_solve_ = 0;
+    select(std::nullopt);
+    forget_iteration();
+    ++versions_.light;
+  }
+  if (is_other_scene && is_other_mesh) {
+    mix_ = model_.scene ? make_mix(*model_.scene) : LightMix{};
+    original_mix_ = mix_;
+    ++versions_.mix;
+  }
+  if (model_.transport) start_light_task();
+}
+
+void Session::take_light(Light light) {
+  const bool is_first = light.kind == Light::Kind::solved && seconds_to_solve_ == 0;
+  if (is_first) {
+    seconds_to_solve_ =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+  const bool is_quick = light.kind == Light::Kind::quick;
+  if (changed_ && !is_relight_due_) {
+    change_seconds_ =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - *changed_).count();
+    changed_.reset();
+  }
+  light_ = std::move(light);
+  ++versions_.light;
+  if (is_quick) {
+    is_quick_running_ = false;
+    if (std::exchange(is_relight_due_, false)) start_light_task();
+  }
+}
+
+void Session::start_light_task() {
+  LightStart start;
+  const bool has_light = light_ && light_->kind != Light::Kind::preview;
+  if (has_light) start.irradiance = light_->solution.irradiance;
+  start.is_separation_wanted = emitter_lights_ == nullptr;
+  start.is_quick_wanted = has_light && start.is_separation_wanted;
+  is_quick_running_ = start.is_quick_wanted;
+  is_relight_due_ = false;
+  lighting_.start([this, model = model_, mix = mix_, start](const Worker::Context& context) {
+    const LightEvents events = {
+        .lit = posting<Light>(context, [this](Light light) { take_light(std::move(light)); }),
+        .separated = posting<EmitterLights>(
+            context,
+            [this](EmitterLights lights) {
+              emitter_lights_ = std::make_shared<const EmitterLights>(std::move(lights));
+            }),
+        .warned =
+            posting<const std::string&>(context, [this](const std::string& text) { tell(text); })};
+    solve_light(model, mix, start, events, context.progress);
+  });
+}
+
+void Session::relight() {
+  ++versions_.mix;
+  changed_ = std::chrono::steady_clock::now();
+  change_seconds_ = 0;
+  if (!model_.transport) return;  // the mix is taken up when there are form factors
+  if (emitter_lights_) {
+    take_light({Light::Kind::solved, superpose(*emitter_lights_, mix_)});
+    start_light_task();
+  } else if (is_quick_running_ && lighting_.is_busy()) {
+    // Let it finish, else the picture would never follow a slider that keeps moving.
+    is_relight_due_ = true;
+  } else {
+    start_light_task();
+  }
+}
+
+void Session::set_emitter(std::size_t emitter, double scale, bool is_on) {
+  Emitter& changed = mix_.emitters.at(emitter);
+  if (!(scale >= 0) || !std::isfinite(scale)) {
+    throw std::out_of_range(fmt::format("an emitter's scale must be at least 0, found {}", scale));
+  }
+  if (changed.scale == scale && changed.is_on == is_on) return;
+  changed.scale = scale;
+  changed.is_on = is_on;
+  relight();
+}
+
+void Session::set_reflectance(std::size_t material, const Eigen::VectorXd& reflectance) {
+  Eigen::VectorXd& changed = mix_.reflectance.at(material);
+  if (reflectance.size() != changed.size()) {
+    throw std::out_of_range(fmt::format("expected {} reflectances, one for each band, found {}",
+                                        changed.size(), reflectance.size()));
+  }
+  for (const double value : reflectance) {
+    if (!(value >= 0 && value <= 1)) {
+      throw std::out_of_range(fmt::format("a reflectance must be in [0, 1], found {}", value));
+    }
+  }
+  if (changed == reflectance) return;
+  changed = reflectance;
+  emitter_lights_.reset();
+  forget_light_path();
+  relight();
+}
+
+void Session::reset_mix() {
+  if (!mix_.has_reflectance_of(original_mix_)) {
+    emitter_lights_.reset();
+    forget_light_path();
+  }
+  mix_ = original_mix_;
+  relight();
+}
+
+void Session::select(std::optional<Index> patch) {
+  if (patch && (!model_.mesh || *patch < 0 || *patch >= model_.mesh->size())) {
+    throw std::out_of_range(fmt::format("there is no patch {}; the scene has {}", *patch,
+                                        model_.mesh ? model_.mesh->size() : 0));
+  }
+  if (patch == selected_) return;
+  selected_ = patch;
+  forget_light_path();
+  ++versions_.selection;
+}
+
+void Session::ask_light_path() {
+  if (!selected_ || !model_.transport || has_asked_) return;
+  has_asked_ = true;
+  asking_.start(
+      [this, model = model_, mix = mix_, patch = *selected_](const Worker::Context& context) {
+        const Scene scene = with_reflectance(*model.scene, mix);
+        radiosity::SolveOptions options;
+        options.estimates_errors = false;
+        options.progress = context.progress;
+        auto path = std::make_shared<LightPath>();
+        path->patch = patch;
+        path->importance = radiosity::importance(
+            *model.transport, radiosity::reflectance(scene, *model.mesh), patch, options);
+        context.post([this, path] {
+          light_path_ = path;
+          ++versions_.selection;
+        });
+      });
+}
+
+void Session::forget_light_path() {
+  light_path_.reset();
+  has_asked_ = false;
+  asking_.cancel();
+}
+
+void Session::record_iteration(radiosity::Method method) {
+  if (!model_.transport) {
+    tell_error("iterations can be watched once the form factors are known");
+    return;
+  }
+  iteration_.reset();
+  ++versions_.iteration;
+  recording_.start([this, method, model = model_, mix = mix_](const Worker::Context& context) {
+    const Scene scene = with_reflectance(*model.scene, mix);
+    const Eigen::MatrixXd emitted = mix_exitance(scene, *model.mesh, mix);
+    IterationRecorder recorder(method, model.transport->area(), emitted);
+    const auto show = [&] {
+      context.post([this, record = std::make_shared<const IterationRecord>(recorder.record())] {
+        iteration_ = record;
+        ++versions_.iteration;
+      });
+    };
+    constexpr auto kInterval = std::chrono::milliseconds(200);
+    auto shown = std::chrono::steady_clock::now();
+    radiosity::SolveOptions options;
+    options.method = method;
+    options.tolerance = 1e-6;
+    options.max_products = 5000;
+    options.estimates_errors = false;
+    options.progress = context.progress;
+    options.on_step = [&](const radiosity::SolveStep& step) {
+      recorder.add(step);
+      if (std::chrono::steady_clock::now() - shown < kInterval) return;
+      show();
+      shown = std::chrono::steady_clock::now();
+    };
+    recorder.finish(
+        solve(*model.transport, emitted, radiosity::reflectance(scene, *model.mesh), options));
+    show();
+  });
+}
+
+void Session::forget_iteration() {
+  recording_.cancel();
+  iteration_.reset();
+  ++versions_.iteration;
+}
+
+bool Session::update() {
+  bool has_changed = false;
+  for (Worker* worker : {&pipeline_, &lighting_, &asking_, &recording_}) {
+    has_changed |= worker->deliver();
+    if (const auto error = worker->take_error()) {
+      tell_error(*error);
+      has_changed = true;
+    }
+  }
+  return has_changed;
+}
+
+bool Session::is_settled() const { return !pipeline_.is_busy() && !lighting_.is_busy(); }
+
+bool Session::is_idle() const {
+  return is_settled() && !asking_.is_busy() && !recording_.is_busy();
+}
+
+WorkStatus Session::status() const {
+  for (const Worker* worker : {&pipeline_, &lighting_, &recording_, &asking_}) {
+    WorkStatus status = worker->status();
+    if (status.is_busy) return status;
+  }
+  return {};
+}
+
+void Session::add_message(bool is_error, const std::string& text) {
+  messages_.push_back({is_error, text});
+  if (messages_.size() > kMostMessages) messages_.pop_front();
+  ++versions_.messages;
+}
+
+}  // namespace viewer

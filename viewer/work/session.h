@@ -1,0 +1,148 @@
+#pragma once
+
+#include <chrono>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "radiosity/base/geometry.h"
+#include "radiosity/scene/scene.h"
+#include "viewer/work/iteration_record.h"
+#include "viewer/work/light_mix.h"
+#include "viewer/work/light_path.h"
+#include "viewer/work/model.h"
+#include "viewer/work/worker.h"
+
+namespace viewer {
+
+/// A line in the console.
+struct Message {
+  bool is_error = false;
+  std::string text;
+};
+
+/// The scene in the window, what is computed about it in the background, and the questions that a
+/// person asks. Knows nothing of windows. Its methods are for one thread, which calls `update` now
+/// and then; none of them takes long.
+class Session {
+ public:
+  explicit Session(SolveSettings settings = {});
+
+  /// Begins to open a scene or result file. What is open stays until the new one is there, and for
+  /// good if it cannot be read; the console tells why.
+  void open(const std::string& path);
+  /// Solves the open scene anew with other patches.
+  void restart(const SolveSettings& settings);
+  /// Holds the work in the background back, or lets it go on.
+  void set_paused(bool is_on) { pause_.set(is_on); }
+  [[nodiscard]] bool is_paused() const { return pause_.is_on(); }
+  /// Gives up what is being computed; what is known so far stays.
+  void stop();
+
+  /// Takes in what the background has found out. Whether anything changed.
+  bool update();
+  /// Whether nothing is being computed any more that changes the picture or its errors.
+  [[nodiscard]] bool is_settled() const;
+  /// Whether nothing at all is being computed.
+  [[nodiscard]] bool is_idle() const;
+  /// What is being computed; not busy if nothing.
+  [[nodiscard]] WorkStatus status() const;
+
+  /// The file that was last asked for, read or not; "" before there is any.
+  [[nodiscard]] const std::string& asked_path() const { return asked_path_; }
+  [[nodiscard]] bool is_open() const { return model_.mesh != nullptr; }
+  [[nodiscard]] const Model& model() const { return model_; }
+  [[nodiscard]] const SolveSettings& settings() const { return settings_; }
+  /// Absent until there is some.
+  [[nodiscard]] const Light* light() const { return light_ ? &*light_ : nullptr; }
+  /// Whether the light is a result: solved, with its errors, and of the mix as it is now.
+  [[nodiscard]] bool has_result() const { return light_ && light_->has_errors() && !changed_; }
+  /// Seconds from the beginning until the light was solved; 0 if it is not.
+  [[nodiscard]] double seconds_to_solve() const { return seconds_to_solve_; }
+  /// Unshot share of the emitted power while light is a preview.
+  [[nodiscard]] double unshot_share() const { return unshot_share_; }
+
+  // What if.
+  [[nodiscard]] const LightMix& mix() const { return mix_; }
+  /// The mix of the scene file.
+  [[nodiscard]] const LightMix& original_mix() const { return original_mix_; }
+  void set_emitter(std::size_t emitter, double scale, bool is_on);
+  void set_reflectance(std::size_t material, const Eigen::VectorXd& reflectance);
+  void reset_mix();
+  /// Seconds from the latest change of the mix to light that has it; 0 if there is none yet.
+  [[nodiscard]] double change_seconds() const { return change_seconds_; }
+  /// Whether emitters can be mixed without solving.
+  [[nodiscard]] bool can_superpose() const { return emitter_lights_ != nullptr; }
+
+  // Ask.
+  /// Throws std::out_of_range if there is no such patch.
+  void select(std::optional<radiosity::Index> patch);
+  [[nodiscard]] std::optional<radiosity::Index> selected() const { return selected_; }
+  /// Begins to find out where the selected patch's light comes from.
+  void ask_light_path();
+  /// Of the selected patch and the mix's reflectances; absent until asked for and found.
+  [[nodiscard]] const LightPath* light_path() const { return light_path_.get(); }
+
+  // Watch.
+  /// Begins to record an iteration from darkness.
+  void record_iteration(radiosity::Method method);
+  void forget_iteration();
+  [[nodiscard]] const IterationRecord* iteration() const { return iteration_.get(); }
+
+  // Console.
+  void tell(const std::string& text) { add_message(false, text); }
+  void tell_error(const std::string& text) { add_message(true, text); }
+  [[nodiscard]] const std::deque<Message>& messages() const { return messages_; }
+
+  /// Counts what changed, so that others know what to draw again.
+  struct Versions {
+    int model = 0;
+    int light = 0;
+    int mix = 0;
+    int selection = 0;
+    int iteration = 0;
+    int messages = 0;
+  };
+  [[nodiscard]] const Versions& versions() const { return versions_; }
+
+ private:
+  void forget_light_path();
+  void begin(const std::string& path, std::shared_ptr<const radiosity::Scene> scene);
+  void take_model(Model model);
+  void take_light(Light light);
+  void relight();
+  void start_light_task();
+  void add_message(bool is_error, const std::string& text);
+
+  SolveSettings settings_;
+  std::string asked_path_;
+  Model model_;
+  std::optional<Light> light_;
+  LightMix mix_;
+  LightMix original_mix_;
+  std::shared_ptr<const EmitterLights> emitter_lights_;  // of the mix's reflectances, or none
+  std::optional<radiosity::Index> selected_;
+  std::shared_ptr<const LightPath> light_path_;
+  bool has_asked_ = false;  // for the light path; it may have failed
+  std::shared_ptr<const IterationRecord> iteration_;
+  std::deque<Message> messages_;
+  Versions versions_;
+  double unshot_share_ = 1;
+  bool is_quick_running_ = false;  // the light worker has not come to its first picture
+  bool is_relight_due_ = false;    // the mix has changed since it began
+  double seconds_to_solve_ = 0;
+  double change_seconds_ = 0;
+  std::optional<std::chrono::steady_clock::time_point> changed_;  // and no light has it
+  std::chrono::steady_clock::time_point start_;
+
+  Pause pause_;
+  // Last, so that they end first.
+  Worker pipeline_;  // from the file to the form factors
+  Worker lighting_;  // from form factors to light
+  Worker asking_;
+  Worker recording_;
+};
+
+}  // namespace viewer
