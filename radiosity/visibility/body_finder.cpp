@@ -117,6 +117,11 @@ class BodyFinder {
         std::all_of(mesh_.vertices.begin(), mesh_.vertices.end(),
                     [&](const Vec3& vertex) { return normal.dot(vertex) <= offset + thickness_; });
     if (!is_outer) return false;
+    // A face that the cap goes on in would end at an edge that is none.
+    const bool goes_on = std::any_of(
+        body_.faces.begin(), body_.faces.end(),
+        [&](const HalfSpace& face) { return face.normal.dot(normal) > 0.5 && is_in(face, rim); });
+    if (goes_on) return false;
     cap_ = static_cast<int>(body_.faces.size());
     body_.faces.push_back(plane);
     return true;

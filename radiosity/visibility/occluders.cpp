@@ -88,12 +88,51 @@ class OuterPlanes {
     }
   }
 
+  /// Whether one of them holds the patch. Those of a plane polygon are all held or none is: a
+  /// surface is not torn where it leaves the outer plane by about the thickness.
   bool holds(Index patch) {
+    if (mesh_.n_polygons() == 0) return holds(corners_of(patch), mesh_.normal[patch]);
+    if (of_polygon_.empty()) judge_polygons();
+    const Held held = of_polygon_[mesh_.polygon[patch]];
+    if (held == Held::by_patch) return holds(corners_of(patch), mesh_.normal[patch]);
+    return held == Held::yes;
+  }
+
+ private:
+  enum class Held : char { no, yes, by_patch };
+
+  void judge_polygons() {
+    of_polygon_.assign(mesh_.n_polygons(), Held::no);
+    std::vector<Vec3> normals;
+    for (Index p = 0; p < mesh_.n_polygons(); ++p) {
+      normals.push_back(vector_area(mesh_.outline(p)).normalized());
+      if (holds(mesh_.outline(p), normals.back())) of_polygon_[p] = Held::yes;
+    }
+    for (Index i = 0; i < mesh_.size(); ++i) {
+      const std::int32_t p = mesh_.polygon[i];
+      const Vec3& on_plane = mesh_.outline(p)[0];
+      for (const Vec3& corner : corners_of(i)) {
+        // Twice: the first corner may be off the plane, too.
+        const bool is_on = std::abs(normals[p].dot(corner - on_plane)) <= 2 * thickness_;
+        if (!is_on) of_polygon_[p] = Held::by_patch;
+      }
+    }
+  }
+
+  [[nodiscard]] std::vector<Vec3> corners_of(Index patch) const {
+    std::vector<Vec3> result;
+    for (int k = 0; k < mesh_.n_corners(patch); ++k) result.push_back(mesh_.corner(patch, k));
+    return result;
+  }
+
+  bool holds(std::span<const Vec3> corners, const Vec3& normal) {
     for (std::size_t k = 0; k < std::min(known_.size(), kMostKnown); ++k) {
       const HalfSpace& plane = known_[k];
-      if (std::abs(plane.normal.dot(mesh_.normal[patch])) > 0.9 && is_in(patch, plane)) return true;
+      if (std::abs(plane.normal.dot(normal)) > 0.9 && is_in(corners, plane)) return true;
     }
-    const HalfSpace plane{mesh_.normal[patch], mesh_.normal[patch].dot(mesh_.centroid[patch])};
+    Vec3 center = Vec3::Zero();
+    for (const Vec3& corner : corners) center += corner;
+    const HalfSpace plane{normal, normal.dot(center) / static_cast<double>(corners.size())};
     if (n_tests_ > kMaxOuterPlaneTests) return false;
     bool any_above = false;
     bool any_below = false;
@@ -108,20 +147,17 @@ class OuterPlanes {
     return true;
   }
 
- private:
-  [[nodiscard]] bool is_in(Index patch, const HalfSpace& plane) const {
-    for (int k = 0; k < mesh_.n_corners(patch); ++k) {
-      if (std::abs(plane.normal.dot(mesh_.corner(patch, k)) - plane.offset) > thickness_) {
-        return false;
-      }
-    }
-    return true;
+  [[nodiscard]] bool is_in(std::span<const Vec3> corners, const HalfSpace& plane) const {
+    return std::all_of(corners.begin(), corners.end(), [&](const Vec3& corner) {
+      return std::abs(plane.normal.dot(corner) - plane.offset) <= thickness_;
+    });
   }
 
   const PatchMesh& mesh_;
   double thickness_;
   std::vector<Vec3> order_;
   std::vector<HalfSpace> known_;
+  std::vector<Held> of_polygon_;
   double n_tests_ = 0;
 };
 

@@ -96,6 +96,18 @@ std::string lines(const std::vector<std::string>& failures) {
   return text;
 }
 
+void expect_nothing_wrong(const Findings& found) {
+  EXPECT_EQ(found.n_wrong_visible, 0) << "of " << found.n_visible;
+  EXPECT_EQ(found.n_wrong_hidden, 0) << "of " << found.n_hidden;
+  EXPECT_EQ(found.n_wrong_values, 0);
+  EXPECT_EQ(found.n_wrong_clusters, 0) << "of " << found.n_cluster_verdicts;
+  EXPECT_EQ(found.n_wrong_factors, 0) << "of " << found.n_factors;
+  EXPECT_EQ(found.n_not_closed, 0) << "of " << found.n_closed;
+  EXPECT_EQ(found.n_open_rows, 0);
+  EXPECT_EQ(found.n_wrong_row_sums, 0);
+  EXPECT_LE(found.escaped, 1e-5);
+}
+
 TEST_P(Families, AgreeWithTheOracle) {
   constexpr int kScenes = 20;
   constexpr std::array<long, 4> kPatches{0, 80, 0, 160};
@@ -109,20 +121,40 @@ TEST_P(Families, AgreeWithTheOracle) {
     if (const long n = kPatches[k % kPatches.size()]; n > 0) options.n_patches = n;
     found += check_scene(scene, options);
   }
-  EXPECT_EQ(found.n_wrong_visible, 0) << "of " << found.n_visible;
-  EXPECT_EQ(found.n_wrong_hidden, 0) << "of " << found.n_hidden;
-  EXPECT_EQ(found.n_wrong_values, 0);
-  EXPECT_EQ(found.n_wrong_clusters, 0) << "of " << found.n_cluster_verdicts;
-  EXPECT_EQ(found.n_wrong_factors, 0) << "of " << found.n_factors;
-  EXPECT_EQ(found.n_not_closed, 0) << "of " << found.n_closed;
-  EXPECT_EQ(found.n_open_rows, 0);
-  EXPECT_EQ(found.n_wrong_row_sums, 0);
-  EXPECT_LE(found.escaped, 1e-5);
+  expect_nothing_wrong(found);
   EXPECT_GT(found.n_visible, 1000);
   // Only needles may be too thin for their digits.
   if (GetParam() != Family::crossing) {
     EXPECT_EQ(found.n_refused, 0);
   }
+  if (HasFailure()) GTEST_LOG_(INFO) << lines(found.failures);
+}
+
+/// What longer runs of families_bench found: scenes on which proofs, factors or closure were wrong.
+struct FoundScene {
+  Family family;
+  std::uint64_t seed;
+  long n_patches;
+};
+
+TEST(FamilyScenes, StayRightOnceMended) {
+  constexpr std::array kFound{
+      FoundScene{Family::shelves, 7028, 1000},   // a face in part within the thickness of a wall
+      FoundScene{Family::recessed, 5017, 300},   // likewise
+      FoundScene{Family::prisms, 315, 2000},     // corners of others beside the edges of covers
+      FoundScene{Family::recessed, 328, 300},    // slivers between edges that were meant to meet
+      FoundScene{Family::furniture, 5012, 300},  // likewise
+      FoundScene{Family::crossing, 12, 160},     // needles that blocked rays from themselves
+  };
+  Findings found;
+  for (const FoundScene& known : kFound) {
+    const FamilyScene scene =
+        vary(make_family_scene(known.family, known.seed), random_variation(known.seed));
+    CheckOptions options{.tolerance = 1e-2, .n_surfaces = 12, .seed = known.seed};
+    options.n_patches = known.n_patches;
+    found += check_scene(scene, options);
+  }
+  expect_nothing_wrong(found);
   if (HasFailure()) GTEST_LOG_(INFO) << lines(found.failures);
 }
 
