@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "apps/run/available_memory.h"
 #include "apps/run/factors_from.h"
 #include "apps/run/row_check.h"
 #include "apps/run/work_file_check.h"
@@ -21,6 +20,7 @@
 #include "radiosity/base/parallel.h"
 #include "radiosity/operator/surface_factors.h"
 #include "radiosity/scene/patch_mesh.h"
+#include "radiosity/stream/streaming_memory.h"
 
 namespace apps {
 namespace {
@@ -38,14 +38,14 @@ std::string check_factor(const std::string& text) {
   return fmt::format("found '{}', expected a number above 0 and below 1", text);
 }
 
-/// Refuses what does not fit into `memory`.
+/// Refuses what does not fit into `memory`, and beforehand what does not fit into the machine.
 MemoryChecks streaming_checks(std::size_t memory) {
   const auto check_against = [](std::size_t bytes) {
     return [bytes](radiosity::Index n_patches, radiosity::Index) {
-      check_streaming_memory(n_patches, bytes);
+      radiosity::check_streaming_memory(n_patches, bytes);
     };
   };
-  return {check_against(usable_memory()), check_against(memory)};
+  return {check_against(0), check_against(memory)};
 }
 
 Eigen::VectorXd row_error(const radiosity::StreamedFactors& factors, radiosity::Index row) {
@@ -112,7 +112,8 @@ void FormFactorsCommand::run() const {
   TerminalProgress terminal(terminal_style(common_));
   const radiosity::ThreadLimit threads(common_.n_threads);
   const radiosity::Progress progress = shown_progress(terminal, interruption_);
-  const std::size_t memory = parse_memory_size(memory_).value_or(default_streaming_memory());
+  const std::size_t memory =
+      parse_memory_size(memory_).value_or(radiosity::default_streaming_memory());
   const PatchedScene patched(common, compute_, streaming_checks(memory), progress, terminal);
   const radiosity::StreamOptions options = stream_options(patched, memory, progress);
   const radiosity::Fingerprint fingerprint = stream_fingerprint(patched.mesh, options);

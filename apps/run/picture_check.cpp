@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "apps/run/available_memory.h"
 #include "radiosity/base/error.h"
+#include "radiosity/base/machine_memory.h"
 #include "radiosity/picture/camera_view.h"
 
 namespace apps {
@@ -27,7 +27,7 @@ void refuse_too_large_picture(const PictureOptions& options, radiosity::Index n_
   const double shown = options.false_color.quantity ? 1 : static_cast<double>(n_bands);
   constexpr double kColors = 5;  // coverage, linear RGB and bytes
   const double bytes = pixels * (shown + kColors) * sizeof(float);
-  const auto memory = static_cast<double>(usable_memory());
+  const auto memory = static_cast<double>(radiosity::usable_memory());
   if (memory == 0 || bytes <= memory) return;  // 0: unknown
   throw radiosity::SolveError(fmt::format(
       "a picture of {} x {} pixels in {} bands needs {:.1f} GB of memory, but there are "

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include "apps/run/available_memory.h"
 #include "apps/run/row_check.h"
 #include "apps/terminal/output_files.h"
 #include "io/picture/false_color.h"
@@ -14,6 +13,7 @@
 #include "io/scene/scene_file.h"
 #include "meshing/inspect/inspect.h"
 #include "meshing/patches/patches.h"
+#include "radiosity/assembly/dense_memory.h"
 #include "radiosity/assembly/make_transport.h"
 #include "radiosity/assembly/transport_options.h"
 #include "radiosity/picture/gathered_picture.h"
@@ -65,12 +65,9 @@ PatchMesh make_affordable_patches(const Scene& scene, const ComputeOptions& comp
   return mesh;
 }
 
-MemoryChecks dense_checks() {
-  const MemoryChecks::Check check = [memory = usable_memory()](Index n_patches, Index n_polygons) {
-    check_memory(n_patches, n_polygons, memory);
-  };
-  return {check, check};
-}
+void check_dense(Index n_patches, Index n_polygons) { check_memory(n_patches, n_polygons); }
+
+MemoryChecks dense_checks() { return {check_dense, check_dense}; }
 
 Solution solve_scene(const Scene& scene, const PatchMesh& mesh, const Transport& transport,
                      const SolveOptions& options, TerminalProgress& terminal) {
@@ -93,7 +90,6 @@ TransportOptions transport_options(const Scene& scene, const ComputeOptions& com
   return {.tolerance = compute.tolerance,
           .closed = closed_choice(compute.closed, scene.closed),
           .seed = compute.seed,
-          .memory = usable_memory(),
           .progress = progress};
 }
 
@@ -116,13 +112,11 @@ std::unique_ptr<Transport> make_scene_transport(const Scene& scene, const PatchM
 
 meshing::AdaptiveMesh refine_scene(const Scene& scene, const ComputeOptions& compute,
                                    const Progress& progress, TerminalProgress& terminal) {
-  const Index affordable = largest_problem(usable_memory());
-  meshing::AdaptiveOptions options{
+  const meshing::AdaptiveOptions options{
       .tolerance = compute.tolerance,
       .max_patches = compute.n_patches.value_or(meshing::kMostAdaptivePatches),
       .transport = transport_options(scene, compute, progress),
       .progress = progress};
-  if (affordable > 0) options.max_patches = std::min<long>(options.max_patches, affordable);
   meshing::AdaptiveMesh result = meshing::make_adaptive_patches(scene, options);
   check_rows(scene, result.mesh, *result.transport, compute);
   warn_of_open_rows(result.transport->report(), terminal);
