@@ -79,6 +79,8 @@ constexpr double kMissed = 0.5;
 /// The same of what their rule misses of the unobstructed kernel.
 constexpr double kPeakError = 0.3;
 /// The standard error of what happens between the twenty points of a piece and its quarters, such
+/// How near a body is beside the source, in sizes of that: its faces then divide it for points.
+constexpr double kBeside = 0.1;
 /// as a strip along its border from which alone the target is seen, as a share of all.
 constexpr double kUnseen = 0.005;
 /// Points for a pair at most: what does not settle by then has the error that it has.
@@ -356,6 +358,7 @@ Blocking OccludedPairEstimator::find_shadows(const ConvexPolygon& source,
   level.border = nullptr;
   Box3 source_box;
   for (const Vec3& corner : source) source_box.extend(corner);
+  const double source_size = source_box.diagonal().norm();
   const PairHull hull(source, target, options_.thickness);
   std::optional<SegmentBundle> bundle;
   for (const Blocker* candidate : candidates) {
@@ -376,8 +379,10 @@ Blocking OccludedPairEstimator::find_shadows(const ConvexPolygon& source,
     if (verdict.divides_source != nullptr) level.dividing.push_back(n_kept);
     if (level.source_divider == nullptr) level.source_divider = verdict.divides_source;
     if (level.target_divider == nullptr) level.target_divider = verdict.divides_target;
-    const bool stands_on_source = candidate->box.exteriorDistance(source_box) <= options_.thickness;
-    if (stands_on_source && level.border == nullptr) level.border = verdict.divides_source;
+    // Right beside the source light ends so suddenly that a rule's points miss where it does.
+    const double gap = candidate->box.exteriorDistance(source_box);
+    const bool is_beside = gap <= std::max(options_.thickness, kBeside * source_size);
+    if (is_beside && level.border == nullptr) level.border = verdict.divides_source;
   }
   return level.blockers.empty() ? Blocking::none : Blocking::some;
 }
