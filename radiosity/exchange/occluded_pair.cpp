@@ -74,6 +74,8 @@ constexpr int kMostRays = SegmentSampler::kPacket * static_cast<int>(kMostPacket
 constexpr double kRuleError = 0.3;
 constexpr double kQuarterError = 0.2;
 constexpr double kChanceError = 0.1;
+/// Error of the kernel of parts that are proved visible or hidden, of what is asked of the pair.
+constexpr double kPartKernel = 1e-3;
 /// The standard error of what points miss as a share of it.
 constexpr double kMissed = 0.5;
 /// The same of what their rule misses of the unobstructed kernel.
@@ -483,6 +485,7 @@ PairEstimate OccludedPairEstimator::sample_points(const View& view, double whole
   const std::size_t last_depth = depth + kMostQuarterings;
   if (levels_.size() <= last_depth + 1) levels_.resize(last_depth + 2);
   points_left_ = kMostPoints;
+  part_tolerance_ = std::max(options_.kernel_tolerance, kPartKernel * error);
   const PointSums coarse = apply_rule(view, *view.source, levels_[depth]);
   PointSums sums;
   add_parts(view, *view.source, coarse, error * coarse.whole, depth, last_depth, sums);
@@ -539,8 +542,7 @@ OccludedPairEstimator::PointSums OccludedPairEstimator::look_at_part(const View&
   if (blocking == Blocking::some && level.target_divider == nullptr) {
     return apply_rule(view, part, level);
   }
-  const double whole =
-      exchange_area(part.points(), view.target->points(), options_.kernel_tolerance);
+  const double whole = exchange_area(part.points(), view.target->points(), part_tolerance_);
   return {whole, blocking == Blocking::all ? 0 : whole, 0, blocking != Blocking::some};
 }
 
