@@ -81,10 +81,10 @@ constexpr double kMissed = 0.5;
 /// The same of what their rule misses of the unobstructed kernel.
 constexpr double kPeakError = 0.3;
 /// The standard error of what happens between the twenty points of a piece and its quarters, such
-/// How near a body is beside the source, in sizes of that: its faces then divide it for points.
-constexpr double kBeside = 0.1;
 /// as a strip along its border from which alone the target is seen, as a share of all.
 constexpr double kUnseen = 0.005;
+/// How near a body is beside the source, in sizes of that: its faces then divide it for points.
+constexpr double kBeside = 0.1;
 /// Points for a pair at most: what does not settle by then has the error that it has.
 constexpr int kMostPoints = 300;
 
