@@ -66,7 +66,9 @@ void make_louvres(Builder& builder, Random& random) {
   const int n = random.integer(3, 12);
   const double pitch = 1.1 / n;
   const double angle = random.integer(0, 3) == 0 ? 0 : random.uniform(0.3, kPi - 0.3);
-  const double width = pitch * (angle == 0 ? random.uniform(0.4, 1) : random.uniform(0.4, 1.8));
+  // No further than the room's walls.
+  const double width =
+      std::min(0.3, pitch * (angle == 0 ? random.uniform(0.4, 1) : random.uniform(0.4, 1.8)));
   const double thickness = pitch * random.log_uniform(0.005, 0.15);
   const double y0 = -random.uniform(0.2, 0.5);
   const double y1 = random.uniform(0.2, 0.5);
@@ -95,9 +97,9 @@ void make_louvres(Builder& builder, Random& random) {
   }
   if (random.coin()) return;
   // The slats end on boards.
-  const double reach = width + thickness;
-  builder.add_box("end", {-0.6 - reach, y0 - 0.03, -reach}, {0.6 + reach, y0, reach}, division);
-  builder.add_box("end", {-0.6 - reach, y1, -reach}, {0.6 + reach, y1 + 0.03, reach}, division);
+  const double reach = 0.5 * width + thickness + 0.02;
+  builder.add_box("end", {-0.68, y0 - 0.03, -reach}, {0.68, y0, reach}, division);
+  builder.add_box("end", {-0.68, y1, -reach}, {0.68, y1 + 0.03, reach}, division);
 }
 
 void make_stairs(Builder& builder, Random& random) {
