@@ -7,7 +7,7 @@
 namespace radiosity::test {
 namespace {
 
-/// A rectangle of a plane through the origin's axis u (x, y or z) and the next one, v.
+/// A rectangle that stands in the plane of a y, facing -y.
 Points upright(double y, double x0, double x1, double z0, double z1) {
   return {{x0, y, z0}, {x1, y, z0}, {x1, y, z1}, {x0, y, z1}};
 }
@@ -91,9 +91,7 @@ void make_louvres(Builder& builder, Random& random) {
     }
     Points end{corner(-1, -1), corner(-1, 1), corner(1, 1), corner(1, -1)};
     for (Vec3& p : end) p.y() = y0;
-    std::reverse(end.begin(), end.end());
-    builder.add_piece("slat", prism_faces(reversed(end), (y1 - y0) * Vec3::UnitY()), Piece::solid,
-                      division);
+    builder.add_piece("slat", prism_faces(end, (y1 - y0) * Vec3::UnitY()), Piece::solid, division);
   }
   if (random.coin()) return;
   // The slats end on boards.

@@ -336,14 +336,7 @@ void make_prisms(Builder& builder, Random& random) {
                       random.coin() ? low.z() : low.z() + 0.1);
     const double phase = random.uniform();
     const Points bottom = regular_polygon(n, 0.75 * radius, center, phase);
-    Points top = bottom;
-    for (Vec3& p : top) p.z() = center.z() + 0.4;
-    std::vector<Points> faces{reversed(bottom), top};
-    for (int s = 0; s < n; ++s) {
-      const int next = (s + 1) % n;
-      faces.push_back({bottom[s], bottom[next], top[next], top[s]});
-    }
-    builder.add_piece("prism", faces, Piece::solid,
+    builder.add_piece("prism", prism_faces(bottom, 0.4 * Vec3::UnitZ()), Piece::solid,
                       n <= 6 && random.coin() ? Division::surface_per_face : Division::one_surface);
   }
 }
