@@ -104,8 +104,8 @@ bool misses_halves(const ConvexPolygon& source, const ConvexPolygon& target, con
   if (divided.size() > kMostCorners) return false;
   for (const ConvexPolygon& half : halves(divided, plane, thickness)) {
     if (half.size() < 3) continue;
-    const SegmentBundle bundle(divides_source ? half.points() : source.points(),
-                               divides_source ? target.points() : half.points(), thickness);
+    const SegmentBundle bundle({divides_source ? half.points() : source.points(), true},
+                               {divides_source ? target.points() : half.points(), true}, thickness);
     if (bundle.test(blocker).blocking != Blocking::none) return false;
   }
   return true;
@@ -365,7 +365,10 @@ Blocking OccludedPairEstimator::find_shadows(const ConvexPolygon& source,
   std::optional<SegmentBundle> bundle;
   for (const Blocker* candidate : candidates) {
     if (hull.misses(candidate->box)) continue;
-    if (!bundle) bundle.emplace(source.points(), target.points(), options_.thickness);
+    if (!bundle) {
+      bundle.emplace(SegmentBundle::ConvexSet{source.points(), true},
+                     SegmentBundle::ConvexSet{target.points(), true}, options_.thickness);
+    }
     const std::size_t n_kept = level.blockers.size();
     if (level.shadows.size() <= n_kept) level.shadows.resize(n_kept + 1);
     Shadow& shadow = level.shadows[n_kept];
@@ -504,7 +507,8 @@ OccludedPairEstimator::PointSums OccludedPairEstimator::apply_rule(const View& v
   PointSums sums;
   const auto visible_from = [&](const Vec3& point, double whole) {
     if (!level.dividing.empty()) {
-      const SegmentBundle bundle(std::span(&point, 1), view.target->points(), options_.thickness);
+      const SegmentBundle bundle({std::span(&point, 1), true}, {view.target->points(), true},
+                                 options_.thickness);
       for (const std::size_t k : level.dividing) {
         level.shadows[k].clear();
         const auto verdict = bundle.test(*level.blockers[k], &level.shadows[k]);

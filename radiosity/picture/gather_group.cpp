@@ -66,6 +66,7 @@ void GroupGather::gather(const HalfSpace& plane, std::span<GatherPoint> points,
   const Source source = make_source(points);
   Cluster source_cluster;
   source_cluster.outline = source.outline;
+  source_cluster.is_flat = true;
   for (const Vec3& corner : source.outline) source_cluster.box.extend(corner);
   source_cluster.plane = plane;
   walk(source_cluster, 0, all_candidates(scene_.blockers), source);
@@ -205,7 +206,7 @@ std::size_t GroupGather::halve(const Source& source) {
 Blocking GroupGather::find_open(const ConvexPolygon& target, std::span<const std::int32_t> blockers,
                                 const Source& source) {
   const bool is_last = source.points.size() <= kFewPoints;
-  const SegmentBundle bundle(source.outline, target.points(), scene_.thickness);
+  const SegmentBundle bundle({source.outline, true}, {target.points(), true}, scene_.thickness);
   open_.clear();
   point_by_point_.clear();
   n_shadows_ = 0;

@@ -86,9 +86,11 @@ class Builder {
       const std::vector<std::int32_t> hull = convex_hull(points, thickness_);
       if (!hull.empty() && hull.size() <= kMostCorners) {
         for (const std::int32_t k : hull) cluster.outline.push_back(corners[k]);
+        cluster.is_flat = true;
         return;
       }
     }
+    cluster.is_flat = cluster.box.sizes().minCoeff() <= thickness_;
     for (int k = 0; k < 8; ++k) {
       cluster.outline.push_back(cluster.box.corner(static_cast<Box3::CornerType>(k)));
     }

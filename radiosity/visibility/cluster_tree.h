@@ -20,6 +20,7 @@ struct Cluster {
   /// Corners of a convex set that holds the patches: of their hull, where they lie in one plane and
   /// the hull has few corners, else of their box, m.
   std::vector<Vec3> outline;
+  bool is_flat = false;            ///< the outline is in one plane
   std::optional<HalfSpace> plane;  ///< if all patches lie in it and face its outside
   [[nodiscard]] bool is_leaf() const { return left < 0; }
 };

@@ -39,7 +39,10 @@ class Filter {
 
  private:
   const SegmentBundle& bundle() {
-    if (!bundle_) bundle_.emplace(a_.outline, b_.outline, thickness_);
+    if (!bundle_) {
+      bundle_.emplace(SegmentBundle::ConvexSet{a_.outline, a_.is_flat},
+                      SegmentBundle::ConvexSet{b_.outline, b_.is_flat}, thickness_);
+    }
     return *bundle_;
   }
 

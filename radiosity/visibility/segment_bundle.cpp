@@ -8,15 +8,6 @@ namespace radiosity {
 
 namespace {
 
-/// Whether the corners, of a convex polygon or of a box, lie in one plane.
-bool are_in_one_plane(std::span<const Vec3> corners, double thickness) {
-  if (corners.size() < 4) return true;
-  const Vec3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
-  return std::all_of(corners.begin(), corners.end(), [&](const Vec3& corner) {
-    return std::abs(normal.dot(corner - corners.front())) <= thickness;
-  });
-}
-
 /// Edges of less than so many thicknesses have no direction that a proof could rest on.
 constexpr double kShortEdge = 16;
 
@@ -27,28 +18,28 @@ void Shadow::clear() {
   faces.clear();
 }
 
-SegmentBundle::End SegmentBundle::make_end(std::span<const Vec3> corners, double thickness) {
-  End end{corners, Vec3::Zero(), 0, are_in_one_plane(corners, thickness)};
-  for (const Vec3& corner : corners) end.center += corner;
-  end.center /= static_cast<double>(corners.size());
+SegmentBundle::End SegmentBundle::make_end(const ConvexSet& set) {
+  End end{set.corners, Vec3::Zero(), 0, set.is_flat};
+  for (const Vec3& corner : set.corners) end.center += corner;
+  end.center /= static_cast<double>(set.corners.size());
   double square = 0;
-  for (const Vec3& corner : corners) square = std::max(square, (corner - end.center).squaredNorm());
+  for (const Vec3& corner : set.corners)
+    square = std::max(square, (corner - end.center).squaredNorm());
   end.radius = std::sqrt(square);
   return end;
 }
 
-SegmentBundle::SegmentBundle(std::span<const Vec3> source, std::span<const Vec3> target,
-                             double thickness)
+SegmentBundle::SegmentBundle(const ConvexSet& source, const ConvexSet& target, double thickness)
     : thickness_(thickness),
-      source_(make_end(source, thickness)),
-      target_(make_end(target, thickness)),
+      source_(make_end(source)),
+      target_(make_end(target)),
       axis_(target_.center - source_.center),
       radius_(std::max(source_.radius, target_.radius)) {
-  assert(source.size() <= kMostCorners && target.size() <= kMostCorners);
-  for (const Vec3& point : source) box_.extend(point);
-  for (const Vec3& point : target) box_.extend(point);
-  for (const Vec3& x : source) {
-    for (const Vec3& y : target) {
+  assert(source.corners.size() <= kMostCorners && target.corners.size() <= kMostCorners);
+  for (const Vec3& point : source.corners) box_.extend(point);
+  for (const Vec3& point : target.corners) box_.extend(point);
+  for (const Vec3& x : source.corners) {
+    for (const Vec3& y : target.corners) {
       const Vec3 direction = y - x;
       const Vec3 moment = x.cross(y);
       for (int axis = 0; axis < 3; ++axis) {

@@ -35,9 +35,14 @@ class SegmentBundle {
  public:
   static constexpr std::size_t kMostCorners = 14;
 
-  /// At most kMostCorners corners each. `thickness` is how far off a plane a point may be and still
-  /// count as on it, m. The corners must outlive the bundle.
-  SegmentBundle(std::span<const Vec3> source, std::span<const Vec3> target, double thickness);
+  /// The hull of at most kMostCorners corners, which must outlive the bundle.
+  struct ConvexSet {
+    std::span<const Vec3> corners;
+    bool is_flat;  ///< a point, a polygon, or what else is in one plane but for rounding
+  };
+
+  /// `thickness` is how far off a plane a point may be and still count as on it, m.
+  SegmentBundle(const ConvexSet& source, const ConvexSet& target, double thickness);
 
   /// What a blocker does to the segments, and where a plane of it divides the source or the target
   /// so that nothing definite can be said.
@@ -68,7 +73,7 @@ class SegmentBundle {
     std::span<const Vec3> corners;
     Vec3 center;
     double radius;
-    bool is_flat;  ///< in one plane
+    bool is_flat;
   };
   /// Lowest and highest value.
   struct Range {
@@ -88,7 +93,7 @@ class SegmentBundle {
     const HalfSpace* divider = nullptr;  ///< a face's plane that cuts the end
   };
 
-  static End make_end(std::span<const Vec3> corners, double thickness);
+  static End make_end(const ConvexSet& set);
   static Range range_over(std::span<const Vec3> points, const HalfSpace& plane);
   [[nodiscard]] bool is_out_of_reach(const Blocker& blocker) const;
   /// Empty-handed (false) if a face proves that the blocker blocks nothing.

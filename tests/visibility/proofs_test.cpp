@@ -28,6 +28,11 @@ using test::Facing;
 constexpr std::uint64_t kSeed = 411;
 constexpr double kThickness = 1e-11;
 
+/// Sets of eight corners are boxes here, those of fewer polygons.
+SegmentBundle bundle(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+  return {{a, a.size() < 8}, {b, b.size() < 8}, kThickness};
+}
+
 std::vector<Vec3> box_corners(const Vec3& low, const Vec3& high) {
   const Box3 box(low, high);
   std::vector<Vec3> corners;
@@ -56,12 +61,35 @@ TEST(SegmentBundle, ABoxThatTouchesAPolygonFromBehindIsNotHidden) {
   const std::vector<Vec3> behind = box_corners({-.2, -.2, -.5}, {.2, .2, 0});
   const std::vector<Vec3> in_front = box_corners({-.1, -.1, 1}, {.1, .1, 1.2});
   for (const auto& [a, b] : {std::pair(&behind, &in_front), {&in_front, &behind}}) {
-    EXPECT_EQ(SegmentBundle(*a, *b, kThickness).test(plate).blocking, Blocking::some);
+    EXPECT_EQ(bundle(*a, *b).test(plate).blocking, Blocking::some);
   }
   const std::vector<Vec3> further = box_corners({-.2, -.2, -.5}, {.2, .2, -.01});
   for (const auto& [a, b] : {std::pair(&further, &in_front), {&in_front, &further}}) {
-    EXPECT_EQ(SegmentBundle(*a, *b, kThickness).test(plate).blocking, Blocking::all);
+    EXPECT_EQ(bundle(*a, *b).test(plate).blocking, Blocking::all);
   }
+}
+
+TEST(SegmentBundle, APatchIsFlatHoweverItsCornersAreRounded) {
+  PatchMesh mesh = room();
+  add_grid(mesh, {-1, -1, 0}, Vec3::UnitX() * 2, Vec3::UnitY() * 2, 1, 1);
+  const Blocker plate = only_blocker(mesh);
+  // The plane through its first three corners is far off the fourth.
+  const double off = 0.9 * kThickness;
+  const std::vector<Vec3> below{{0, 0, -.5}, {1e-4, 0, -.5 + off}, {1e-4, 1e-4, -.5}, {0, .2, -.5}};
+  const std::vector<Vec3> above{{0, 0, .5}, {.2, 0, .5}, {.2, .2, .5}, {0, .2, .5}};
+  for (const auto& [a, b] : {std::pair(&below, &above), {&above, &below}}) {
+    Shadow shadow;
+    EXPECT_EQ(bundle(*a, *b).test(plate, &shadow).blocking, Blocking::all);
+  }
+  const std::vector<Vec3> beside{{.9, 0, .5}, {1.2, 0, .5}, {1.2, .2, .5}, {.9, .2, .5}};
+  const std::vector<Vec3> touching{{0, 0, 0}, {1e-4, 0, -off}, {1e-4, 1e-4, 0}, {0, .2, 0}};
+  // What lies in a polygon's plane is not hidden by it, and what is partly hidden has a border.
+  EXPECT_EQ(bundle(touching, above).test(plate).blocking, Blocking::none);
+  const std::vector<Vec3> near{
+      {.9, 0, -.1}, {.9 + 1e-4, 0, -.1 + off}, {1.1, .2, -.1}, {.9, .2, -.1}};
+  Shadow shadow;
+  EXPECT_EQ(bundle(near, beside).test(plate, &shadow).blocking, Blocking::some);
+  EXPECT_FALSE(shadow.edges.empty());
 }
 
 /// A convex set of corners somewhere about a place: a box or a polygon.
@@ -116,8 +144,8 @@ TEST(SegmentBundle, VerdictsAreTrueAndDoNotDependOnTheOrder) {
   for (int k = 0; k < 20000; ++k) {
     const std::vector<Vec3> a = random_set(random);
     const std::vector<Vec3> b = random_set(random);
-    const Blocking verdict = SegmentBundle(a, b, kThickness).test(body).blocking;
-    EXPECT_EQ(verdict, SegmentBundle(b, a, kThickness).test(body).blocking) << kSeed << ", " << k;
+    const Blocking verdict = bundle(a, b).test(body).blocking;
+    EXPECT_EQ(verdict, bundle(b, a).test(body).blocking) << kSeed << ", " << k;
     ++count[static_cast<std::size_t>(verdict)];
     if (verdict == Blocking::some) continue;
     for (int ray = 0; ray < 8; ++ray) {
@@ -147,7 +175,7 @@ TEST(Polytope, HoldsItsPointsAndTellsSegmentsApart) {
   for (int k = 0; k < 5000; ++k) {
     const std::vector<Vec3> a = random_set(random);
     const std::vector<Vec3> b = random_set(random);
-    if (!SegmentBundle(a, b, kThickness).misses(*body)) continue;
+    if (!bundle(a, b).misses(*body)) continue;
     for (int ray = 0; ray < 8; ++ray) {
       EXPECT_LE(length_inside(*body, random_point(a, random), random_point(b, random)), 1e-9)
           << kSeed << ", " << k;
@@ -164,7 +192,7 @@ TEST(Polytope, IsPiercedByAllSegmentsOrNot) {
   for (int k = 0; k < 20000; ++k) {
     const std::vector<Vec3> a = random_set(random);
     const std::vector<Vec3> b = random_set(random);
-    if (!SegmentBundle(a, b, kThickness).is_pierced(body)) continue;
+    if (!bundle(a, b).is_pierced(body)) continue;
     ++n_pierced;
     for (int ray = 0; ray < 8; ++ray) {
       EXPECT_GT(length_inside(body, random_point(a, random), random_point(b, random)), 0)
