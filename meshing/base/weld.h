@@ -28,4 +28,8 @@ struct WeldedPolygons {
 /// before them, so a polygon may end up with fewer than three. Vertices keep the scene's order.
 WeldedPolygons weld(const radiosity::Scene& scene);
 
+/// The same, but a position that is within `tolerance` (m) of an earlier one in each coordinate is
+/// taken for that: of several, for the earliest.
+WeldedPolygons weld(const radiosity::Scene& scene, double tolerance);
+
 }  // namespace meshing

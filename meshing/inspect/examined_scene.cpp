@@ -29,20 +29,23 @@ Vec3 ExaminedScene::center(Index polygon) const {
 
 ExaminedScene examine(const radiosity::Scene& scene) {
   ExaminedScene examined{.scene = scene,
-                         .polygons = weld(scene),
+                         .polygons = {},
                          .edges = {},
                          .shapes = {},
                          .bounds = {},
                          .size = 0,
                          .thickness = 0};
+  for (const std::int32_t corner : scene.corners) examined.bounds.extend(scene.vertices[corner]);
+  if (!examined.bounds.isEmpty()) examined.size = examined.bounds.diagonal().norm();
+  examined.thickness = radiosity::plane_thickness(examined.bounds, scene.precision);
+  // Copies that went through other arithmetic, such as two instances that touch, differ by the last
+  // digit that the file has.
+  examined.polygons = weld(scene, examined.thickness);
   examined.edges = make_edge_table(examined.polygons);
   examined.shapes.reserve(scene.n_polygons());
   for (Index i = 0; i < scene.n_polygons(); ++i) {
     examined.shapes.push_back(polygon_shape(examined.points(i), scene.precision));
   }
-  for (const Vec3& p : examined.polygons.vertices) examined.bounds.extend(p);
-  if (!examined.bounds.isEmpty()) examined.size = examined.bounds.diagonal().norm();
-  examined.thickness = radiosity::plane_thickness(examined.bounds, scene.precision);
   return examined;
 }
 

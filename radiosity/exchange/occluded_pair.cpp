@@ -257,6 +257,12 @@ bool OccludedPairEstimator::suits_rays(const View& view) const {
   return view.distance >= kLeastGaps * visibility_.end_gap();
 }
 
+bool OccludedPairEstimator::needs_adaption(const View& view, const Level& level, double error) {
+  // What is seen changes without bounds where a body stands on the source.
+  const double low = level.blockers.size() == 1 ? kLowRule : kLowRuleOfMany;
+  return view.is_near || level.is_beside || error < low;
+}
+
 OccludedPairEstimator::Method OccludedPairEstimator::choose_method(const View& view,
                                                                    const Level& level,
                                                                    double error) const {
@@ -279,10 +285,9 @@ OccludedPairEstimator::Method OccludedPairEstimator::choose_method(const View& v
       n_borders += level.shadows[k].edges.size() + level.shadows[k].faces.size();
     }
     for (const std::size_t k : level.dividing) n_borders += level.blockers[k]->edges.size() / 2;
-    const double low = level.blockers.size() == 1 ? kLowRule : kLowRuleOfMany;
-    const bool adapts = view.is_near || error < low;
     cuts = kPointsOfBorder * static_cast<double>(n_borders) * point_cost *
-           (adapts ? kAdaptive : 1) * (level.blockers.size() > 1 ? kCrossing : 1);
+           (needs_adaption(view, level, error) ? kAdaptive : 1) *
+           (level.blockers.size() > 1 ? kCrossing : 1);
   }
   const double n_points =
       kPointsOfFirst * std::max({1.0, kFirstPoints / error, square(kUnseen / error)});
@@ -358,6 +363,7 @@ Blocking OccludedPairEstimator::find_shadows(const ConvexPolygon& source,
   level.source_divider = nullptr;
   level.target_divider = nullptr;
   level.border = nullptr;
+  level.is_beside = false;
   Box3 source_box;
   for (const Vec3& corner : source) source_box.extend(corner);
   const double source_size = source_box.diagonal().norm();
@@ -387,6 +393,7 @@ Blocking OccludedPairEstimator::find_shadows(const ConvexPolygon& source,
     // Right beside the source light ends so suddenly that a rule's points miss where it does.
     const double gap = candidate->box.exteriorDistance(source_box);
     const bool is_beside = gap <= std::max(options_.thickness, kBeside * source_size);
+    level.is_beside |= is_beside;
     if (is_beside && level.border == nullptr) level.border = verdict.divides_source;
   }
   return level.blockers.empty() ? Blocking::none : Blocking::some;
@@ -417,7 +424,7 @@ PairEstimate OccludedPairEstimator::estimate_unproved(const SampledPair& pair, c
                   seed);
   }
   if (method == Method::cuts && level.dividing.empty()) {
-    return cut_shadows(view, {level.shadows.data(), level.blockers.size()}, whole, error);
+    return cut_shadows(view, level, whole, error);
   }
   return sample_points(view, whole, error, depth);
 }
@@ -458,12 +465,13 @@ PairEstimate OccludedPairEstimator::divide(const SampledPair& pair, bool divides
   return sum;
 }
 
-PairEstimate OccludedPairEstimator::cut_shadows(const View& view, std::span<const Shadow> shadows,
-                                                double whole, double error) {
+PairEstimate OccludedPairEstimator::cut_shadows(const View& view, const Level& level, double whole,
+                                                double error) {
+  const std::span<const Shadow> shadows(level.shadows.data(), level.blockers.size());
   const ShadowedPair shadowed{*view.source, view.source_normal, *view.target, shadows,
                               options_.thickness};
-  const bool adapts = view.is_near || error < (shadows.size() == 1 ? kLowRule : kLowRuleOfMany);
-  const VisibleShare share = quadrature_.integrate(shadowed, error, adapts);
+  const VisibleShare share =
+      quadrature_.integrate(shadowed, error, needs_adaption(view, level, error));
   if (share.is_exact && share.value == 0) return {0, 0, Blocking::all, false, 0};
   if (share.is_exact) return {whole, 0, Blocking::none, false, 0};
   // The kernel's own error counts, too: closing a row must not lean on entries that claim none. And

@@ -57,6 +57,7 @@ class OccludedPairEstimator {
     const HalfSpace* target_divider = nullptr;
     /// As source_divider, of a blocker that stands on the source: what it covers ends there.
     const HalfSpace* border = nullptr;
+    bool is_beside = false;  ///< a blocker stands right beside the source
   };
   /// A pair as seen from its smaller polygon.
   struct View {
@@ -95,8 +96,10 @@ class OccludedPairEstimator {
   [[nodiscard]] Method choose_method(const View& view, const Level& level, double error) const;
   PairEstimate divide(const SampledPair& pair, bool divides_i,
                       std::span<const ConvexPolygon> pieces, std::size_t depth, std::uint64_t seed);
-  [[nodiscard]] PairEstimate cut_shadows(const View& view, std::span<const Shadow> shadows,
-                                         double whole, double error);
+  [[nodiscard]] PairEstimate cut_shadows(const View& view, const Level& level, double whole,
+                                         double error);
+  /// Whether low rules won't do.
+  [[nodiscard]] static bool needs_adaption(const View& view, const Level& level, double error);
   [[nodiscard]] PairEstimate cast_rays(const SampledPair& pair, const View& view, double whole,
                                        double error, std::uint64_t seed) const;
   /// From points of the source, with the shadows that each of them sees.

@@ -16,11 +16,23 @@ constexpr double kRays = 2e5;
 constexpr double kFewestRays = 16;
 constexpr double kMostRays = 1024;
 constexpr double kLeastMissing = 1e-4;
+/// Of patches narrower than so many gaps, in which rays meet nothing at their start, too many pass
+/// by what stands beside them.
+constexpr double kLeastGaps = 256;
 
 struct Count {
   std::int64_t backs = 0;
   std::int64_t sky = 0;
 };
+
+double width(const PatchMesh& mesh, std::int32_t patch) {
+  double longest = 0;
+  for (int k = 0; k < mesh.n_corners(patch); ++k) {
+    const Vec3& next = mesh.corner(patch, (k + 1) % mesh.n_corners(patch));
+    longest = std::max(longest, (next - mesh.corner(patch, k)).norm());
+  }
+  return mesh.area[patch] / longest;
+}
 
 Vec3 random_point(const PatchMesh& mesh, std::int32_t patch, double choice, double u, double v) {
   const Vec3& a = mesh.corner(patch, 0);
@@ -92,12 +104,14 @@ Eigen::VectorXd shares_on_backs(const PatchMesh& mesh, const Visibility& visibil
 bool is_enclosed(const PatchMesh& mesh, const Visibility& visibility, double tolerance,
                  std::uint64_t seed) {
   const Coverage coverage = find_coverage(mesh, plane_thickness(mesh));
+  const double least_width = kLeastGaps * visibility.end_gap();
   std::vector<std::int32_t> asked;
   const auto step =
       static_cast<Index>(std::ceil(static_cast<double>(mesh.size()) * kFewestRays / kRays));
   for (Index i = 0; i < mesh.size(); i += step) {
+    const auto patch = static_cast<std::int32_t>(i);
     // What is covered in part has rays that start in the dark.
-    if (coverage.share[i] == 0) asked.push_back(static_cast<std::int32_t>(i));
+    if (coverage.share[i] == 0 && width(mesh, patch) >= least_width) asked.push_back(patch);
   }
   if (asked.empty()) return false;
   const int n_rays = static_cast<int>(

@@ -18,8 +18,9 @@ Eigen::VectorXd shares_on_backs(const PatchMesh& mesh, const Visibility& visibil
 
 /// Whether light that leaves the patches meets fronts only, but for a share of `tolerance` of a
 /// patch: then make_transport() takes the scene as closed, too, if it is to find out. Told without
-/// form factors by some 2e5 rays, of large meshes from every second, third... patch. False without
-/// patches. Deterministic for a seed.
+/// form factors by some 2e5 rays, of large meshes from every second, third... patch, and from no
+/// slivers, for rays miss what is close to their start. False without patches. Deterministic for a
+/// seed.
 bool is_enclosed(const PatchMesh& mesh, const Visibility& visibility, double tolerance,
                  std::uint64_t seed);
 

@@ -77,8 +77,10 @@ struct Visibility::Implementation {
   [[nodiscard]] bool is_in_plane_of(std::int32_t patch, std::int32_t of) const;
   [[nodiscard]] bool ignores(std::int32_t patch, std::int32_t source, std::int32_t target) const;
   [[nodiscard]] bool is_back(std::int32_t patch, const Vec3& direction) const;
+  /// The first hit between two distances in scaled coordinates.
   [[nodiscard]] std::optional<Hit> first_hit(const Vec3& origin, const Vec3& direction,
-                                             std::int32_t source, RTCFilterFunctionN filter) const;
+                                             std::int32_t source, RTCFilterFunctionN filter,
+                                             double from, double to) const;
 
   Device device;
   EmbreeScene scene{device.handle};
@@ -232,6 +234,11 @@ void reject_backs(const RTCFilterFunctionNArguments* arguments) {
   if (context->visibility->is_back(hit_patch(arguments, 0), direction)) arguments->valid[0] = 0;
 }
 
+void reject_own_ends_and_backs(const RTCFilterFunctionNArguments* arguments) {
+  reject_own_ends(arguments);
+  if (arguments->valid[0] != 0) reject_backs(arguments);
+}
+
 FilterContext make_context(const Visibility::Implementation& implementation, std::int32_t source,
                            std::int32_t target, RTCFilterFunctionN filter) {
   FilterContext context{};
@@ -353,7 +360,8 @@ std::uint32_t Visibility::blocked(std::span<const Vec3> from, std::span<const Ve
 
 std::optional<Hit> Visibility::Implementation::first_hit(const Vec3& origin, const Vec3& direction,
                                                          std::int32_t source,
-                                                         RTCFilterFunctionN filter) const {
+                                                         RTCFilterFunctionN filter, double from,
+                                                         double to) const {
   const Vec3 start = scaled(origin);
   const Vec3 unit = direction.normalized();
   RTCRayHit ray{};
@@ -363,8 +371,8 @@ std::optional<Hit> Visibility::Implementation::first_hit(const Vec3& origin, con
   ray.ray.dir_x = static_cast<float>(unit.x());
   ray.ray.dir_y = static_cast<float>(unit.y());
   ray.ray.dir_z = static_cast<float>(unit.z());
-  ray.ray.tnear = source >= 0 ? static_cast<float>(end_gap) : 0.0F;
-  ray.ray.tfar = std::numeric_limits<float>::infinity();
+  ray.ray.tnear = static_cast<float>(from);
+  ray.ray.tfar = static_cast<float>(to);
   ray.ray.mask = ~0U;
   ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   FilterContext context = make_context(*this, source, -1, filter);
@@ -386,11 +394,23 @@ double Visibility::end_gap() const { return implementation_->end_gap / implement
 
 std::optional<Hit> Visibility::first_hit(const Vec3& origin, const Vec3& direction,
                                          std::int32_t source) const {
-  return implementation_->first_hit(origin, direction, source, reject_own_ends);
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  const Implementation& all = *implementation_;
+  const double start = source >= 0 ? all.end_gap : 0;
+  const auto hit = all.first_hit(origin, direction, source, reject_own_ends, start, kFar);
+  if (!hit || hit->front) return hit;
+  // Of walls back to back, which are one to the digits, the ray meets the one that faces it.
+  const double cosine = direction.normalized().dot(all.planes[hit->patch].normal);
+  const double gap = 2 * (all.coplanar + kRounding) / std::max(cosine, all.end_gap);
+  const double distance = hit->distance * all.scale;
+  const auto facing = all.first_hit(origin, direction, source, reject_own_ends_and_backs,
+                                    std::max(start, distance - gap), distance + gap);
+  return facing && all.is_in_plane_of(facing->patch, hit->patch) ? facing : hit;
 }
 
 std::optional<Hit> Visibility::first_front_hit(const Vec3& origin, const Vec3& direction) const {
-  return implementation_->first_hit(origin, direction, -1, reject_backs);
+  return implementation_->first_hit(origin, direction, -1, reject_backs, 0,
+                                    std::numeric_limits<double>::infinity());
 }
 
 }  // namespace radiosity

@@ -53,7 +53,8 @@ class Visibility {
                                       std::int32_t source, std::int32_t target) const;
 
   /// First patch met by the ray from `origin` (m) in `direction` (any length but 0), not counting
-  /// patch `source` and those in its plane (-1: none is left out). Empty if the ray escapes.
+  /// patch `source` and those in its plane (-1: none is left out); of patches back to back the one
+  /// that faces the ray. Empty if the ray escapes.
   [[nodiscard]] std::optional<Hit> first_hit(const Vec3& origin, const Vec3& direction,
                                              std::int32_t source = -1) const;
 

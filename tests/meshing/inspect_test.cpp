@@ -141,6 +141,28 @@ TEST(Inspect, ClosedMeansEveryEdgeIsShared) {
   EXPECT_FALSE(inspect(empty_scene()).closed);
 }
 
+TEST(Inspect, EdgesMeetWithinThePrecision) {
+  // A room whose walls went through other arithmetic than its floor and ceiling.
+  const auto with_walls_off_by = [](double off) {
+    std::vector<Polygon> room = unit_room();
+    for (std::size_t k = 2; k < room.size(); ++k) {
+      for (Vec3& p : room[k]) p += off * Vec3(1, k % 2 == 0 ? -1 : 1, 1);
+    }
+    return one_surface(room);
+  };
+  for (const double off : {1e-16, 1e-12}) {
+    const Inspection result = inspect(with_walls_off_by(off));
+    EXPECT_TRUE(result.closed);
+    EXPECT_EQ(result.n_boundary_edges, 0);
+    EXPECT_TRUE(result.findings.empty()) << all_messages(result);
+  }
+  Scene rounded = with_walls_off_by(1e-6);
+  EXPECT_FALSE(inspect(rounded).closed);
+  rounded.precision = 1e-6;
+  EXPECT_TRUE(inspect(rounded).closed);
+  EXPECT_TRUE(inspect(rounded).findings.empty()) << all_messages(inspect(rounded));
+}
+
 TEST(Inspect, EveryKindHasItsOwnName) {
   std::set<std::string_view> names;
   for (int k = 0; k <= static_cast<int>(Kind::suspicious_unit); ++k) {

@@ -11,6 +11,7 @@
 #include "radiosity/assembly/make_transport.h"
 #include "radiosity/assembly/transport_options.h"
 #include "radiosity/base/error.h"
+#include "radiosity/exchange/openings.h"
 #include "radiosity/operator/surface_factors.h"
 #include "radiosity/operator/transport.h"
 #include "radiosity/polygon/exchange_area.h"
@@ -286,6 +287,9 @@ class SceneCheck {
     if (!report.closed) {
       ++found_.n_not_closed;
       fail("closure", "not found to be closed");
+    } else if (!is_enclosed(mesh_, visibility_, options_.tolerance, options_.seed)) {
+      ++found_.n_not_closed;
+      fail("closure", "not found to be enclosed by rays");
     }
     found_.n_open_rows = report.open_rows;
     if (report.open_rows > 0) fail("closure", std::to_string(report.open_rows) + " open rows");

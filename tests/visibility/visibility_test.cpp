@@ -187,6 +187,28 @@ TEST(Visibility, FirstHitTellsSideAndDistance) {
   EXPECT_FALSE(visibility.first_hit(Vec3(0.5, 0.5, 0), Vec3(0, 0, -1), 0).has_value());
 }
 
+TEST(Visibility, FirstHitOfWallsBackToBackIsTheOneThatFacesTheRay) {
+  // Two rooms with a wall in common; Embree finds either side of it first.
+  for (const bool is_swapped : {false, true}) {
+    PatchMesh mesh;
+    const Box3 left(Vec3(-1.1, -.7, -.4), Vec3(.1, .8, .9));
+    const Box3 right(Vec3(.1, -.7, -.4), Vec3(1.3, .8, .9));
+    for (const Box3* box : {is_swapped ? &right : &left, is_swapped ? &left : &right}) {
+      test::add_box(mesh, box->min(), box->max(), 3, test::Facing::inwards);
+    }
+    const Visibility visibility(mesh);
+    std::mt19937_64 random(7);
+    for (int k = 0; k < 5000; ++k) {
+      const auto i = static_cast<std::int32_t>(random() % mesh.size());
+      const Vec3 direction = mesh.normal[i] + 0.999 * test::random_unit(random);
+      const auto hit = visibility.first_hit(mesh.centroid[i], direction, i);
+      ASSERT_TRUE(hit);
+      ASSERT_TRUE(hit->front) << "from patch " << i << " along " << direction.transpose();
+      ASSERT_EQ(i < mesh.size() / 2, hit->patch < mesh.size() / 2) << "in another room";
+    }
+  }
+}
+
 TEST(Visibility, FirstFrontHitPassesThroughBacks) {
   PatchMesh mesh = opposed_squares_with_screen(1, Vec3::Zero());
   {
