@@ -66,18 +66,19 @@ struct Packet {
 const std::vector<Packet>& undecided_packets(const Box& box) {
   static std::map<const Box*, std::vector<Packet>> all;
   std::vector<Packet>& packets = all[&box];
-  const PatchTable table(box.mesh, 1e-9);
+  const PreparedMesh prepared(box.mesh);
+  const PairKernel kernel(prepared, 1e-9);
   for (Index i = 0; packets.size() < 20000 && i < box.mesh.size(); i += 7) {
     const Eigen::VectorXd error = box.transport->row_error(i);
     for (Index j = i + 1; j < box.mesh.size(); ++j) {
-      if (error[j] == 0 || table.in_front(i, j) != Blocking::all ||
-          table.in_front(j, i) != Blocking::all) {
+      if (error[j] == 0 || kernel.in_front(i, j) != Blocking::all ||
+          kernel.in_front(j, i) != Blocking::all) {
         continue;
       }
       const auto a = static_cast<std::int32_t>(i);
       const auto b = static_cast<std::int32_t>(j);
       const SampledPair pair{
-          table.polygon(i), table.plane(i), table.polygon(j), table.plane(j), a, b};
+          prepared.polygons[i], prepared.planes[i], prepared.polygons[j], prepared.planes[j], a, b};
       SegmentSampler sampler(pair, pair_seed(0, a, b));
       for (int k = 0; k < 2; ++k) packets.push_back({sampler.next().segments, a, b});
     }

@@ -6,6 +6,7 @@
 
 #include "radiosity/assembly/strips.h"
 #include "radiosity/base/geometry.h"
+#include "radiosity/operator/census.h"
 
 namespace radiosity {
 
@@ -14,22 +15,6 @@ struct UncertainEntry {
   std::uint16_t row;  ///< within the tile
   std::uint16_t column;
   float error;  ///< one sigma of G_ij, m²; the sign is free for the owner's use
-};
-
-/// What became of pairs of patches (AssemblyReport says what each number counts).
-struct Census {
-  std::int64_t facing = 0, visible = 0, hidden = 0, undecided = 0, partial = 0, rays = 0, known = 0;
-
-  Census& operator+=(const Census& other) {
-    facing += other.facing;
-    visible += other.visible;
-    hidden += other.hidden;
-    undecided += other.undecided;
-    partial += other.partial;
-    known += other.known;
-    rays += other.rays;
-    return *this;
-  }
 };
 
 /// The exchange areas between the patches of two strips.

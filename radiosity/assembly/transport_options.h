@@ -2,10 +2,9 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 #include "radiosity/base/progress.h"
-#include "radiosity/operator/transport.h"
+#include "radiosity/operator/known_pairs.h"
 
 namespace radiosity {
 
@@ -14,12 +13,6 @@ enum class Closed {
   no,        ///< light may escape; nothing is corrected
   yes,       ///< row sums are 1; small sampling errors are corrected symmetrically
   automatic  ///< found out from the form factors
-};
-
-/// Exchange areas that need not be computed again: those between patches of an earlier mesh.
-struct KnownPairs {
-  const Transport* transport = nullptr;      ///< of the earlier mesh; none = nothing is known
-  std::span<const std::int32_t> patch = {};  ///< per patch: the same one there, or -1
 };
 
 struct TransportOptions {

@@ -4,26 +4,19 @@
 #include <vector>
 
 #include "radiosity/base/geometry.h"
-#include "radiosity/polygon/convex_polygon.h"
 #include "radiosity/polygon/polygon_quadrature.h"
-#include "radiosity/scene/patch_mesh.h"
+#include "radiosity/visibility/prepared_mesh.h"
 #include "radiosity/visibility/shaft.h"
 
 namespace radiosity {
 
-/// What the pair computations need of each patch, laid out for speed. Coordinates are relative to
-/// the scene's centre, to keep digits when it lies far from the origin.
-class PatchTable {
+/// The kernel of pairs of patches that see each other, with each patch's quadrature points laid out
+/// for speed.
+class PairKernel {
  public:
-  /// `tolerance` is the relative error of the unoccluded exchange areas.
-  PatchTable(const PatchMesh& mesh, double tolerance);
-
-  [[nodiscard]] Index size() const { return static_cast<Index>(polygons_.size()); }
-  [[nodiscard]] const ConvexPolygon& polygon(Index i) const { return polygons_[i]; }
-  /// The patch's plane; its front is normal · x > offset.
-  [[nodiscard]] const HalfSpace& plane(Index i) const { return planes_[i]; }
-  /// How far from a plane a point may be and still count as on it, m.
-  [[nodiscard]] double thickness() const { return thickness_; }
+  /// `tolerance` is the relative error of the unoccluded exchange areas. The mesh must outlive
+  /// this.
+  PairKernel(const PreparedMesh& mesh, double tolerance);
 
   /// How much of patch j lies in front of patch i: nothing, some, or all of it.
   [[nodiscard]] Blocking in_front(Index i, Index j) const;
@@ -43,12 +36,8 @@ class PatchTable {
   [[nodiscard]] int rule_order(double distance_ratio) const;
   void find_points(Index i, int order, const HalfSpace& other, WeightedPoints& points) const;
 
-  std::vector<ConvexPolygon> polygons_;
-  std::vector<HalfSpace> planes_;
-  std::vector<Vec3> centers_;
-  std::vector<double> radii_;
+  const PreparedMesh& mesh_;
   std::array<Rule, kKeptOrder - 1> rules_;  // orders 2, ...: padded_points(order) entries a patch
-  double thickness_ = 0;
   double tolerance_;
   std::array<double, kLargestAreaRule + 1> least_ratio_;  // per order: of distance to radius
 };

@@ -4,19 +4,13 @@
 #include <cstdint>
 
 #include "radiosity/base/geometry.h"
+#include "radiosity/operator/census.h"
 
 namespace radiosity {
 
 /// What the assembly of the exchange areas did and how good it is.
-struct AssemblyReport {
+struct AssemblyReport : Census {
   double seconds = 0;          ///< wall time of the assembly
-  std::int64_t facing = 0;     ///< unordered pairs that face each other, at least in part
-  std::int64_t visible = 0;    ///< of these: proved to see each other wholly
-  std::int64_t hidden = 0;     ///< of these: proved not to see each other
-  std::int64_t undecided = 0;  ///< of these: not proved either way
-  std::int64_t partial = 0;    ///< of the undecided: found to be partly hidden
-  std::int64_t known = 0;      ///< of the facing: taken over from an earlier operator
-  std::int64_t rays = 0;       ///< visibility rays cast
   bool closed = false;         ///< the scene was taken as closed
   Eigen::VectorXd row_sums;    ///< Σ_j F_ij before any correction, n_patches
   std::int64_t open_rows = 0;  ///< closed scenes: rows further from 1 than errors and backs explain

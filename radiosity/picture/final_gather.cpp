@@ -20,9 +20,7 @@ struct FinalGather::Implementation {
   Implementation(const PatchMesh& patch_mesh, const Eigen::MatrixXd& radiosity)
       : mesh(patch_mesh), scene(patch_mesh, radiosity) {
     const Box3 box = bounds(mesh);
-    if (box.isEmpty()) return;
-    center = box.center();
-    ray_error = kRayError * box.diagonal().norm();
+    if (!box.isEmpty()) ray_error = kRayError * box.diagonal().norm();
   }
 
   void keep_within_patch(std::int32_t patch, Vec3& x) const;
@@ -30,7 +28,6 @@ struct FinalGather::Implementation {
 
   const PatchMesh& mesh;
   GatherScene scene;
-  Vec3 center = Vec3::Zero();
   double ray_error = 0;  // m
 };
 
@@ -61,7 +58,7 @@ Eigen::MatrixXd FinalGather::irradiance(std::span<const SurfacePoint> points) co
       return are_coplanar(candidate.patch, points[k].patch);
     });
     if (group == groups.end()) group = groups.insert(groups.end(), {points[k].patch, {}});
-    group->points.push_back({points[k].position - implementation_->center, static_cast<Index>(k)});
+    group->points.push_back({points[k].position - scene.center, static_cast<Index>(k)});
   }
   Eigen::MatrixXd result =
       Eigen::MatrixXd::Zero(scene.radiosity.rows(), static_cast<Index>(points.size()));
@@ -106,7 +103,7 @@ void FinalGather::Implementation::keep_out_of(const Blocker& body, const Vec3& n
 
 SurfacePoint FinalGather::settled(const SurfacePoint& point) const {
   const Implementation& self = *implementation_;
-  Vec3 x = point.position - self.center;
+  Vec3 x = point.position - self.scene.center;
   self.keep_within_patch(point.patch, x);
   const Vec3 margin = Vec3::Constant(self.ray_error);
   for (const Blocker& blocker : self.scene.blockers.blockers) {
@@ -115,7 +112,7 @@ SurfacePoint FinalGather::settled(const SurfacePoint& point) const {
     if ((x.array() > (blocker.box.max() + margin).array()).any()) continue;
     self.keep_out_of(blocker, self.scene.planes[point.patch].normal, x);
   }
-  return {point.patch, x + self.center};
+  return {point.patch, x + self.scene.center};
 }
 
 }  // namespace radiosity

@@ -11,7 +11,6 @@
 namespace radiosity {
 namespace {
 
-constexpr Index kLeafSize = 8;
 /// So few points are not divided further.
 constexpr std::size_t kFewPoints = 8;
 /// Hulls with more corners are replaced by their rectangle: every test loops over them.
@@ -35,22 +34,8 @@ std::array<double, RectangleInterpolation::kLargestOrder + 1> make_least_ratios(
 }  // namespace
 
 GatherScene::GatherScene(const PatchMesh& mesh, const Eigen::MatrixXd& patch_radiosity)
-    : thickness(plane_thickness(mesh)), radiosity(patch_radiosity.transpose()) {
-  const PatchMesh local = centered(mesh);
-  for (Index i = 0; i < local.size(); ++i) {
-    const HalfSpace plane{local.normal[i], local.normal[i].dot(local.centroid[i])};
-    ConvexPolygon polygon;
-    for (int k = 0; k < local.n_corners(i); ++k) {
-      const Vec3& corner = local.corner(i, k);
-      polygon.push_back(corner - (plane.normal.dot(corner) - plane.offset) * plane.normal);
-    }
-    planes.push_back(plane);
-    polygons.push_back(polygon);
-    discs.push_back(bounding_disc(polygon.points()));
-    is_dark.push_back(radiosity.col(i).isZero(0));
-  }
-  tree = make_cluster_tree(local, kLeafSize, thickness);
-  blockers = make_blockers(local, thickness);
+    : PreparedMesh(mesh), radiosity(patch_radiosity.transpose()) {
+  for (Index i = 0; i < radiosity.cols(); ++i) is_dark.push_back(radiosity.col(i).isZero(0));
 }
 
 void GroupGather::gather(const HalfSpace& plane, std::span<GatherPoint> points,

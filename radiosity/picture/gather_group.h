@@ -9,27 +9,18 @@
 #include "radiosity/base/geometry.h"
 #include "radiosity/picture/gather_interpolation.h"
 #include "radiosity/scene/patch_mesh.h"
-#include "radiosity/visibility/blocker_set.h"
-#include "radiosity/visibility/cluster_tree.h"
 #include "radiosity/visibility/cluster_visibility.h"
+#include "radiosity/visibility/prepared_mesh.h"
 #include "radiosity/visibility/segment_bundle.h"
 #include "radiosity/visibility/visible_polygon.h"
 
 namespace radiosity {
 
 /// What all gathering shares. Coordinates are relative to the scene's centre.
-struct GatherScene {
+struct GatherScene : PreparedMesh {
   /// `radiosity` is n_patches x n_bands, W/m².
   GatherScene(const PatchMesh& mesh, const Eigen::MatrixXd& radiosity);
 
-  double thickness;  ///< how far off a plane a point may be and still count as on it, m
-  std::vector<HalfSpace> planes;  ///< of the patches; in front is normal · x > offset
-  /// The patches, projected onto these: a quad that is planar only to the digits of a file would
-  /// shadow itself.
-  std::vector<ConvexPolygon> polygons;
-  std::vector<Disc> discs;  ///< around them
-  ClusterTree tree;
-  BlockerSet blockers;
   Eigen::MatrixXd radiosity;  ///< n_bands x n_patches, W/m²
   std::vector<bool> is_dark;  ///< per patch: it has none
 };

@@ -118,7 +118,8 @@ TEST(Certificates, AreNeverWrong) {
   const Visibility visibility(mesh);
   const auto transport =
       make_transport(mesh, visibility, {.tolerance = 1e-2, .closed = Closed::no});
-  const PatchTable table(mesh, 1e-6);
+  const PreparedMesh prepared(mesh);
+  const PairKernel kernel(prepared, 1e-6);
   const Vec3 center = bounds(mesh).center();
   std::mt19937_64 random(kSeed);
   std::vector<Index> rows(mesh.size());
@@ -135,7 +136,7 @@ TEST(Certificates, AreNeverWrong) {
     std::vector<Index> partners;
     for (Index j = 0; j < mesh.size(); ++j) {
       const bool is_facing =
-          table.in_front(i, j) == Blocking::all && table.in_front(j, i) == Blocking::all;
+          kernel.in_front(i, j) == Blocking::all && kernel.in_front(j, i) == Blocking::all;
       if (i != j && is_facing && error[j] == 0) partners.push_back(j);
     }
     n_checked += static_cast<int>(partners.size());
@@ -146,7 +147,7 @@ TEST(Certificates, AreNeverWrong) {
       const auto a = static_cast<std::int32_t>(i);
       const auto b = static_cast<std::int32_t>(j);
       const SampledPair pair{
-          table.polygon(i), table.plane(i), table.polygon(j), table.plane(j), a, b};
+          prepared.polygons[i], prepared.planes[i], prepared.polygons[j], prepared.planes[j], a, b};
       const SegmentPacket packet = SegmentSampler(pair, pair_seed(kSeed, a, b)).next().segments;
       const std::uint32_t blocked = visibility.blocked(packet, a, b);
       const auto point = [&](const auto& lanes, int ray) {

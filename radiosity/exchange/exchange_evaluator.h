@@ -1,0 +1,102 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "radiosity/exchange/occluded_pair.h"
+#include "radiosity/exchange/pair_kernel.h"
+#include "radiosity/operator/census.h"
+#include "radiosity/operator/known_pairs.h"
+#include "radiosity/scene/patch_mesh.h"
+#include "radiosity/visibility/cluster_visibility.h"
+#include "radiosity/visibility/coverage.h"
+#include "radiosity/visibility/prepared_mesh.h"
+#include "radiosity/visibility/visibility.h"
+
+namespace radiosity {
+
+struct EvaluatorOptions {
+  double tolerance = 1e-2;  ///< relative error asked of the form factors, > 0
+  std::uint64_t seed = 0;   ///< of the visibility samples
+  KnownPairs known = {};    ///< from an operator that was not corrected to be closed
+};
+
+/// What is known of the pairs between two clusters.
+struct Between {
+  Candidates candidates;   ///< what may block
+  bool is_hidden = false;  ///< proved: no patch sees one of the other cluster
+};
+
+/// Computes exchange areas, one by one or between two clusters: facing test and clipping, candidate
+/// occluders inherited down the cluster tree, the exact kernel for pairs that are proved visible,
+/// OccludedPairEstimator for the rest. Immutable; each thread has a Worker of its own. The entries
+/// do not depend on the order in which they are asked for.
+class ExchangeEvaluator {
+ public:
+  /// `coverage` is the mesh's. All must outlive this.
+  ExchangeEvaluator(const PatchMesh& mesh, const Visibility& visibility, const Coverage& coverage,
+                    const EvaluatorOptions& options);
+
+  /// What one thread needs to evaluate entries, and what became of those that it did.
+  struct Worker {
+    OccludedPairEstimator estimator;
+    std::vector<const Blocker*> blockers{};
+    Census census{};
+  };
+  [[nodiscard]] Worker worker() const {
+    return {OccludedPairEstimator(visibility_, pair_options_)};
+  }
+
+  [[nodiscard]] Index size() const { return prepared_.size(); }
+  [[nodiscard]] const ClusterTree& tree() const { return prepared_.tree; }
+
+  /// What is known of the root and itself.
+  [[nodiscard]] Between everything() const { return {all_candidates(prepared_.blockers)}; }
+  /// What is known of two clusters, given what is of two that hold them.
+  [[nodiscard]] Between narrowed(std::int32_t a, std::int32_t b, const Between& wider) const;
+
+  /// What is known of two patches by themselves.
+  [[nodiscard]] Between between(std::int32_t i, std::int32_t j) const;
+
+  /// The exchange area of two patches, whichever comes first, given what is known of them or of the
+  /// leaves that hold them.
+  [[nodiscard]] PairFactor entry(std::int32_t i, std::int32_t j, const Between& between,
+                                 Worker& worker) const;
+
+  /// Takes the exchange area of two places in the tree's order.
+  using Visit = std::function<void(Index row, Index column, const PairFactor& entry)>;
+  /// Visits the entries between two clusters that are not proved to be 0; of a cluster and itself,
+  /// those above the diagonal. Descends to the tree's leaves, narrowing on the way.
+  void visit_block(std::int32_t a, std::int32_t b, const Between& between, Worker& worker,
+                   const Visit& visit) const;
+
+ private:
+  void find_regions_of_clusters();
+  void find_known_clusters();
+  void find_budget();
+  [[nodiscard]] bool are_apart(std::int32_t a, std::int32_t b) const;
+  [[nodiscard]] double trial_error(std::int32_t i, std::int32_t j) const;
+  [[nodiscard]] std::optional<PairFactor> known_entry(std::int32_t i, std::int32_t j) const;
+  void find_blockers(std::int32_t i, std::int32_t j, const Candidates& candidates,
+                     Worker& worker) const;
+  [[nodiscard]] PairFactor occluded_entry(std::int32_t i, std::int32_t j, Blocking front_i,
+                                          Blocking front_j, const Candidates& candidates,
+                                          Worker& worker) const;
+  [[nodiscard]] std::vector<ConvexPolygon> open_parts(std::int32_t i, std::int32_t j) const;
+  [[nodiscard]] PairFactor entry_in_parts(std::int32_t i, std::int32_t j,
+                                          const Candidates& candidates, Worker& worker) const;
+
+  const Visibility& visibility_;
+  const Coverage& coverage_;
+  EvaluatorOptions options_;
+  PreparedMesh prepared_;
+  PairKernel kernel_;
+  OccludedPairOptions pair_options_;
+  std::vector<std::int32_t> region_;             // per patch
+  std::vector<std::int32_t> region_of_cluster_;  // -1 where there are several
+  std::vector<bool> is_known_;                   // per cluster: an earlier operator had all patches
+};
+
+}  // namespace radiosity
