@@ -1,5 +1,6 @@
 #include "apps/commands/inspect_command.h"
 
+#include <CLI/App.hpp>
 #include "apps/run/solved_scene.h"
 #include "apps/summary/json_summary.h"
 #include "apps/summary/summary.h"

@@ -1,10 +1,13 @@
 #pragma once
 
-#include <CLI/App.hpp>
 #include <string>
 
 #include "apps/options/common_options.h"
 #include "apps/terminal/interruption.h"
+
+namespace CLI {
+class App;
+}  // namespace CLI
 
 namespace apps {
 

@@ -1,12 +1,15 @@
 #pragma once
 
-#include <CLI/App.hpp>
 #include <string>
 #include <vector>
 
 #include "apps/options/common_options.h"
 #include "apps/run/solved_scene.h"
 #include "apps/terminal/interruption.h"
+
+namespace CLI {
+class App;
+}  // namespace CLI
 
 namespace apps {
 
