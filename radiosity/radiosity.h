@@ -28,9 +28,11 @@
 ///    told otherwise) times 0.2126 R + 0.7152 G + 0.0722 B, or times the grey band.
 ///  - Arrays have one row per patch and one column per band.
 
+#include "radiosity/assembly/dense_memory.h"
 #include "radiosity/assembly/make_transport.h"
 #include "radiosity/base/error.h"
 #include "radiosity/base/geometry.h"
+#include "radiosity/base/machine_memory.h"
 #include "radiosity/base/parallel.h"
 #include "radiosity/base/progress.h"
 #include "radiosity/exchange/point_factors.h"
@@ -50,7 +52,10 @@
 #include "radiosity/solve/discretisation_error.h"
 #include "radiosity/solve/importance.h"
 #include "radiosity/solve/quantity.h"
+#include "radiosity/solve/quantity_summary.h"
 #include "radiosity/solve/solution.h"
 #include "radiosity/solve/solve.h"
+#include "radiosity/solve/surface_flux.h"
 #include "radiosity/stream/streamed_factors.h"
+#include "radiosity/stream/streaming_memory.h"
 #include "radiosity/visibility/visibility.h"

@@ -41,8 +41,8 @@ class Application final : public ScriptHost {
   explicit Application(const ViewOptions& options)
       : options_(options),
         window_({.width = options.width, .height = options.height, .scale = options.scale}),
-        desk_(options.settings),
-        panels_(options.settings) {
+        desk_(options.solving, options.reading),
+        panels_(options.solving) {
     if (options.path) desk_.kept_files.emplace_back(*options.path);
     if (!options.script) return;
     script_.emplace(*options.script);

@@ -5,13 +5,15 @@
 #include <stop_token>
 #include <string>
 
-#include "viewer/work/model.h"
+#include "io/scene/read_options.h"
+#include "study/study_options.h"
 
 namespace viewer {
 
 struct ViewOptions {
   std::optional<std::string> path = {};  ///< scene or result to open; absent: an empty window
-  SolveSettings settings = {};
+  study::StudyOptions solving = {};
+  io::ReadOptions reading = {};
   /// Actions to do (docs/viewer.md); the window closes after them.
   std::optional<std::filesystem::path> script = {};
   /// Picture of the window, written when the script has ended or, without one, when the scene is

@@ -5,9 +5,9 @@
 #include <CLI/App.hpp>
 #include <algorithm>
 
-#include "apps/run/available_memory.h"
 #include "apps/run/factors_from.h"
-#include "apps/run/row_check.h"
+#include "apps/run/scene_input.h"
+#include "apps/run/shown_events.h"
 #include "apps/run/work_file_check.h"
 #include "apps/summary/json_summary.h"
 #include "apps/summary/summary.h"
@@ -22,6 +22,9 @@
 #include "radiosity/base/parallel.h"
 #include "radiosity/operator/surface_factors.h"
 #include "radiosity/scene/patch_mesh.h"
+#include "radiosity/stream/streaming_memory.h"
+#include "study/row_check.h"
+#include "study/warnings.h"
 
 namespace apps {
 namespace {
@@ -37,16 +40,6 @@ std::string check_factor(const std::string& text) {
   double value = 0;
   if (CLI::detail::lexical_cast(text, value) && value > 0 && value < 1) return "";
   return fmt::format("found '{}', expected a number above 0 and below 1", text);
-}
-
-/// Refuses what does not fit into `memory`.
-MemoryChecks streaming_checks(std::size_t memory) {
-  const auto check_against = [](std::size_t bytes) {
-    return [bytes](radiosity::Index n_patches, radiosity::Index) {
-      check_streaming_memory(n_patches, bytes);
-    };
-  };
-  return {check_against(usable_memory()), check_against(memory)};
 }
 
 Eigen::VectorXd row_error(const radiosity::StreamedFactors& factors, radiosity::Index row) {
@@ -112,38 +105,44 @@ void FormFactorsCommand::run() const {
   check_outputs(common.outputs, common_.scene);
   TerminalProgress terminal(terminal_style(common_));
   const radiosity::ThreadLimit threads(common_.n_threads);
-  const radiosity::Progress progress = shown_progress(terminal, interruption_);
-  const std::size_t memory = parse_memory_size(memory_).value_or(default_streaming_memory());
-  const PatchedScene patched(common, compute_, streaming_checks(memory), progress, terminal);
-  const radiosity::StreamOptions options = stream_options(patched, memory, progress);
-  const radiosity::Fingerprint fingerprint = stream_fingerprint(patched.mesh, options);
-  FactorSummary summary{.patched = patched, .min_factor = min_factor_, .outputs = common_.outputs};
+  const study::StudyEvents events = shown_events(terminal, interruption_);
+  study::StudyOptions options = compute_;
+  options.storage = study::Storage::disk;
+  options.memory = parse_memory_size(memory_).value_or(radiosity::default_streaming_memory());
+  const radiosity::Scene scene = read_checked_scene(common, events);
+  const auto [mesh, visibility] = study::divide(scene, options, events);
+  const radiosity::StreamOptions streaming =
+      stream_options(scene, options, mesh.size(), events.progress);
+  const radiosity::Fingerprint fingerprint = stream_fingerprint(mesh, streaming);
+  FactorSummary summary{
+      .scene = scene, .mesh = mesh, .min_factor = min_factor_, .outputs = common_.outputs};
   if (is_complete(fingerprint)) {
     terminal.warn(
         fmt::format("{} is complete already; nothing was computed", common_.outputs.front()));
     print_factors(summary, terminal);
     return;
   }
-  radiosity::TileStore store = open_store(patched.mesh, fingerprint, progress, terminal);
-  const radiosity::StreamedFactors factors(patched.mesh, patched.visibility, options, store);
-  refuse_excess(patched.scene, patched.mesh, factors.report(), compute_.tolerance,
-                [&](radiosity::Index row) { return row_error(factors, row); });
-  warn_of_open_rows(factors.report(), terminal);
+  radiosity::TileStore store = open_store(mesh, fingerprint, events.progress, terminal);
+  const radiosity::StreamedFactors factors(mesh, visibility, streaming, store);
+  study::refuse_excess(scene, mesh, factors.report(), compute_.tolerance,
+                       [&](radiosity::Index row) { return row_error(factors, row); });
+  study::warn_of_open_rows(factors.report(), events);
   summary.factors = &factors;
-  const Eigen::MatrixXd by_surface = write_outputs(patched.mesh, factors, fingerprint);
+  const Eigen::MatrixXd by_surface = write_outputs(mesh, factors, fingerprint);
   if (by_ == "surface") summary.by_surface = by_surface;
-  progress.check();
+  events.progress.check();
   store.remove();
   print_factors(summary, terminal);
 }
 
 radiosity::StreamOptions FormFactorsCommand::stream_options(
-    const PatchedScene& patched, std::size_t memory, const radiosity::Progress& progress) const {
-  return {.tolerance = compute_.tolerance,
-          .closed = closed_choice(compute_.closed, patched.scene.closed),
-          .seed = compute_.seed,
+    const radiosity::Scene& scene, const study::StudyOptions& options, radiosity::Index n_patches,
+    const radiosity::Progress& progress) const {
+  return {.tolerance = options.tolerance,
+          .closed = study::closedness(scene, options.closed),
+          .seed = options.seed,
           .min_factor = min_factor_,
-          .buffers = memory - radiosity::streaming_memory(patched.mesh.size()),
+          .buffers = options.memory - radiosity::streaming_memory(n_patches),
           .progress = progress};
 }
 
@@ -215,13 +214,13 @@ void FormFactorsCommand::run_from(const std::string& from) const {
   check_outputs(common_.outputs, common_.scene);
   TerminalProgress terminal(terminal_style(common_));
   const radiosity::ThreadLimit threads(common_.n_threads);
-  const radiosity::Progress progress = shown_progress(terminal, interruption_);
-  const FactorsFrom factors = compute_factors_from(from, common_, compute_, progress, terminal);
+  const study::StudyEvents events = shown_events(terminal, interruption_);
+  const FactorsFrom factors = compute_factors_from(from, common_, compute_, events);
   for (const std::string& output : common_.outputs) {
     const auto lock = interruption_.hold();
     io::write_destinations_csv(output, factors.surface_names, factors.shares);
   }
-  progress.check();
+  events.progress.check();
   print(common_.json ? factors_from_json(factors, common_.outputs, terminal.warnings())
                      : factors_from_text(factors, common_.outputs));
 }

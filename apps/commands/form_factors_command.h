@@ -29,8 +29,9 @@ class FormFactorsCommand {
  private:
   void run() const;
   void run_from(const std::string& from) const;
-  [[nodiscard]] radiosity::StreamOptions stream_options(const PatchedScene& patched,
-                                                        std::size_t memory,
+  [[nodiscard]] radiosity::StreamOptions stream_options(const radiosity::Scene& scene,
+                                                        const study::StudyOptions& options,
+                                                        radiosity::Index n_patches,
                                                         const radiosity::Progress& progress) const;
   [[nodiscard]] bool is_complete(const radiosity::Fingerprint& fingerprint) const;
   [[nodiscard]] radiosity::TileStore open_store(const radiosity::PatchMesh& mesh,
@@ -44,7 +45,7 @@ class FormFactorsCommand {
 
   Interruption& interruption_;
   CommonOptions common_;
-  ComputeOptions compute_;
+  study::StudyOptions compute_;
   std::string by_;
   std::optional<std::string> from_;
   bool resume_ = false;

@@ -1,7 +1,9 @@
 #include "apps/commands/inspect_command.h"
 
 #include <CLI/App.hpp>
-#include "apps/run/solved_scene.h"
+
+#include "apps/run/scene_input.h"
+#include "apps/run/shown_events.h"
 #include "apps/summary/json_summary.h"
 #include "apps/summary/summary.h"
 #include "apps/summary/text_summary.h"
@@ -12,6 +14,7 @@
 #include "radiosity/exchange/openings.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/visibility/visibility.h"
+#include "study/study_options.h"
 
 namespace apps {
 namespace {
@@ -21,7 +24,7 @@ namespace {
 bool encloses(const radiosity::Scene& scene, const radiosity::Progress& progress) {
   const radiosity::PatchMesh mesh = meshing::make_patches(scene, {.progress = progress});
   const radiosity::Visibility visibility(mesh);
-  const ComputeOptions defaults;
+  const study::StudyOptions defaults;
   return radiosity::is_enclosed(mesh, visibility, defaults.tolerance, defaults.seed);
 }
 
@@ -38,11 +41,11 @@ InspectCommand::InspectCommand(CLI::App& program, Interruption& interruption)
 void InspectCommand::run() const {
   TerminalProgress terminal(terminal_style(common_));
   const radiosity::ThreadLimit threads(common_.n_threads);
-  const radiosity::Progress progress = shown_progress(terminal, interruption_);
-  const radiosity::Scene scene = read_scene_warning(common_, progress, terminal);
+  const study::StudyEvents events = shown_events(terminal, interruption_);
+  const radiosity::Scene scene = read_scene_warning(common_, events);
   meshing::Inspection inspection = meshing::inspect(scene);
-  inspection.closed = scene.closed ? *scene.closed : encloses(scene, progress);
-  progress.check();
+  inspection.closed = scene.closed ? *scene.closed : encloses(scene, events.progress);
+  events.progress.check();
   print(common_.json ? inspect_json(scene, inspection, terminal.warnings())
                      : inspect_text(scene, inspection));
 }

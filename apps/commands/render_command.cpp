@@ -2,7 +2,9 @@
 
 #include <CLI/App.hpp>
 #include "apps/run/picture_check.h"
-#include "apps/run/solved_scene.h"
+#include "apps/run/picture_output.h"
+#include "apps/run/scene_input.h"
+#include "apps/run/shown_events.h"
 #include "apps/summary/summary.h"
 #include "apps/terminal/output_files.h"
 #include "radiosity/base/parallel.h"
@@ -31,17 +33,15 @@ void RenderCommand::run() const {
   check_false_color(picture_.false_color);
   TerminalProgress terminal(terminal_style(common_));
   const radiosity::ThreadLimit threads(common_.n_threads);
-  const radiosity::Progress progress = shown_progress(terminal, interruption_);
-  const PatchCheck check = [&](const PatchedScene& patched) {
-    check_picture(patched, picture_, terminal);
-    check_photometry(patched.scene, shown_quantities(picture_.false_color), picture_.photometry,
-                     terminal);
+  study::StudyEvents events = shown_events(terminal, interruption_);
+  events.divided = [&](const radiosity::Scene& scene, const study::Patches& patches) {
+    check_picture(scene, patches, picture_, terminal);
+    check_photometry(scene, shown_quantities(picture_.false_color), picture_.photometry, terminal);
   };
-  const SolvedScene solved(common, compute_, radiosity::Method::conjugate_gradients, progress,
-                           terminal, check);
+  const study::Study solved = study::run(read_checked_scene(common, events), compute_, events);
   SolveSummary summary = {.solved = solved, .outputs = common.outputs};
-  summary.false_color = write_picture(output_, solved, picture_, progress, interruption_);
-  progress.check();
+  summary.false_color = write_picture(output_, solved, picture_, events.progress, interruption_);
+  events.progress.check();
   print_summary(summary, common_, terminal);
 }
 

@@ -4,6 +4,7 @@
 
 #include "apps/options/common_options.h"
 #include "apps/terminal/interruption.h"
+#include "study/study_options.h"
 
 namespace CLI {
 class App;
@@ -24,7 +25,7 @@ class RenderCommand {
 
   Interruption& interruption_;
   CommonOptions common_;
-  ComputeOptions compute_;
+  study::StudyOptions compute_;
   PictureOptions picture_;
   std::string output_;
 };

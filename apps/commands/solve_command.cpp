@@ -4,7 +4,9 @@
 #include <algorithm>
 
 #include "apps/run/picture_check.h"
-#include "apps/run/solved_scene.h"
+#include "apps/run/picture_output.h"
+#include "apps/run/scene_input.h"
+#include "apps/run/shown_events.h"
 #include "apps/summary/summary.h"
 #include "apps/terminal/output_files.h"
 #include "io/result/result_file.h"
@@ -26,7 +28,7 @@ std::vector<std::string> method_names() {
 }  // namespace
 
 SolveCommand::SolveCommand(CLI::App& program, Interruption& interruption)
-    : interruption_(interruption), method_(radiosity::method_name(Method::conjugate_gradients)) {
+    : interruption_(interruption) {
   CLI::App* command =
       program.add_subcommand("solve", "Compute the radiosity of a scene and write it to files");
   add_common_options(*command, common_);
@@ -38,9 +40,13 @@ SolveCommand::SolveCommand(CLI::App& program, Interruption& interruption)
       ->check([](const std::string& path) { return check_extension(path, result_extensions()); })
       ->type_name("FILE")
       ->allow_extra_args(false);
-  command->add_option("--method", method_, "Iteration; cg (conjugate gradients) is the fastest")
+  command
+      ->add_option_function<std::string>(
+          "--method",
+          [this](const std::string& name) { compute_.method = *radiosity::method_named(name); },
+          "Iteration; cg (conjugate gradients) is the fastest")
       ->check(CLI::IsMember(method_names()))
-      ->capture_default_str()
+      ->default_str(std::string(radiosity::method_name(compute_.method)))
       ->type_name("M");
   add_compute_options(*command, compute_);
   add_adaptive_option(*command, compute_);
@@ -54,13 +60,12 @@ void SolveCommand::run() const {
   check_false_color(picture_.false_color);
   TerminalProgress terminal(terminal_style(common_));
   const radiosity::ThreadLimit threads(common_.n_threads);
-  const radiosity::Progress progress = shown_progress(terminal, interruption_);
+  study::StudyEvents events = shown_events(terminal, interruption_);
   const std::vector<Quantity> quantities = chosen_quantities(quantities_);
-  const PatchCheck check = [&](const PatchedScene& patched) {
-    check_all(patched, quantities, terminal);
+  events.divided = [&](const radiosity::Scene& scene, const study::Patches& patches) {
+    check_all(scene, patches, quantities, terminal);
   };
-  const SolvedScene solved(common_, compute_, *radiosity::method_named(method_), progress, terminal,
-                           check);
+  const study::Study solved = study::run(read_checked_scene(common_, events), compute_, events);
   io::ResultOptions options = {.wavelengths = solved.scene.bands.wavelengths};
   for (const Quantity quantity : quantities) {
     options.quantities.push_back(radiosity::make_field(quantity, solved.mesh, solved.solution,
@@ -69,28 +74,28 @@ void SolveCommand::run() const {
   }
   SolveSummary summary = {.solved = solved, .outputs = common_.outputs};
   for (const auto& field : options.quantities) {
-    summary.quantities.push_back(summarize(field, solved.mesh));
+    summary.quantities.push_back(radiosity::summarize(field, solved.mesh));
   }
   for (const std::string& output : common_.outputs) {
     if (is_picture(output)) {
-      summary.false_color = write_picture(output, solved, picture_, progress, interruption_);
+      summary.false_color = write_picture(output, solved, picture_, events.progress, interruption_);
     } else {
       const auto lock = interruption_.hold();
       io::write(output, solved.mesh, solved.solution, options);
     }
-    progress.check();
+    events.progress.check();
   }
   print_summary(summary, common_, terminal);
 }
 
-void SolveCommand::check_all(const PatchedScene& patched, std::vector<Quantity> quantities,
-                             TerminalProgress& terminal) const {
+void SolveCommand::check_all(const radiosity::Scene& scene, const study::Patches& patches,
+                             std::vector<Quantity> quantities, TerminalProgress& terminal) const {
   if (std::any_of(common_.outputs.begin(), common_.outputs.end(), is_picture)) {
-    check_picture(patched, picture_, terminal);
+    check_picture(scene, patches, picture_, terminal);
     const auto shown = shown_quantities(picture_.false_color);
     quantities.insert(quantities.end(), shown.begin(), shown.end());
   }
-  check_photometry(patched.scene, quantities, picture_.photometry, terminal);
+  check_photometry(scene, quantities, picture_.photometry, terminal);
 }
 
 }  // namespace apps

@@ -4,8 +4,9 @@
 #include <vector>
 
 #include "apps/options/common_options.h"
-#include "apps/run/solved_scene.h"
 #include "apps/terminal/interruption.h"
+#include "apps/terminal/terminal_progress.h"
+#include "study/study.h"
 
 namespace CLI {
 class App;
@@ -24,15 +25,14 @@ class SolveCommand {
  private:
   void run() const;
   /// Finds out before the long work what would be in vain.
-  void check_all(const PatchedScene& patched, std::vector<radiosity::Quantity> quantities,
-                 TerminalProgress& terminal) const;
+  void check_all(const radiosity::Scene& scene, const study::Patches& patches,
+                 std::vector<radiosity::Quantity> quantities, TerminalProgress& terminal) const;
 
   Interruption& interruption_;
   CommonOptions common_;
-  ComputeOptions compute_;
+  study::StudyOptions compute_;
   PictureOptions picture_;
   QuantityOptions quantities_;
-  std::string method_;
 };
 
 }  // namespace apps

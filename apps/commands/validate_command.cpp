@@ -9,7 +9,7 @@
 #include <system_error>
 #include <thread>
 
-#include "apps/run/solved_scene.h"
+#include "apps/run/shown_events.h"
 #include "apps/summary/summary.h"
 #include "apps/terminal/machine.h"
 #include "apps/terminal/output_files.h"

@@ -14,22 +14,6 @@ namespace {
 constexpr int kLargestWindow = 16384;  // pixels
 constexpr int kMostThreads = 4096;
 
-viewer::SolveSettings solve_settings(const ComputeOptions& compute,
-                                     const std::optional<std::string>& unit,
-                                     const std::optional<double>& precision, bool strict) {
-  viewer::SolveSettings settings = {.max_edge = compute.max_edge,
-                                    .n_patches = compute.n_patches,
-                                    .as_is = compute.as_is,
-                                    .adaptive = compute.adaptive,
-                                    .tolerance = compute.tolerance,
-                                    .seed = compute.seed,
-                                    .unit = unit,
-                                    .precision = precision,
-                                    .strict = strict};
-  if (compute.closed != "auto") settings.closed = closed_choice(compute.closed, {});
-  return settings;
-}
-
 }  // namespace
 
 ViewCommand::ViewCommand(CLI::App& program, Interruption& interruption)
@@ -80,12 +64,14 @@ void ViewCommand::run() const {
   }
   if (screenshot_) check_outputs({*screenshot_}, path_.value_or(""));
   const radiosity::ThreadLimit threads(n_threads_);
-  viewer::ViewOptions options = {.path = path_,
-                                 .settings = solve_settings(compute_, unit_, precision_, strict_),
-                                 .width = width_,
-                                 .height = height_,
-                                 .scale = scale_,
-                                 .stop = interruption_.token()};
+  viewer::ViewOptions options = {
+      .path = path_,
+      .solving = compute_,
+      .reading = {.unit = unit_, .precision = precision_, .strict = strict_},
+      .width = width_,
+      .height = height_,
+      .scale = scale_,
+      .stop = interruption_.token()};
   if (script_) options.script = *script_;
   if (screenshot_) options.screenshot = *screenshot_;
   viewer::view(options);

@@ -31,7 +31,7 @@ class ViewCommand {
   int width_ = 1280;
   int height_ = 800;
   double scale_ = 0;
-  ComputeOptions compute_;
+  study::StudyOptions compute_;
 };
 
 }  // namespace apps

@@ -41,6 +41,11 @@ std::string check_samples(const std::string& text) {
   return fmt::format("found '{}', expected a square number from 1 to 4096", text);
 }
 
+radiosity::Closed closed_choice(const std::string& choice) {
+  if (choice == "auto") return radiosity::Closed::automatic;
+  return choice == "yes" ? radiosity::Closed::yes : radiosity::Closed::no;
+}
+
 }  // namespace
 
 void add_common_options(CLI::App& command, CommonOptions& options) {
@@ -69,17 +74,17 @@ void add_run_options(CLI::App& command, CommonOptions& options) {
   command.add_flag("--quiet", options.quiet, "Show no progress on stderr");
 }
 
-void add_compute_options(CLI::App& command, ComputeOptions& options) {
+void add_compute_options(CLI::App& command, study::StudyOptions& options) {
   const std::string patches = "Patches";
   auto* max_edge = command
-                       .add_option("--max-edge", options.max_edge,
+                       .add_option("--max-edge", options.patches.max_edge,
                                    "Divide polygons until no patch edge is longer than L metres")
                        ->check(check_positive)
                        ->type_name("L")
                        ->group(patches);
   auto* n_patches =
       command
-          .add_option("--patches", options.n_patches,
+          .add_option("--patches", options.patches.n_patches,
                       fmt::format("Divide into about N patches of about equal size; "
                                   "without any of these three options {}, or {} more "
                                   "than polygons, of which small ones stay whole",
@@ -88,7 +93,7 @@ void add_compute_options(CLI::App& command, ComputeOptions& options) {
           ->type_name("N")
           ->group(patches);
   auto* as_is = command
-                    .add_flag("--as-is", options.as_is,
+                    .add_flag("--as-is", options.patches.as_is,
                               "Each polygon of the file is one patch, in file order")
                     ->group(patches);
   max_edge->excludes(n_patches)->excludes(as_is);
@@ -98,11 +103,13 @@ void add_compute_options(CLI::App& command, ComputeOptions& options) {
       ->capture_default_str()
       ->type_name("T");
   command
-      .add_option("--closed", options.closed,
-                  "Whether the surfaces enclose the space they light: yes, no or auto (what the "
-                  "scene says, else found out)")
+      .add_option_function<std::string>(
+          "--closed",
+          [&options](const std::string& choice) { options.closed = closed_choice(choice); },
+          "Whether the surfaces enclose the space they light: yes, no or auto (what the "
+          "scene says, else found out)")
       ->check(CLI::IsMember({"yes", "no", "auto"}))
-      ->capture_default_str()
+      ->default_str("auto")
       ->type_name("C");
   add_seed_option(command, options.seed);
 }
@@ -129,9 +136,9 @@ void add_seed_option(CLI::App& command, std::uint64_t& seed) {
       ->type_name("S");
 }
 
-void add_adaptive_option(CLI::App& command, ComputeOptions& options) {
+void add_adaptive_option(CLI::App& command, study::StudyOptions& options) {
   command
-      .add_flag("--adaptive", options.adaptive,
+      .add_flag("--adaptive", options.patches.adaptive,
                 fmt::format("Make patches small where the light varies, until --tolerance is met "
                             "or --patches (default {}) are spent",
                             meshing::kMostAdaptivePatches))
@@ -172,13 +179,6 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
       ->excludes(false_color)
       ->type_name("X")
       ->group(picture);
-}
-
-radiosity::Closed closed_choice(const std::string& choice, const std::optional<bool>& declared) {
-  const bool ask_scene = choice == "auto";
-  if (ask_scene && !declared) return radiosity::Closed::automatic;
-  const bool closed = ask_scene ? *declared : choice == "yes";
-  return closed ? radiosity::Closed::yes : radiosity::Closed::no;
 }
 
 }  // namespace apps

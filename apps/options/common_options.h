@@ -8,8 +8,8 @@
 #include "apps/options/false_color_options.h"
 #include "apps/options/quantity_options.h"
 #include "io/picture/image_file.h"
-#include "radiosity/assembly/transport_options.h"
 #include "radiosity/picture/render.h"
+#include "study/study_options.h"
 
 namespace CLI {
 class App;
@@ -30,17 +30,6 @@ struct CommonOptions {
   std::vector<std::string> outputs;
 };
 
-/// What the options of a computation say about patches and form factors.
-struct ComputeOptions {
-  std::optional<double> max_edge;  ///< m
-  std::optional<long> n_patches;   ///< about so many
-  bool as_is = false;              ///< each input polygon is one patch
-  bool adaptive = false;           ///< patches are refined where the light varies
-  double tolerance = 1e-2;         ///< relative error asked of the result
-  std::string closed = "auto";     ///< "yes", "no" or "auto"
-  std::uint64_t seed = 0;          ///< of the visibility samples
-};
-
 /// How pictures are made.
 struct PictureOptions {
   bool gather = false;  ///< gather the light of each pixel anew instead of interpolating
@@ -58,12 +47,10 @@ void add_run_options(CLI::App& command, CommonOptions& options);
 void add_strict_option(CLI::App& command, bool& strict);
 void add_precision_option(CLI::App& command, std::optional<double>& precision);
 void add_seed_option(CLI::App& command, std::uint64_t& seed);
-void add_compute_options(CLI::App& command, ComputeOptions& options);
+/// Those of a computation, but for how it goes on once there are patches.
+void add_compute_options(CLI::App& command, study::StudyOptions& options);
 /// --adaptive, after add_compute_options.
-void add_adaptive_option(CLI::App& command, ComputeOptions& options);
+void add_adaptive_option(CLI::App& command, study::StudyOptions& options);
 void add_picture_options(CLI::App& command, PictureOptions& options);
-
-/// --closed as the library takes it; with "auto" the scene's own declaration counts.
-radiosity::Closed closed_choice(const std::string& choice, const std::optional<bool>& declared);
 
 }  // namespace apps

@@ -7,8 +7,8 @@
 #include <algorithm>
 
 #include "apps/terminal/number_list.h"
-#include "apps/terminal/surface_flux.h"
 #include "radiosity/base/error.h"
+#include "radiosity/solve/surface_flux.h"
 
 namespace apps {
 namespace {
@@ -92,7 +92,7 @@ void check_photometry(const radiosity::Scene& scene, const std::vector<Quantity>
   }
   if (!photometric) return;
   if (has_wavelengths) check_wavelengths(scene, terminal);
-  if (is_thermal(scene)) {
+  if (radiosity::is_thermal(scene)) {
     terminal.warn(
         "the scene emits by temperature, all wavelengths together: hardly any of it is light, and "
         "photometric quantities mean nothing");

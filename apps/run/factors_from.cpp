@@ -5,10 +5,11 @@
 #include <cmath>
 
 #include "apps/options/origin.h"
-#include "apps/run/solved_scene.h"
+#include "apps/run/scene_input.h"
 #include "meshing/patches/patches.h"
 #include "radiosity/operator/surface_factors.h"
 #include "radiosity/scene/patch_mesh.h"
+#include "study/warnings.h"
 
 namespace apps {
 namespace {
@@ -26,7 +27,7 @@ DestinationEstimate from_point(const PointOrigin& origin, const PatchMesh& polyg
   return {shares, {Eigen::VectorXd::Zero(shares.surfaces.size())}};
 }
 
-DestinationEstimate from_surface(std::int32_t surface, const AssembledScene& assembled,
+DestinationEstimate from_surface(std::int32_t surface, const study::Study& assembled,
                                  const SamplingOptions& options) {
   // Points see fewer, larger polygons sooner than the patches.
   const PatchMesh polygons = meshing::make_patches(assembled.scene, {.progress = options.progress});
@@ -37,12 +38,12 @@ DestinationEstimate from_surface(std::int32_t surface, const AssembledScene& ass
   return shares;
 }
 
-void warn_of_sum(const DestinationEstimate& shares, TerminalProgress& terminal) {
+void warn_of_sum(const DestinationEstimate& shares, const study::StudyEvents& events) {
   const double sigma =
       std::hypot(shares.error.surfaces.norm(), shares.error.backs, shares.error.sky);
   const double excess = shares.value.sum() - 1;
   if (std::abs(excess) <= kUnexplained + kSigmas * sigma) return;
-  terminal.warn(
+  events.warn(
       fmt::format("the factors add up to {:.6g} instead of 1, more than their errors explain: do "
                   "polygons overlap in one plane? (radiosity inspect tells)",
                   1 + excess));
@@ -51,22 +52,22 @@ void warn_of_sum(const DestinationEstimate& shares, TerminalProgress& terminal) 
 }  // namespace
 
 FactorsFrom compute_factors_from(const std::string& from, const CommonOptions& common,
-                                 const ComputeOptions& compute, const Progress& progress,
-                                 TerminalProgress& terminal) {
-  Scene scene = read_checked_scene(common, progress, terminal);
+                                 const study::StudyOptions& compute,
+                                 const study::StudyEvents& events) {
+  Scene scene = read_checked_scene(common, events);
   FactorsFrom result{from, {}, {}};
   for (const Surface& surface : scene.surfaces) result.surface_names.push_back(surface.name);
   const Origin origin = parse_origin(from, scene);
   if (const auto* point = std::get_if<PointOrigin>(&origin)) {
-    warn_of_findings(scene, terminal);
-    const PatchMesh polygons = meshing::make_patches(scene, {.progress = progress});
-    result.shares = from_point(*point, polygons, progress);
+    study::warn_of_findings(scene, events);
+    const PatchMesh polygons = meshing::make_patches(scene, {.progress = events.progress});
+    result.shares = from_point(*point, polygons, events.progress);
   } else {
-    const AssembledScene assembled(std::move(scene), compute, progress, terminal);
+    const study::Study assembled = study::assemble(std::move(scene), compute, events);
     result.shares = from_surface(std::get<std::int32_t>(origin), assembled,
-                                 {.seed = compute.seed, .progress = progress});
+                                 {.seed = compute.seed, .progress = events.progress});
   }
-  warn_of_sum(result.shares, terminal);
+  warn_of_sum(result.shares, events);
   return result;
 }
 

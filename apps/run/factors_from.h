@@ -4,9 +4,8 @@
 #include <vector>
 
 #include "apps/options/common_options.h"
-#include "apps/terminal/terminal_progress.h"
-#include "radiosity/base/progress.h"
 #include "radiosity/exchange/sampled_destinations.h"
+#include "study/study.h"
 
 namespace apps {
 
@@ -19,9 +18,9 @@ struct FactorsFrom {
 
 /// Computes them: from a point exactly; from a surface by the form factors of all pairs of patches,
 /// with the sky and backs from points on it. Warns if the shares do not add up to 1. Throws as
-/// parse_origin and AssembledScene do.
+/// parse_origin and study::assemble do.
 FactorsFrom compute_factors_from(const std::string& from, const CommonOptions& common,
-                                 const ComputeOptions& compute, const radiosity::Progress& progress,
-                                 TerminalProgress& terminal);
+                                 const study::StudyOptions& compute,
+                                 const study::StudyEvents& events);
 
 }  // namespace apps

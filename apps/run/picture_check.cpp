@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "apps/run/available_memory.h"
 #include "radiosity/base/error.h"
+#include "radiosity/base/machine_memory.h"
 #include "radiosity/picture/camera_view.h"
 
 namespace apps {
@@ -27,7 +27,7 @@ void refuse_too_large_picture(const PictureOptions& options, radiosity::Index n_
   const double shown = options.false_color.quantity ? 1 : static_cast<double>(n_bands);
   constexpr double kColors = 5;  // coverage, linear RGB and bytes
   const double bytes = pixels * (shown + kColors) * sizeof(float);
-  const auto memory = static_cast<double>(usable_memory());
+  const auto memory = static_cast<double>(radiosity::usable_memory());
   if (memory == 0 || bytes <= memory) return;  // 0: unknown
   throw radiosity::SolveError(fmt::format(
       "a picture of {} x {} pixels in {} bands needs {:.1f} GB of memory, but there are "
@@ -35,29 +35,30 @@ void refuse_too_large_picture(const PictureOptions& options, radiosity::Index n_
       options.render.width, options.render.height, shown, bytes * 1e-9, memory * 1e-9));
 }
 
-void refuse_empty_picture(const PatchedScene& patched, const Camera& camera, double aspect) {
-  const radiosity::ViewContent content = radiosity::view_content(patched.mesh, camera, aspect);
+void refuse_empty_picture(const radiosity::Scene& scene, const radiosity::PatchMesh& mesh,
+                          const Camera& camera, double aspect) {
+  const radiosity::ViewContent content = radiosity::view_content(mesh, camera, aspect);
   if (content.fronts) return;
   const std::string where = point_text(camera.position);
   if (content.backs) {
     throw radiosity::SceneError(
         fmt::format("{}: the picture would be empty: from {} m in direction {} the camera has only "
                     "backs of one-sided surfaces before it, which are not drawn",
-                    patched.scene.source, where, point_text(camera.direction)));
+                    scene.source, where, point_text(camera.direction)));
   }
-  const radiosity::Box3 box = radiosity::bounds(patched.mesh);
+  const radiosity::Box3 box = radiosity::bounds(mesh);
   throw radiosity::SceneError(fmt::format(
       "{}: the picture would be empty: the camera at {} m looks in direction {}, past the scene, "
       "which lies between {} and {} m",
-      patched.scene.source, where, point_text(camera.direction), point_text(box.min()),
+      scene.source, where, point_text(camera.direction), point_text(box.min()),
       point_text(box.max())));
 }
 
-void warn_inside_solid(const PatchedScene& patched, const Camera& camera,
+void warn_inside_solid(const study::Patches& patches, const Camera& camera,
                        TerminalProgress& terminal) {
-  const auto around = radiosity::surroundings(patched.visibility, camera.position);
+  const auto around = radiosity::surroundings(patches.visibility, camera.position);
   if (around.backs < kInside) return;
-  const std::string& nearest = patched.mesh.surface_names[patched.mesh.surface[around.nearest]];
+  const std::string& nearest = patches.mesh.surface_names[patches.mesh.surface[around.nearest]];
   terminal.warn(
       fmt::format("the camera at {} m is inside a solid or a wall: backs of one-sided surfaces are "
                   "all around it, nearest '{}'; the picture looks through them",
@@ -66,15 +67,15 @@ void warn_inside_solid(const PatchedScene& patched, const Camera& camera,
 
 }  // namespace
 
-void check_picture(const PatchedScene& patched, const PictureOptions& options,
-                   TerminalProgress& terminal) {
-  check_band(options.false_color, patched.scene.bands);
-  refuse_too_large_picture(options, patched.scene.bands.count());
-  const auto [camera, is_placed] = choose_camera(patched.scene, patched.mesh, options.camera);
+void check_picture(const radiosity::Scene& scene, const study::Patches& patches,
+                   const PictureOptions& options, TerminalProgress& terminal) {
+  check_band(options.false_color, scene.bands);
+  refuse_too_large_picture(options, scene.bands.count());
+  const auto [camera, is_placed] = choose_camera(scene, patches.mesh, options.camera);
   const double aspect = static_cast<double>(options.render.width) / options.render.height;
-  refuse_empty_picture(patched, camera, aspect);
+  refuse_empty_picture(scene, patches.mesh, camera, aspect);
   if (is_placed) {
-    warn_inside_solid(patched, camera, terminal);
+    warn_inside_solid(patches, camera, terminal);
   } else {
     terminal.warn(fmt::format(
         "the scene has no camera: the picture is taken from {} m, where all of it is in "

@@ -3,12 +3,12 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/summary/scene_text.h"
-#include "apps/terminal/surface_flux.h"
 #include "io/base/printable.h"
 #include "radiosity/operator/surface_factors.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/solve/solution.h"
 #include "radiosity/solve/solve.h"
+#include "radiosity/solve/surface_flux.h"
 
 namespace apps {
 namespace {
@@ -71,9 +71,9 @@ Json refinement(const meshing::Refinement& refinement) {
           {"seconds", refinement.seconds}};
 }
 
-Json surfaces(const std::vector<SurfaceFlux>& fluxes) {
+Json surfaces(const std::vector<radiosity::SurfaceFlux>& fluxes) {
   Json list = Json::array();
-  for (const SurfaceFlux& flux : fluxes) {
+  for (const radiosity::SurfaceFlux& flux : fluxes) {
     list.push_back({{"name", flux.surface},
                     {"area", flux.area},
                     {"net_flux", flux.flux},
@@ -87,7 +87,7 @@ Json values(const Eigen::VectorXd& values, const radiosity::QuantityInfo& info) 
   return info.is_photometric ? Json(values[0]) : array(values);
 }
 
-Json share(const QuantityShare& share, const radiosity::QuantityInfo& info) {
+Json share(const radiosity::QuantityShare& share, const radiosity::QuantityInfo& info) {
   Json json = {{"name", share.surface}, {"area", share.area}};
   if (info.is_additive) {
     json["sum"] = values(share.sum, info);
@@ -99,9 +99,9 @@ Json share(const QuantityShare& share, const radiosity::QuantityInfo& info) {
   return json;
 }
 
-Json by_surface(const QuantitySummary& quantity) {
+Json by_surface(const radiosity::QuantitySummary& quantity) {
   Json list = Json::array();
-  for (const QuantityShare& surface : quantity.surfaces) {
+  for (const radiosity::QuantityShare& surface : quantity.surfaces) {
     list.push_back(share(surface, quantity.info));
   }
   Json total = share(quantity.total, quantity.info);
@@ -160,7 +160,7 @@ Json bounds(const radiosity::Box3& box) {
 }  // namespace
 
 std::string solve_json(const SolveSummary& summary, const std::vector<std::string>& warnings) {
-  const SolvedScene& solved = summary.solved;
+  const study::Study& solved = summary.solved;
   const radiosity::EnergyBalance& energy = solved.solution.energy;
   Json json = {
       {"patches", solved.mesh.size()},
@@ -175,10 +175,10 @@ std::string solve_json(const SolveSummary& summary, const std::vector<std::strin
       {"outputs", summary.outputs},
       {"warnings", warnings}};
   if (solved.refinement) json["refinement"] = refinement(*solved.refinement);
-  if (is_thermal(solved.scene)) {
-    json["surfaces"] = surfaces(surface_fluxes(solved.mesh, solved.solution));
+  if (radiosity::is_thermal(solved.scene)) {
+    json["surfaces"] = surfaces(radiosity::surface_fluxes(solved.mesh, solved.solution));
   }
-  for (const QuantitySummary& quantity : summary.quantities) {
+  for (const radiosity::QuantitySummary& quantity : summary.quantities) {
     json["quantities"][std::string(quantity.info.name)] = by_surface(quantity);
   }
   if (const auto& shown = summary.false_color) {
@@ -193,8 +193,8 @@ std::string solve_json(const SolveSummary& summary, const std::vector<std::strin
 
 std::string form_factors_json(const FactorSummary& summary,
                               const std::vector<std::string>& warnings) {
-  const radiosity::PatchMesh& mesh = summary.patched.mesh;
-  Json json = {{"patches", mesh.size()}, {"bands", summary.patched.scene.bands.count()}};
+  const radiosity::PatchMesh& mesh = summary.mesh;
+  Json json = {{"patches", mesh.size()}, {"bands", summary.scene.bands.count()}};
   if (summary.factors != nullptr) {
     json["form_factors"] = form_factors(summary.factors->report(), summary.factors->bytes());
     if (summary.min_factor > 0) {

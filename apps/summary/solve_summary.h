@@ -4,17 +4,18 @@
 #include <string>
 #include <vector>
 
-#include "apps/run/solved_scene.h"
-#include "apps/summary/quantity_summary.h"
+#include "apps/options/false_color_options.h"
+#include "radiosity/solve/quantity_summary.h"
+#include "study/study.h"
 
 namespace apps {
 
 /// What `solve` or `render` did.
 struct SolveSummary {
-  const SolvedScene& solved;
+  const study::Study& solved;
   const std::vector<std::string>& outputs;
-  std::vector<QuantitySummary> quantities = {};          ///< that were asked for
-  std::optional<ShownScale> false_color = std::nullopt;  ///< of pictures in false colours
+  std::vector<radiosity::QuantitySummary> quantities = {};  ///< that were asked for
+  std::optional<ShownScale> false_color = std::nullopt;     ///< of pictures in false colours
 };
 
 }  // namespace apps

@@ -2,7 +2,9 @@
 
 #include <string>
 
+#include "apps/options/common_options.h"
 #include "apps/summary/solve_summary.h"
+#include "apps/terminal/terminal_progress.h"
 
 namespace apps {
 

@@ -7,11 +7,11 @@
 #include <cmath>
 
 #include "apps/summary/scene_text.h"
-#include "apps/terminal/surface_flux.h"
 #include "apps/terminal/terminal_progress.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/solve/quantity.h"
 #include "radiosity/solve/solution.h"
+#include "radiosity/solve/surface_flux.h"
 
 namespace apps {
 namespace {
@@ -60,10 +60,9 @@ std::string bytes(std::size_t n) {
                            : fmt::format("{:.2f} GB", static_cast<double>(n) * 1e-9);
 }
 
-std::string scene_lines(const PatchedScene& patched) {
-  return line("scene", one_line(patched.scene.source)) +
-         line("patches", fmt::format("{} on {} surfaces", patched.mesh.size(),
-                                     patched.mesh.surface_names.size()));
+std::string scene_lines(const radiosity::Scene& scene, const radiosity::PatchMesh& mesh) {
+  return line("scene", one_line(scene.source)) +
+         line("patches", fmt::format("{} on {} surfaces", mesh.size(), mesh.surface_names.size()));
 }
 
 /// A share to six digits; rounding shows as 0 and never as -0.
@@ -147,22 +146,22 @@ std::string energy_table(const radiosity::Bands& bands, const radiosity::EnergyB
   return table(rows);
 }
 
-std::string flux_table(const std::vector<SurfaceFlux>& fluxes) {
+std::string flux_table(const std::vector<radiosity::SurfaceFlux>& fluxes) {
   std::vector<Row> rows = {{"net heat lost by", "area, m²", "W/m²", "W"}};
-  for (const SurfaceFlux& flux : fluxes) {
+  for (const radiosity::SurfaceFlux& flux : fluxes) {
     rows.push_back({one_line(flux.surface), fmt::format("{:.4g}", flux.area),
                     fmt::format("{:.6g}", flux.flux), fmt::format("{:.6g}", flux.heat)});
   }
   return table(rows);
 }
 
-std::string quantity_table(const QuantitySummary& quantity) {
+std::string quantity_table(const radiosity::QuantitySummary& quantity) {
   const bool adds = quantity.info.is_additive;
   std::string head(quantity.info.name);
   if (!quantity.unit.empty()) head += ", " + quantity.unit;
   std::vector<Row> rows = {{head, "area, m²", "mean", "min", "max"}};
   if (adds) rows.front() = {head, "area, m²", "sum"};
-  const auto add = [&](const QuantityShare& share) {
+  const auto add = [&](const radiosity::QuantityShare& share) {
     Row row = {one_line(share.surface), fmt::format("{:.4g}", share.area)};
     if (adds) {
       row.push_back(numbers(share.sum));
@@ -173,7 +172,7 @@ std::string quantity_table(const QuantitySummary& quantity) {
     }
     rows.push_back(row);
   };
-  for (const QuantityShare& share : quantity.surfaces) add(share);
+  for (const radiosity::QuantityShare& share : quantity.surfaces) add(share);
   add(quantity.total);
   return table(rows);
 }
@@ -232,7 +231,7 @@ std::string finding_lines(const meshing::Inspection& inspection) {
 }  // namespace
 
 std::string form_factors_text(const FactorSummary& summary) {
-  std::string text = scene_lines(summary.patched);
+  std::string text = scene_lines(summary.scene, summary.mesh);
   if (summary.factors != nullptr) {
     text += form_factor_lines(summary.factors->report(), summary.factors->bytes());
     if (summary.min_factor > 0) {
@@ -240,7 +239,7 @@ std::string form_factors_text(const FactorSummary& summary) {
     }
   }
   if (summary.by_surface.size() > 0) {
-    text += surface_factor_table(summary.patched.mesh, summary.by_surface);
+    text += surface_factor_table(summary.mesh, summary.by_surface);
   }
   const std::string_view label = summary.factors != nullptr ? "written" : "complete";
   for (const std::string& output : summary.outputs) text += line(label, one_line(output));
@@ -248,15 +247,17 @@ std::string form_factors_text(const FactorSummary& summary) {
 }
 
 std::string solve_text(const SolveSummary& summary) {
-  const SolvedScene& solved = summary.solved;
-  std::string text = scene_lines(solved) +
+  const study::Study& solved = summary.solved;
+  std::string text = scene_lines(solved.scene, solved.mesh) +
                      form_factor_lines(solved.transport->report(), solved.transport->bytes());
   if (solved.refinement) text += refinement_lines(*solved.refinement);
   text += solve_lines(solved.solution);
   text += discretisation_lines(solved.discretisation);
   text += energy_table(solved.scene.bands, solved.solution.energy);
-  if (is_thermal(solved.scene)) text += flux_table(surface_fluxes(solved.mesh, solved.solution));
-  for (const QuantitySummary& quantity : summary.quantities) text += quantity_table(quantity);
+  if (radiosity::is_thermal(solved.scene))
+    text += flux_table(radiosity::surface_fluxes(solved.mesh, solved.solution));
+  for (const radiosity::QuantitySummary& quantity : summary.quantities)
+    text += quantity_table(quantity);
   if (summary.false_color) text += line("false colours", scale_text(*summary.false_color));
   for (const std::string& output : summary.outputs) text += line("written", one_line(output));
   return text;

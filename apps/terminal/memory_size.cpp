@@ -1,7 +1,5 @@
 #include "apps/terminal/memory_size.h"
 
-#include <fmt/format.h>
-
 #include <charconv>
 #include <cmath>
 #include <string_view>
@@ -36,12 +34,6 @@ std::optional<std::size_t> parse_memory_size(const std::string& text) {
   const double bytes = number * unit_factor(unit).value_or(0);
   if (!(bytes >= 1 && bytes <= kMostBytes)) return std::nullopt;
   return static_cast<std::size_t>(bytes);
-}
-
-std::string memory_text(std::size_t bytes) {
-  const double megabytes = std::ceil(static_cast<double>(bytes) * 1e-6);
-  if (megabytes < 1000) return fmt::format("{}MB", megabytes);
-  return fmt::format("{}GB", std::ceil(megabytes / 10) / 100);
 }
 
 }  // namespace apps

@@ -8,10 +8,7 @@ namespace apps {
 
 /// The bytes that "2GB", "500 MB", "1.5G", "750MiB" or "1000000" tell; nothing if the text is no
 /// such size or less than one byte. k, M, G, T are powers of 1000; Ki, Mi, Gi, Ti of 1024. Case
-/// does not matter, nor does the B.
+/// does not matter, nor does the B. Reads what radiosity::memory_text writes.
 std::optional<std::size_t> parse_memory_size(const std::string& text);
-
-/// A size rounded up, as parse_memory_size reads it: "40MB", "1.25GB".
-std::string memory_text(std::size_t bytes);
 
 }  // namespace apps

@@ -4,7 +4,9 @@
 #include <chrono>
 
 #include "meshing/adaptive/refinable_mesh.h"
+#include "radiosity/assembly/dense_memory.h"
 #include "radiosity/assembly/make_transport.h"
+#include "radiosity/base/machine_memory.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/radiometry.h"
 #include "radiosity/solve/discretisation_error.h"
@@ -40,6 +42,8 @@ class Refiner {
   Refiner(const Scene& scene, const AdaptiveOptions& options)
       : scene_(scene),
         options_(options),
+        memory_(options.transport.memory > 0 ? options.transport.memory : usable_memory()),
+        max_patches_(most_patches()),
         patches_(
             make_patches(scene, {.n_patches = first_patches(), .progress = options.progress})) {}
 
@@ -64,6 +68,7 @@ class Refiner {
     for (std::size_t i = 0; i < same.size(); ++i) same[i] = static_cast<std::int32_t>(i);
     TransportOptions last = options_.transport;
     last.known = {stage.transport.get(), same};
+    last.memory = memory_beside(stage.transport.get());
     result.transport = make_transport(patches_.mesh(), stage.visibility, last);
     result.mesh = patches_.mesh();
     result.visibility = std::move(stage.visibility);
@@ -74,7 +79,21 @@ class Refiner {
 
  private:
   [[nodiscard]] long first_patches() const {
-    return std::max(1L, std::min(kFirstPatches, options_.max_patches / kFirstShare));
+    return std::max(1L, std::min(kFirstPatches, max_patches_ / kFirstShare));
+  }
+
+  /// Each operator is made from the one before, so both must fit, with some patches more than so
+  /// many: neighbours are divided, too.
+  [[nodiscard]] long most_patches() const {
+    constexpr std::size_t kOperators = 3;
+    return std::min<long>(options_.max_patches, largest_problem(memory_ / kOperators));
+  }
+
+  /// Bytes left for another operator; 0 if nobody knows.
+  [[nodiscard]] std::size_t memory_beside(const Transport* earlier) const {
+    if (memory_ == 0) return 0;
+    const std::size_t taken = earlier != nullptr ? earlier->bytes() : 0;
+    return memory_ > taken ? memory_ - taken : 1;
   }
 
   [[nodiscard]] Stage make_stage(const KnownPairs& known) const {
@@ -83,6 +102,7 @@ class Refiner {
     TransportOptions transport = options_.transport;
     transport.closed = Closed::no;
     transport.known = known;
+    transport.memory = memory_beside(known.transport);
     stage.transport = make_transport(mesh, stage.visibility, transport);
     SolveOptions solving;
     solving.tolerance = kSolveTolerance;
@@ -108,11 +128,13 @@ class Refiner {
   /// How many patches may be divided.
   [[nodiscard]] Index affordable() const {
     constexpr long kPartsMore = 3;
-    return std::max<Index>(0, (options_.max_patches - patches_.mesh().size()) / kPartsMore);
+    return std::max<Index>(0, (max_patches_ - patches_.mesh().size()) / kPartsMore);
   }
 
   const Scene& scene_;
   const AdaptiveOptions& options_;
+  std::size_t memory_;  // bytes for operators; 0 if the machine does not tell
+  long max_patches_;
   RefinableMesh patches_;
 };
 

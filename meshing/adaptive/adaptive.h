@@ -18,7 +18,8 @@ inline constexpr long kMostAdaptivePatches = 20000;
 
 struct AdaptiveOptions {
   double tolerance = 1e-2;  ///< relative error of the radiosity at which refinement ends, > 0
-  long max_patches = kMostAdaptivePatches;     ///< at which it ends too, about
+  long max_patches = kMostAdaptivePatches;     ///< at which it ends too, about; fewer if two
+                                               ///< operators of so many do not fit into memory
   radiosity::TransportOptions transport = {};  ///< of the form factors
   radiosity::Progress progress = {};
 };

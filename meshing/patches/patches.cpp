@@ -189,6 +189,12 @@ double usual_length(const Scene& scene) {
   return *middle;
 }
 
+double polygon_area(const Scene& scene, Index i) {
+  std::vector<Vec3> corners;
+  for (const auto vertex : scene.polygon(i)) corners.push_back(scene.vertices[vertex]);
+  return radiosity::vector_area(corners).norm();
+}
+
 }  // namespace
 
 PatchOptions make_patch_options(const PatchChoice& choice, const radiosity::Scene& scene,
@@ -207,6 +213,19 @@ PatchOptions make_patch_options(const PatchChoice& choice, const radiosity::Scen
     options.least_edge = kLarge * usual_length(scene);
   }
   return options;
+}
+
+Index least_patches(const Scene& scene, const PatchOptions& options) {
+  Index least = scene.n_polygons();
+  if (!options.least_edge) least = std::max<Index>(least, options.n_patches.value_or(0));
+  if (options.max_edge) {
+    double area = 0;
+    for (Index i = 0; i < scene.n_polygons(); ++i) area += polygon_area(scene, i);
+    // The largest patch whose edges are no longer than L is the square L².
+    const double squares = area / (*options.max_edge * *options.max_edge);
+    least = std::max(least, static_cast<Index>(std::min(squares, 1e9)));
+  }
+  return least;
 }
 
 PatchMesh make_patches(const Scene& scene, const PatchOptions& options) {

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "radiosity/base/geometry.h"
 #include "radiosity/base/progress.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/scene.h"
@@ -42,6 +43,9 @@ struct PatchChoice {
 /// no more than kDefaultPatches, since refinement makes its own.
 PatchOptions make_patch_options(const PatchChoice& choice, const radiosity::Scene& scene,
                                 const radiosity::Progress& progress = {});
+
+/// A number of patches that make_patches will reach, known without making any.
+radiosity::Index least_patches(const radiosity::Scene& scene, const PatchOptions& options);
 
 /// Subdivides the scene's polygons into well-shaped patches: quads stay quads, triangles are split
 /// without slivers, an edge shared by two polygons (same vertex positions) is divided alike on both

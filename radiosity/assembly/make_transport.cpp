@@ -2,10 +2,10 @@
 
 #include <chrono>
 #include <cmath>
-#include <sstream>
 
 #include "radiosity/assembly/assembly_report.h"
 #include "radiosity/assembly/closure.h"
+#include "radiosity/assembly/dense_memory.h"
 #include "radiosity/assembly/memory_sink.h"
 #include "radiosity/visibility/coverage.h"
 
@@ -78,29 +78,11 @@ class DenseTransport final : public Transport {
   double error_ = 0;
 };
 
-void check_memory(Index n_patches, std::size_t available) {
-  const std::size_t needed = dense_transport_bytes(n_patches);
-  if (available == 0 || needed <= available) return;
-  const auto fitting = static_cast<long>(std::sqrt(static_cast<double>(available) / 2.4));
-  std::ostringstream message;
-  message.precision(3);
-  message << "form factors of " << n_patches << " patches need "
-          << static_cast<double>(needed) * 1e-9 << " GB of memory, but "
-          << static_cast<double>(available) * 1e-9 << " GB are available; make the patches "
-          << "larger, so that there are at most " << fitting;
-  throw SolveError(message.str());
-}
-
 }  // namespace
-
-std::size_t dense_transport_bytes(Index n_patches) {
-  const auto n = static_cast<double>(n_patches);
-  return static_cast<std::size_t>(2.4 * n * n);
-}
 
 std::unique_ptr<Transport> make_transport(const PatchMesh& mesh, const Visibility& visibility,
                                           const TransportOptions& options) {
-  check_memory(mesh.size(), options.memory);
+  check_memory(mesh.size(), mesh.n_polygons(), options.memory);
   const auto start = std::chrono::steady_clock::now();
   const Eigen::VectorXd area = Eigen::Map<const Eigen::VectorXd>(mesh.area.data(), mesh.size());
   const Coverage coverage = find_coverage(mesh, plane_thickness(mesh));

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <memory>
 
 #include "radiosity/assembly/transport_options.h"
@@ -10,9 +9,6 @@
 #include "radiosity/visibility/visibility.h"
 
 namespace radiosity {
-
-/// Memory that a dense operator of n patches takes at most, bytes: 2 n² plus the entries' errors.
-std::size_t dense_transport_bytes(Index n_patches);
 
 /// Computes the exchange areas of all pairs of patches. Same input, same bits, at any number of
 /// threads. Throws SolveError if the operator does not fit into memory, with the figure and a way

@@ -26,8 +26,8 @@ struct TransportOptions {
   double tolerance = 1e-2;            ///< relative error asked of the form factors, > 0
   Closed closed = Closed::automatic;  ///< whether all row sums must be 1
   std::uint64_t seed = 0;             ///< of the visibility samples
-  std::size_t memory = 0;             ///< bytes the operator may take; 0 = what the machine has
-  KnownPairs known = {};              ///< from an operator that was not corrected to be closed
+  std::size_t memory = 0;  ///< bytes the operator may take; 0 = what the machine has available
+  KnownPairs known = {};   ///< from an operator that was not corrected to be closed
   Progress progress{};
 };
 

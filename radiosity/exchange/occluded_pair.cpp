@@ -74,6 +74,8 @@ constexpr int kMostRays = SegmentSampler::kPacket * static_cast<int>(kMostPacket
 constexpr double kRuleError = 0.3;
 constexpr double kQuarterError = 0.2;
 constexpr double kChanceError = 0.1;
+/// Error of the kernel of parts that are proved visible or hidden, of what is asked of the pair.
+constexpr double kPartKernel = 1e-3;
 /// The standard error of what points miss as a share of it.
 constexpr double kMissed = 0.5;
 /// The same of what their rule misses of the unobstructed kernel.
@@ -81,6 +83,8 @@ constexpr double kPeakError = 0.3;
 /// The standard error of what happens between the twenty points of a piece and its quarters, such
 /// as a strip along its border from which alone the target is seen, as a share of all.
 constexpr double kUnseen = 0.005;
+/// How near a body is beside the source, in sizes of that: its faces then divide it for points.
+constexpr double kBeside = 0.1;
 /// Points for a pair at most: what does not settle by then has the error that it has.
 constexpr int kMostPoints = 300;
 
@@ -356,6 +360,7 @@ Blocking OccludedPairEstimator::find_shadows(const ConvexPolygon& source,
   level.border = nullptr;
   Box3 source_box;
   for (const Vec3& corner : source) source_box.extend(corner);
+  const double source_size = source_box.diagonal().norm();
   const PairHull hull(source, target, options_.thickness);
   std::optional<SegmentBundle> bundle;
   for (const Blocker* candidate : candidates) {
@@ -376,8 +381,10 @@ Blocking OccludedPairEstimator::find_shadows(const ConvexPolygon& source,
     if (verdict.divides_source != nullptr) level.dividing.push_back(n_kept);
     if (level.source_divider == nullptr) level.source_divider = verdict.divides_source;
     if (level.target_divider == nullptr) level.target_divider = verdict.divides_target;
-    const bool stands_on_source = candidate->box.exteriorDistance(source_box) <= options_.thickness;
-    if (stands_on_source && level.border == nullptr) level.border = verdict.divides_source;
+    // Right beside the source light ends so suddenly that a rule's points miss where it does.
+    const double gap = candidate->box.exteriorDistance(source_box);
+    const bool is_beside = gap <= std::max(options_.thickness, kBeside * source_size);
+    if (is_beside && level.border == nullptr) level.border = verdict.divides_source;
   }
   return level.blockers.empty() ? Blocking::none : Blocking::some;
 }
@@ -478,6 +485,7 @@ PairEstimate OccludedPairEstimator::sample_points(const View& view, double whole
   const std::size_t last_depth = depth + kMostQuarterings;
   if (levels_.size() <= last_depth + 1) levels_.resize(last_depth + 2);
   points_left_ = kMostPoints;
+  part_tolerance_ = std::max(options_.kernel_tolerance, kPartKernel * error);
   const PointSums coarse = apply_rule(view, *view.source, levels_[depth]);
   PointSums sums;
   add_parts(view, *view.source, coarse, error * coarse.whole, depth, last_depth, sums);
@@ -534,8 +542,7 @@ OccludedPairEstimator::PointSums OccludedPairEstimator::look_at_part(const View&
   if (blocking == Blocking::some && level.target_divider == nullptr) {
     return apply_rule(view, part, level);
   }
-  const double whole =
-      exchange_area(part.points(), view.target->points(), options_.kernel_tolerance);
+  const double whole = exchange_area(part.points(), view.target->points(), part_tolerance_);
   return {whole, blocking == Blocking::all ? 0 : whole, 0, blocking != Blocking::some};
 }
 

@@ -113,7 +113,8 @@ class OccludedPairEstimator {
   std::deque<Level> levels_;
   ShadowedQuadrature quadrature_;
   ShadowCutter cutter_;
-  int points_left_ = 0;  // before a pair has to do with what it has
+  int points_left_ = 0;        // before a pair has to do with what it has
+  double part_tolerance_ = 0;  // of the same pair: see kPartKernel
 };
 
 }  // namespace radiosity

@@ -68,13 +68,16 @@ void for_each_point(const ConvexPolygon& polygon, int order, const Visit& visit)
 VisibleShare ShadowedQuadrature::integrate(const ShadowedPair& pair, double tolerance,
                                            bool adapts) {
   divide_source(pair, adapts ? kMostAdaptivePieces : kMostPieces);
-  points_left_ = static_cast<long>(kMostPoints * std::max(1.0, std::sqrt(1e-3 / tolerance)));
+  const double most_points = kMostPoints * std::max(1.0, std::sqrt(1e-3 / tolerance));
+  points_left_ = 0;
   const double area = vector_area(pair.source.points()).norm();
   const bool is_single = pair.shadows.size() == 1;
   Sums total;
   for (const ConvexPolygon& piece : pieces_) {
     const double share = vector_area(piece.points()).norm() / area;
     if (adapts) {
+      // Each has its share, and what those before it have left.
+      points_left_ += static_cast<long>(most_points * share);
       const double whole = point_to_polygon(bounding_disc(piece.points()).center,
                                             pair.source_normal, pair.target.points()) *
                            area;
@@ -190,19 +193,28 @@ ShadowedQuadrature::Sums ShadowedQuadrature::apply_rule(const ShadowedPair& pair
 void ShadowedQuadrature::add_adaptively(const ShadowedPair& pair, const ConvexPolygon& piece,
                                         double goal, int depth, Sums& sums) {
   constexpr std::array kOrders{2, 3, 4, 6};
+  // Borders that cross make kinks that two rules may see alike by chance, three hardly ever do.
+  const int n_agreeing = pair.shadows.size() > 1 ? 2 : 1;
+  int n_agreed = 0;
   Sums best = apply_rule(pair, piece, kOrders[0]);
   double error = 0;
+  double most = 0;
   for (std::size_t k = 1; k < kOrders.size(); ++k) {
     const Sums next = apply_rule(pair, piece, kOrders[k]);
     const double share = next.whole > 0 ? next.visible / next.whole : 0;
     const double change = next.visible - best.visible - share * (next.whole - best.whole);
     best = next;
     error = std::abs(change);
-    if (error <= goal) break;
+    most = std::max(most, error);
+    n_agreed = error <= goal ? n_agreed + 1 : 0;
+    if (n_agreed == n_agreeing) break;
   }
-  if (error <= goal || depth == 0 || points_left_ <= 0) {
+  const bool is_settled = n_agreed == n_agreeing;
+  if (is_settled || depth == 0 || points_left_ <= 0) {
     if (best.any_visible && best.any_hidden) {
-      best.variance = square(kHighRuleError * error) + square(kChanceError * goal);
+      // Of rules that did not settle, the last two may be alike by chance.
+      best.variance =
+          square(kHighRuleError * (is_settled ? error : most)) + square(kChanceError * goal);
     }
     if (!is_divided_) best.variance += square(kUnseen * best.whole);
     sums.add(best);

@@ -15,12 +15,6 @@ namespace {
 
 /// To be raised whenever the same scene and options give other numbers than before.
 constexpr int kNumbersVersion = 5;
-/// The program with its libraries, and one patch with its share of tree and ray tracer, bytes.
-constexpr double kProgramBytes = 96e6;
-constexpr double kPatchBytes = 5e3;
-/// Strips have at least this many rows, but for the last levels of small trees.
-constexpr double kLeastStripRows = 32;
-constexpr std::size_t kLeastRows = 16;
 /// Rounds of the closure correction; each costs passes through the uncertain entries. It has ended
 /// by then, or has only rows left that StoredBalance mends better.
 constexpr int kClosureRounds = 6;
@@ -57,16 +51,6 @@ Fingerprint stream_fingerprint(const PatchMesh& mesh, const StreamOptions& optio
   fingerprint.add(options.min_factor);
   return fingerprint;
 }
-
-std::size_t streaming_memory(Index n_patches) {
-  const auto n = static_cast<double>(n_patches);
-  const double n_strips = n / kLeastStripRows + 1;
-  const double index = 0.5 * n_strips * (n_strips + 1) * sizeof(std::uint64_t);
-  const double sums = kSumParts * n * sizeof(double);
-  return static_cast<std::size_t>(kProgramBytes + kPatchBytes * n + index + sums);
-}
-
-std::size_t least_buffers(Index n_patches) { return kLeastRows * row_bytes(n_patches); }
 
 StreamedFactors::StreamedFactors(const PatchMesh& mesh, const Visibility& visibility,
                                  const StreamOptions& options, TileStore& store)

@@ -35,13 +35,6 @@ struct DroppedFactors {
 /// Identifies a computation: a hash of the patches and of all options that change the result.
 Fingerprint stream_fingerprint(const PatchMesh& mesh, const StreamOptions& options);
 
-/// Memory that streaming the form factors of n patches takes beside the buffers, bytes: the
-/// program, the patches and their ray tracer, vectors, and where each tile is.
-std::size_t streaming_memory(Index n_patches);
-
-/// The least that buffers may have, bytes.
-std::size_t least_buffers(Index n_patches);
-
 /// Form factors of any number of patches: the exchange areas go to a tile store as they are
 /// computed and come back row by row, in float64. Same input, same bits, at any number of threads,
 /// however little the memory and however often the work was stopped and resumed. The row sums are

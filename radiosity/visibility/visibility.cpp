@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "radiosity/visibility/embree.h"
+#include "radiosity/visibility/shaft.h"
 
 namespace radiosity {
 namespace {
@@ -47,11 +48,6 @@ struct EmbreeScene {
   EmbreeScene& operator=(const EmbreeScene&) = delete;
 };
 
-struct Plane {
-  Vec3 normal;
-  double offset;
-};
-
 /// Triangles for Embree, which has a filter function per geometry.
 struct Triangles {
   std::vector<std::array<float, 3>> vertices;
@@ -89,7 +85,7 @@ struct Visibility::Implementation {
   double scale = 1;
   std::array<Triangles, 2> triangles;  // by Embree's number of their geometry; the second: needles
   std::vector<std::int32_t> twin;
-  std::vector<Plane> planes;  // per patch, scaled coordinates
+  std::vector<HalfSpace> planes;  // per patch, scaled coordinates
   double end_gap = kEndGap;
   double coplanar = kCoplanar;
   bool is_large = false;  // so that packets are traced faster than their rays one by one
@@ -166,7 +162,7 @@ void Visibility::Implementation::attach(Triangles& some, RTCFilterFunctionN filt
 }
 
 bool Visibility::Implementation::is_in_plane_of(std::int32_t patch, std::int32_t of) const {
-  const Plane& plane = planes[of];
+  const HalfSpace& plane = planes[of];
   return std::all_of(patch_corners[patch].begin(), patch_corners[patch].end(),
                      [&](const Vec3& corner) {
                        return std::abs(plane.normal.dot(corner) - plane.offset) < coplanar;
@@ -213,7 +209,7 @@ void reject_misplaced(const RTCFilterFunctionNArguments* arguments) {
   for (unsigned k = 0; k < n; ++k) {
     if (arguments->valid[k] == 0) continue;
     const std::int32_t patch = hit_patch(arguments, k);
-    const Plane& plane = implementation->planes[patch];
+    const HalfSpace& plane = implementation->planes[patch];
     RTCRayN* ray = arguments->ray;
     const Vec3 start(RTCRayN_org_x(ray, n, k), RTCRayN_org_y(ray, n, k), RTCRayN_org_z(ray, n, k));
     const Vec3 along(RTCRayN_dir_x(ray, n, k), RTCRayN_dir_y(ray, n, k), RTCRayN_dir_z(ray, n, k));

@@ -145,6 +145,7 @@ TEST(FamilyScenes, StayRightOnceMended) {
       FoundScene{Family::recessed, 328, 300},    // slivers between edges that were meant to meet
       FoundScene{Family::furniture, 5012, 300},  // likewise
       FoundScene{Family::crossing, 12, 160},     // needles that blocked rays from themselves
+      FoundScene{Family::lamps, 9008, 1000},     // a shadow that ends between the points of a rule
   };
   Findings found;
   for (const FoundScene& known : kFound) {

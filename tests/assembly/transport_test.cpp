@@ -8,6 +8,8 @@
 #include <cmath>
 #include <stop_token>
 
+#include "radiosity/assembly/dense_memory.h"
+#include "radiosity/base/machine_memory.h"
 #include "radiosity/base/parallel.h"
 #include "radiosity/polygon/exchange_area.h"
 #include "radiosity/scene/patch_mesh.h"
@@ -291,6 +293,40 @@ TEST(Transport, RefusesWhatDoesNotFit) {
   } catch (const SolveError& error) {
     EXPECT_NE(std::string(error.what()).find("192 patches"), std::string::npos) << error.what();
   }
+}
+
+TEST(Transport, RefusesWhatTheMachineDoesNotHold) {
+  if (usable_memory() == 0) GTEST_SKIP() << "this machine does not tell what it has";
+  const PatchMesh small = box_in_box(4);
+  const Visibility visibility(small);
+  PatchMesh mesh = small;
+  mesh.corners.resize(2'000'000);  // 10 TB, of which nothing may be touched
+  EXPECT_THROW(make_transport(mesh, visibility), SolveError);
+}
+
+std::string refusal(Index n_patches, Index n_polygons, std::size_t memory) {
+  try {
+    check_memory(n_patches, n_polygons, memory);
+    return "";
+  } catch (const SolveError& error) {
+    return error.what();
+  }
+}
+
+TEST(DenseMemory, TellsTheWayOut) {
+  const std::size_t memory = dense_transport_bytes(5000);
+  EXPECT_EQ(refusal(5000, 100, memory), "");
+  EXPECT_NE(refusal(5001, 100, memory).find("use --patches 5000"), std::string::npos);
+  EXPECT_NE(refusal(20'000, 0, memory).find("use --patches 5000"), std::string::npos);
+  EXPECT_NE(refusal(20'000, 6000, memory).find("fewer polygons"), std::string::npos);
+}
+
+TEST(DenseMemory, LargestProblemIsTheLargestThatFits) {
+  for (const Index n : {10, 99, 120, 5000, 36'000}) {
+    EXPECT_EQ(largest_problem(dense_transport_bytes(n)), n);
+    EXPECT_LT(largest_problem(dense_transport_bytes(n) - 1), n);
+  }
+  EXPECT_EQ(largest_problem(1), 0);
 }
 
 TEST(Transport, EmptyMesh) {

@@ -29,6 +29,7 @@ const std::vector<std::string> kFloors = {"radiosity/base",
                                           "meshing/patches",
                                           "meshing/inspect",
                                           "meshing/adaptive",
+                                          "study",
                                           "io/base",
                                           "io/picture",
                                           "io/mesh",
@@ -61,7 +62,7 @@ std::map<std::string, Source> read_sources() {
   std::map<std::string, Source> result;
   const fs::path top(RADIOSITY_SOURCES);
   const std::regex include("#include \"([^\"]+)\".*");
-  for (const char* folder : {"radiosity", "meshing", "io", "viewer", "apps"}) {
+  for (const char* folder : {"radiosity", "meshing", "study", "io", "viewer", "apps"}) {
     for (const auto& entry : fs::recursive_directory_iterator(top / folder)) {
       const fs::path& path = entry.path();
       if (path.extension() != ".h" && path.extension() != ".cpp") continue;

@@ -25,8 +25,6 @@
 #include "tests/support/shapes.h"
 
 #if defined(__SANITIZE_ADDRESS__)
-// HDF5 asks for what a damaged file says it needs, and copes with not getting it.
-extern "C" const char* __asan_default_options() { return "allocator_may_return_null=1"; }
 constexpr bool kAllocatorPrints = true;
 #else
 constexpr bool kAllocatorPrints = false;

@@ -7,11 +7,6 @@
 #include "tests/support/damaged_files.h"
 #include "tests/support/output_folder.h"
 
-#if defined(__SANITIZE_ADDRESS__)
-// HDF5 asks for what a damaged file says it needs, and copes with not getting it.
-extern "C" const char* __asan_default_options() { return "allocator_may_return_null=1"; }
-#endif
-
 namespace {
 
 using namespace radiosity;

@@ -223,5 +223,15 @@ TEST(AdaptivePatches, StopAtTheTolerance) {
   EXPECT_LE(spent.mesh.size(), 900);
 }
 
+TEST(AdaptivePatches, StopAtTheMemory) {
+  const Scene scene = io::read_scene(RADIOSITY_SCENES "/cornell-box.json");
+  const std::size_t memory = 3 * dense_transport_bytes(600);
+  const meshing::AdaptiveMesh spent =
+      meshing::make_adaptive_patches(scene, {.tolerance = 1e-6, .transport = {.memory = memory}});
+  EXPECT_FALSE(spent.refinement.is_accurate);
+  EXPECT_GT(spent.mesh.size(), 400);
+  EXPECT_LE(2 * spent.transport->bytes(), memory);
+}
+
 }  // namespace
 }  // namespace radiosity

@@ -14,7 +14,7 @@
 #include <thread>
 #include <vector>
 
-#include "radiosity/assembly/make_transport.h"
+#include "radiosity/assembly/dense_memory.h"
 #include "tests/support/program.h"
 
 namespace {

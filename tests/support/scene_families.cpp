@@ -4,99 +4,11 @@
 #include <cmath>
 #include <functional>
 
+#include "tests/support/scene_builder.h"
 #include "tests/support/scene_random.h"
 
 namespace radiosity::test {
 namespace {
-
-using Points = std::vector<Vec3>;
-enum class Division { one_surface, surface_per_face };
-
-class Builder {
- public:
-  std::int32_t add_surface(const std::string& name, bool two_sided = false) {
-    Scene& scene = result.scene;
-    scene.surfaces.push_back({name + std::to_string(scene.surfaces.size()), 0, two_sided});
-    return static_cast<std::int32_t>(scene.surfaces.size()) - 1;
-  }
-
-  void add_polygon(std::int32_t surface, const Points& points, Piece piece = Piece::sheet) {
-    std::vector<std::int32_t> indices;
-    for (const Vec3& p : points) {
-      indices.push_back(static_cast<std::int32_t>(result.scene.vertices.size()));
-      result.scene.vertices.push_back(p);
-    }
-    result.scene.add_polygon(indices, surface);
-    result.pieces.push_back(piece);
-  }
-
-  /// The polygons of a closed piece, each one or all together a surface.
-  void add_piece(const std::string& name, const std::vector<Points>& polygons, Piece piece,
-                 Division division) {
-    std::int32_t surface = -1;
-    for (const Points& polygon : polygons) {
-      if (surface < 0 || division == Division::surface_per_face) surface = add_surface(name);
-      add_polygon(surface, polygon, piece);
-    }
-  }
-
-  void add_box(const std::string& name, const Vec3& low, const Vec3& high, Division division,
-               Piece piece = Piece::solid);
-
-  FamilyScene result;
-};
-
-/// Faces of a box, counter-clockwise from outside: -x, +x, -y, +y, -z, +z.
-std::vector<Points> box_faces(const Vec3& low, const Vec3& high) {
-  std::vector<Points> faces;
-  for (int axis = 0; axis < 3; ++axis) {
-    const int u = (axis + 1) % 3;
-    const int v = (axis + 2) % 3;
-    for (const bool is_high : {false, true}) {
-      Points face(4);
-      for (int k = 0; k < 4; ++k) {
-        face[k][axis] = is_high ? high[axis] : low[axis];
-        face[k][u] = k == 1 || k == 2 ? high[u] : low[u];
-        face[k][v] = k >= 2 ? high[v] : low[v];
-      }
-      if (!is_high) std::reverse(face.begin(), face.end());
-      faces.push_back(face);
-    }
-  }
-  return faces;
-}
-
-void turn_over(std::vector<Points>& polygons) {
-  for (Points& polygon : polygons) std::reverse(polygon.begin(), polygon.end());
-}
-
-void Builder::add_box(const std::string& name, const Vec3& low, const Vec3& high, Division division,
-                      Piece piece) {
-  std::vector<Points> faces = box_faces(low, high);
-  if (piece == Piece::hollow) turn_over(faces);
-  add_piece(name, faces, piece, division);
-}
-
-Division any_division(Random& random) {
-  return random.coin() ? Division::one_surface : Division::surface_per_face;
-}
-
-Points rectangle(double x0, double x1, double y0, double y1, double z) {
-  return {{x0, y0, z}, {x1, y0, z}, {x1, y1, z}, {x0, y1, z}};
-}
-
-Points reversed(Points points) {
-  std::reverse(points.begin(), points.end());
-  return points;
-}
-
-/// A room of about 2 m around the origin. Half of all are of one surface per wall.
-void add_room(Builder& builder, Random& random, Vec3& low, Vec3& high) {
-  low = {-random.uniform(0.7, 1), -random.uniform(0.7, 1), -random.uniform(0.5, 1)};
-  high = {random.uniform(0.7, 1), random.uniform(0.7, 1), random.uniform(0.5, 1)};
-  builder.add_box("room", low, high, any_division(random), Piece::hollow);
-  builder.result.is_closed = true;
-}
 
 /// A plate at a height: one-sided, facing up (0) or down (1), two-sided (2), or a thin solid (3).
 void add_plate(Builder& builder, Random& random, int kind, double x0, double x1, double y0,
@@ -340,15 +252,6 @@ void make_turned_boxes(Builder& builder, Random& random) {
   }
 }
 
-Points regular_polygon(int n, double radius, const Vec3& center, double phase) {
-  Points points;
-  for (int k = 0; k < n; ++k) {
-    const double angle = phase + 2 * kPi * k / n;
-    points.push_back(center + radius * Vec3(std::cos(angle), std::sin(angle), 0));
-  }
-  return points;
-}
-
 /// Cells of a 3 x 3 plan of uneven widths, 3 to 8 of them and hanging together by their sides, up
 /// to one height: its faces, each cell's by itself.
 std::vector<Points> recessed_faces(Random& random, const Vec3& corner, double size, double height) {
@@ -433,14 +336,7 @@ void make_prisms(Builder& builder, Random& random) {
                       random.coin() ? low.z() : low.z() + 0.1);
     const double phase = random.uniform();
     const Points bottom = regular_polygon(n, 0.75 * radius, center, phase);
-    Points top = bottom;
-    for (Vec3& p : top) p.z() = center.z() + 0.4;
-    std::vector<Points> faces{reversed(bottom), top};
-    for (int s = 0; s < n; ++s) {
-      const int next = (s + 1) % n;
-      faces.push_back({bottom[s], bottom[next], top[next], top[s]});
-    }
-    builder.add_piece("prism", faces, Piece::solid,
+    builder.add_piece("prism", prism_faces(bottom, 0.4 * Vec3::UnitZ()), Piece::solid,
                       n <= 6 && random.coin() ? Division::surface_per_face : Division::one_surface);
   }
 }
@@ -649,9 +545,21 @@ std::string_view family_name(Family family) {
     case Family::crossing:
       return "crossing";
     case Family::canyon:
+      return "canyon";
+    case Family::louvres:
+      return "louvres";
+    case Family::stairs:
+      return "stairs";
+    case Family::pipes:
+      return "pipes";
+    case Family::windows:
+      return "windows";
+    case Family::wedges:
+      return "wedges";
+    case Family::nested:
       break;
   }
-  return "canyon";
+  return "nested";
 }
 
 FamilyScene make_family_scene(Family family, std::uint64_t seed) {
@@ -699,6 +607,24 @@ FamilyScene make_family_scene(Family family, std::uint64_t seed) {
       break;
     case Family::canyon:
       make_canyon(builder, random);
+      break;
+    case Family::louvres:
+      make_louvres(builder, random);
+      break;
+    case Family::stairs:
+      make_stairs(builder, random);
+      break;
+    case Family::pipes:
+      make_pipes(builder, random);
+      break;
+    case Family::windows:
+      make_windows(builder, random);
+      break;
+    case Family::wedges:
+      make_wedges(builder, random);
+      break;
+    case Family::nested:
+      make_nested(builder, random);
       break;
   }
   builder.result.name = std::string(family_name(family)) + ", seed " + std::to_string(seed);

@@ -41,12 +41,19 @@ enum class Family : std::uint8_t {
   curved,        ///< spheres and bumpy closed meshes of triangles
   furniture,     ///< tables, chairs and rooms that are closed, but not convex
   crossing,      ///< polygons that pass through each other, needles among them
-  canyon         ///< streets between buildings, open
+  canyon,        ///< streets between buildings, open
+  louvres,       ///< many slats side by side, turned alike
+  stairs,        ///< closed solids with steps, on floors and walls
+  pipes,         ///< slim prisms any way, some lying on a floor by an edge
+  windows,       ///< walls of parts around openings, with reveals and frames
+  wedges,        ///< pyramids and wedges whose slanted faces touch
+  nested         ///< shells of boxes within boxes, closed or with a slit
 };
 inline constexpr std::array kFamilies{
     Family::plates,     Family::storeys,      Family::lamps,  Family::shelves,  Family::stacks,
     Family::grid_boxes, Family::turned_boxes, Family::prisms, Family::recessed, Family::curved,
-    Family::furniture,  Family::crossing,     Family::canyon};
+    Family::furniture,  Family::crossing,     Family::canyon, Family::louvres,  Family::stairs,
+    Family::pipes,      Family::windows,      Family::wedges, Family::nested};
 std::string_view family_name(Family family);
 
 /// A scene of some 1 m to 2 m, with coordinates up to 1 m but for rounding.

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "apps/validation/reference/assembly.h"
 #include "apps/validation/reference/cornell_reference.h"
+#include "apps/validation/reference/own_light.h"
 #include "io/scene/scene_file.h"
 #include "meshing/patches/patches.h"
 #include "radiosity/radiosity.h"

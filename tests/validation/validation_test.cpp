@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "apps/validation/reference/assembly.h"
 #include "apps/validation/reference/hemisphere.h"
+#include "apps/validation/reference/own_light.h"
 #include "io/scene/scene_file.h"
 #include "meshing/patches/patches.h"
 #include "radiosity/radiosity.h"
@@ -13,18 +13,11 @@
 namespace {
 
 using namespace radiosity;
-using apps::validation::assemble;
-using apps::validation::Assembly;
 
-struct SolvedScene : Assembly {
-  Solution solution;
-};
-
-SolvedScene solve_scene(const std::string& name, const meshing::PatchOptions& patch_options,
-                        double tolerance) {
-  SolvedScene result{assemble(io::read_scene(std::string(RADIOSITY_SCENES "/") + name),
-                              patch_options, {.tolerance = tolerance}),
-                     {}};
+study::Study solve_scene(const std::string& name, const meshing::PatchChoice& patches,
+                         double tolerance) {
+  study::Study result = study::assemble(io::read_scene(std::string(RADIOSITY_SCENES "/") + name),
+                                        {.patches = patches, .tolerance = tolerance});
   result.solution = apps::validation::solve_own_light(result);
   return result;
 }
@@ -62,7 +55,7 @@ TEST(Furnace, ConjugateGradientsTakeFewProducts) {
 }
 
 TEST(FurnishedRoom, EnergyIsBalanced) {
-  const SolvedScene room = solve_scene("furnished-room.json", {}, 1e-2);
+  const study::Study room = solve_scene("furnished-room.json", {.as_is = true}, 1e-2);
   ASSERT_TRUE(room.solution.converged);
   const EnergyBalance& energy = room.solution.energy;
   for (Index band = 0; band < energy.emitted.size(); ++band) {
@@ -76,7 +69,7 @@ TEST(FurnishedRoom, EnergyIsBalanced) {
 TEST(FurnishedRoom, HemisphereFormAgreesWithAreaForm) {
   // The same irradiance by the rendering equation's other form: H = ∫ B(x') cosθ / π dω, with B
   // taken from the patch that a cosine-distributed ray meets.
-  const SolvedScene room = solve_scene("furnished-room.json", {}, 1e-2);
+  const study::Study room = solve_scene("furnished-room.json", {.as_is = true}, 1e-2);
   int n_within_two = 0;
   const auto all = apps::validation::compare_irradiance(room, room.solution, {.seed = 2024});
   for (const auto& [by_rays, by_area, error] : all) {
@@ -90,7 +83,7 @@ TEST(FurnishedRoom, HemisphereFormAgreesWithAreaForm) {
 TEST(Window, FactorThroughTheWindow) {
   // scenes/README.md: the factor through the window in closed form and quadrature, by mpmath.
   constexpr double kExpected = 0.10031860109940260;
-  const SolvedScene window = solve_scene("window.json", {.max_edge = 0.2}, 1e-3);
+  const study::Study window = solve_scene("window.json", {.max_edge = 0.2}, 1e-3);
   const PatchMesh& mesh = window.mesh;
   double power = 0;
   double variance = 0;

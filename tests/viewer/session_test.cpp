@@ -11,6 +11,7 @@
 #include "io/scene/scene_file.h"
 #include "meshing/patches/patches.h"
 #include "radiosity/base/error.h"
+#include "radiosity/base/machine_memory.h"
 #include "radiosity/scene/radiometry.h"
 #include "radiosity/solve/solve.h"
 #include "tests/support/output_folder.h"
@@ -31,7 +32,7 @@ const std::string kThermal = std::string(RADIOSITY_SCENES) + "/thermal-enclosure
 constexpr auto kPatience = 900s;
 
 /// Coarse enough for a test to take seconds.
-viewer::SolveSettings coarse() { return {.n_patches = 300}; }
+study::StudyOptions coarse() { return {.patches = {.n_patches = 300}}; }
 
 void wait_until(viewer::Session& session, const std::function<bool()>& is_done) {
   const auto deadline = std::chrono::steady_clock::now() + kPatience;
@@ -76,8 +77,40 @@ TEST(Session, SolvesWhatTheLibrarySolves) {
   }
 }
 
+/// The error in the console; "" if there is none.
+std::string last_error(const viewer::Session& session) {
+  for (auto i = session.messages().rbegin(); i != session.messages().rend(); ++i) {
+    if (i->is_error) return i->text;
+  }
+  return "";
+}
+
+TEST(Session, ShowsUnsolvedWhatDoesNotFitIntoMemory) {
+  study::StudyOptions options = coarse();
+  options.memory = 1000;  // too little for the polygons, too
+  viewer::Session session(options);
+  open(session, kBox);
+  ASSERT_TRUE(session.is_open());
+  const radiosity::PatchMesh as_is = meshing::make_patches(*session.model().scene);
+  EXPECT_EQ(session.model().mesh->size(), as_is.size());
+  EXPECT_EQ(session.model().transport, nullptr);
+  EXPECT_EQ(session.light(), nullptr);
+  EXPECT_NE(last_error(session).find("of memory, but 1e-06 GB can be used"), std::string::npos)
+      << last_error(session);
+}
+
+TEST(Session, RefusesMorePatchesThanAnyMachineHolds) {
+  if (radiosity::usable_memory() == 0) GTEST_SKIP() << "this machine does not tell what it has";
+  viewer::Session session({.patches = {.n_patches = 2'000'000'000}});
+  open(session, kBox);
+  EXPECT_TRUE(session.is_open());
+  EXPECT_EQ(session.light(), nullptr);
+  EXPECT_NE(last_error(session).find("2000000000 patches"), std::string::npos)
+      << last_error(session);
+}
+
 TEST(Session, ShowsALightThatSpreadsBeforeItIsSolved) {
-  viewer::Session session({.n_patches = 3000});
+  viewer::Session session({.patches = {.n_patches = 3000}});
   session.open(kBox);
   double unshot = 1;
   int n_previews = 0;
@@ -139,7 +172,7 @@ TEST(Session, ChangedReflectanceEqualsAFreshSolve) {
 
 // What was stopped before its first picture must not hold later changes back.
 TEST(Session, FollowsAReflectanceAfterAStop) {
-  viewer::Session session({.n_patches = 1500});
+  viewer::Session session({.patches = {.n_patches = 1500}});
   open(session, kBox);
   session.set_reflectance(0, Eigen::Vector3d::Constant(0.3));
   session.stop();
@@ -150,7 +183,7 @@ TEST(Session, FollowsAReflectanceAfterAStop) {
 
 // A slider that moves all the time must not starve the picture.
 TEST(Session, FollowsAReflectanceThatKeepsChanging) {
-  viewer::Session session({.n_patches = 1500});
+  viewer::Session session({.patches = {.n_patches = 1500}});
   open(session, kBox);
   int version = session.versions().light;
   int n_pictures = 0;
@@ -267,7 +300,7 @@ TEST(Session, KeepsWhatIsOpenIfTheNextFileIsBad) {
 }
 
 TEST(Session, StopsAndStartsAgain) {
-  viewer::Session session({.n_patches = 20000});
+  viewer::Session session({.patches = {.n_patches = 20000}});
   session.open(kBox);
   wait_until(session, [&] { return session.is_open(); });
   session.set_paused(true);
@@ -278,7 +311,7 @@ TEST(Session, StopsAndStartsAgain) {
   settle(session);
   EXPECT_LT(session.model().mesh->size(), 1000);
   EXPECT_EQ(session.light()->kind, Light::Kind::complete);
-  session.restart({.n_patches = 400, .adaptive = true, .tolerance = 0.1});
+  session.restart({.patches = {.n_patches = 400, .adaptive = true}, .tolerance = 0.1});
   settle(session);
   EXPECT_EQ(session.light()->kind, Light::Kind::complete);
   EXPECT_EQ(session.light()->solution.radiosity.rows(), session.model().mesh->size());
@@ -327,7 +360,7 @@ TEST_F(Results, OpenWithoutBeingSolvedAgain) {
 // Neither a preview nor light without its errors, nor of a mix that is not the one shown, may leave
 // as a result.
 TEST_F(Results, AreSavedOnlyOnceTheyAre) {
-  viewer::Desk desk({.n_patches = 60});
+  viewer::Desk desk({.patches = {.n_patches = 60}});
   desk.session.open(kBox);
   const std::string file = (folder() / "box.csv").string();
   std::set<Light::Kind> refused;

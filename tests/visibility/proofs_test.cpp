@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <random>
 
 #include "radiosity/assembly/balance.h"
@@ -173,14 +174,18 @@ TEST(Polytope, IsPiercedByAllSegmentsOrNot) {
   EXPECT_GT(n_pierced, 200);
 }
 
+std::vector<std::int32_t> all_patches(const PatchMesh& mesh) {
+  std::vector<std::int32_t> all(mesh.size());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
 TEST(SurfacePieces, SolidsThatTouchAtAnEdgeAreTold) {
   PatchMesh mesh;
   add_box(mesh, {0, 0, 0}, {1, 1, 1}, 1, Facing::outwards);
   add_box(mesh, {1, 1, 0}, {2, 2, 1}, 1, Facing::outwards);  // shares the edge x = y = 1
   add_box(mesh, {-3, -3, -3}, {3, 3, 3}, 1, Facing::inwards);
-  std::vector<std::int32_t> all;
-  for (std::int32_t i = 0; i < mesh.size(); ++i) all.push_back(i);
-  const SurfacePieces pieces = find_surface_pieces(mesh, all, kThickness);
+  const SurfacePieces pieces = find_surface_pieces(mesh, all_patches(mesh), kThickness);
   ASSERT_EQ(pieces.pieces.size(), 3U);
   EXPECT_TRUE(pieces.pieces[0].is_solid());
   EXPECT_TRUE(pieces.pieces[1].is_solid());
@@ -214,9 +219,7 @@ TEST(SurfacePieces, HangTogetherHoweverTheyAreDivided) {
   append(mesh, coarse, 0, 2);
   append(mesh, fine, 18, 36);
   append(mesh, coarse, 4, 6);
-  std::vector<std::int32_t> all;
-  for (std::int32_t i = 0; i < mesh.size(); ++i) all.push_back(i);
-  const SurfacePieces pieces = find_surface_pieces(mesh, all, kThickness);
+  const SurfacePieces pieces = find_surface_pieces(mesh, all_patches(mesh), kThickness);
   ASSERT_EQ(pieces.pieces.size(), 2U);
   EXPECT_TRUE(pieces.pieces[1].is_solid());
   EXPECT_NEAR(pieces.pieces[1].volume, 2, 1e-14);
@@ -254,9 +257,7 @@ TEST(SurfacePieces, HangTogetherWhereTwoAreDividedAlike) {
   append(mesh, room, 1, 6);
   append(mesh, coarse, 0, 1);
   append(mesh, fine, 9, 54);
-  std::vector<std::int32_t> all;
-  for (std::int32_t i = 0; i < mesh.size(); ++i) all.push_back(i);
-  const SurfacePieces pieces = find_surface_pieces(mesh, all, kThickness);
+  const SurfacePieces pieces = find_surface_pieces(mesh, all_patches(mesh), kThickness);
   ASSERT_EQ(pieces.pieces.size(), 2U);
   EXPECT_TRUE(pieces.pieces[0].is_hollow());
   EXPECT_TRUE(pieces.pieces[1].is_solid());

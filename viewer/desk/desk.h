@@ -26,7 +26,8 @@ struct Legend {
 /// Everything that the window shows. Panels, keys and scripts act on it through the functions below
 /// and through its session, so that all can do the same.
 struct Desk {
-  explicit Desk(SolveSettings settings = {}) : session(std::move(settings)) {}
+  explicit Desk(study::StudyOptions options = {}, io::ReadOptions reading = {})
+      : session(options, std::move(reading)) {}
 
   Session session;
   Look look;

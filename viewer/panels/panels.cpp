@@ -61,9 +61,9 @@ std::string status_text(const Desk& desk) {
 
 }  // namespace
 
-Panels::Panels(const SolveSettings& settings)
-    : n_patches_(static_cast<int>(settings.n_patches.value_or(2000))),
-      is_adaptive_(settings.adaptive) {}
+Panels::Panels(const study::StudyOptions& options)
+    : n_patches_(static_cast<int>(options.patches.n_patches.value_or(meshing::kDefaultPatches))),
+      is_adaptive_(options.patches.adaptive) {}
 
 bool Panels::is_popup_open() {
   return ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
@@ -205,12 +205,9 @@ void Panels::draw_solve(Desk& desk) {
   ImGui::SameLine();
   ImGui::BeginDisabled(session.model().scene == nullptr);
   if (ImGui::Button("Solve again")) {
-    SolveSettings settings = session.settings();
-    settings.n_patches = n_patches_;
-    settings.max_edge.reset();
-    settings.as_is = false;
-    settings.adaptive = is_adaptive_;
-    session.restart(settings);
+    study::StudyOptions options = session.options();
+    options.patches = {.n_patches = n_patches_, .adaptive = is_adaptive_};
+    session.restart(options);
   }
   ImGui::EndDisabled();
   ImGui::BeginDisabled(!session.status().is_busy);

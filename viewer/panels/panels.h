@@ -12,7 +12,7 @@ namespace viewer {
 /// session.h; here is only what widgets remember.
 class Panels {
  public:
-  explicit Panels(const SolveSettings& settings);
+  explicit Panels(const study::StudyOptions& options);
 
   /// Draws them all and leaves the rest of a window of this size (pixels) to `desk.region`. Needs
   /// an ImGui frame; `scale` is the size of text relative to a plain screen.

@@ -166,24 +166,25 @@ void set_reflectance(Stage& stage, ScriptArguments& arguments) {
 }
 
 void restart(Stage& stage, ScriptArguments& arguments) {
-  SolveSettings settings = stage.desk.session.settings();
-  settings.as_is = false;
-  settings.adaptive = arguments.flag_or("adaptive", settings.adaptive);
+  study::StudyOptions options = stage.desk.session.options();
+  meshing::PatchChoice& patches = options.patches;
+  patches.as_is = false;
+  patches.adaptive = arguments.flag_or("adaptive", patches.adaptive);
   if (arguments.has("patches")) {
-    settings.n_patches = arguments.integer("patches");
-    settings.max_edge.reset();
+    patches.n_patches = arguments.integer("patches");
+    patches.max_edge.reset();
   }
   if (arguments.has("max_edge")) {
-    settings.max_edge = arguments.number("max_edge");
-    settings.n_patches.reset();
+    patches.max_edge = arguments.number("max_edge");
+    patches.n_patches.reset();
   }
-  if (settings.n_patches && *settings.n_patches < 1) {
+  if (patches.n_patches && *patches.n_patches < 1) {
     throw std::invalid_argument("'patches' must be at least 1");
   }
-  if (settings.max_edge && !(*settings.max_edge > 0)) {
+  if (patches.max_edge && !(*patches.max_edge > 0)) {
     throw std::invalid_argument("'max_edge' must be above 0");
   }
-  stage.desk.session.restart(settings);
+  stage.desk.session.restart(options);
 }
 
 void set_camera(Stage& stage, ScriptArguments& arguments) {

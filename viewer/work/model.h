@@ -2,11 +2,8 @@
 
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 
-#include "radiosity/assembly/assembly_report.h"
-#include "radiosity/assembly/transport_options.h"
 #include "radiosity/base/geometry.h"
 #include "radiosity/operator/transport.h"
 #include "radiosity/scene/patch_mesh.h"
@@ -15,20 +12,6 @@
 #include "radiosity/visibility/visibility.h"
 
 namespace viewer {
-
-/// How the scene is divided and how exactly it is solved.
-struct SolveSettings {
-  std::optional<double> max_edge = {};           ///< m
-  std::optional<long> n_patches = {};            ///< about so many
-  bool as_is = false;                            ///< each input polygon is one patch
-  bool adaptive = false;                         ///< patches are refined where the light varies
-  double tolerance = 1e-2;                       ///< relative error asked of the form factors
-  std::optional<radiosity::Closed> closed = {};  ///< absent: what the scene says
-  std::uint64_t seed = 0;                        ///< of the visibility samples
-  std::optional<std::string> unit = {};          ///< of the file's coordinates
-  std::optional<double> precision = {};          ///< of these, m; absent: as said or found
-  bool strict = false;                           ///< refuse files with faults that can be mended
-};
 
 /// Rows of form factors, from memory or from a file.
 struct FactorRows {

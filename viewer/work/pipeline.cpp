@@ -1,21 +1,18 @@
 #include "viewer/work/pipeline.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <optional>
 #include <utility>
 
 #include "io/base/extension.h"
 #include "io/result/form_factor_reader.h"
 #include "io/result/result_reader.h"
 #include "io/scene/scene_file.h"
-#include "meshing/adaptive/adaptive.h"
-#include "meshing/inspect/inspect.h"
 #include "meshing/patches/patches.h"
-#include "radiosity/assembly/make_transport.h"
-#include "radiosity/assembly/transport_options.h"
+#include "radiosity/base/error.h"
+#include "radiosity/base/machine_memory.h"
 #include "radiosity/operator/transport.h"
 #include "radiosity/picture/shooting_preview.h"
 #include "radiosity/scene/patch_mesh.h"
@@ -24,6 +21,8 @@
 #include "radiosity/solve/solution.h"
 #include "radiosity/solve/solve.h"
 #include "radiosity/visibility/visibility.h"
+#include "study/study.h"
+#include "study/warnings.h"
 
 namespace viewer {
 namespace {
@@ -40,18 +39,9 @@ constexpr double kPreviewInterval = 0.08;  // s
 constexpr double kLittleUnshot = 0.01;     // share of the emitted power at which a preview ends
 
 constexpr double kQuickTolerance = 1e-3;  // no pixel shows it
-constexpr double kTolerance = 1e-8;
 
-radiosity::TransportOptions transport_options(const SolveSettings& settings, const Scene& scene,
-                                              const Progress& progress) {
-  using radiosity::Closed;
-  Closed closed = Closed::automatic;
-  if (scene.closed) closed = *scene.closed ? Closed::yes : Closed::no;
-  return {.tolerance = settings.tolerance,
-          .closed = settings.closed.value_or(closed),
-          .seed = settings.seed,
-          .progress = progress};
-}
+/// Bytes that a polygon takes in the window at most, with its share of the ray tracer's tree.
+constexpr std::size_t kShownBytes = 2000;
 
 /// Rows of an operator in memory.
 FactorRows rows_of(std::shared_ptr<const Transport> transport) {
@@ -93,29 +83,32 @@ void preview(const Model& model, const LightMix& mix, const PipelineEvents& even
   }
 }
 
-Model refined(const Model& coarse, const SolveSettings& settings, const PipelineEvents& events,
-              const Progress& progress) {
-  meshing::AdaptiveMesh adaptive = meshing::make_adaptive_patches(
-      *coarse.scene, {.tolerance = settings.tolerance,
-                      .max_patches = settings.n_patches.value_or(meshing::kMostAdaptivePatches),
-                      .transport = transport_options(settings, *coarse.scene, progress),
-                      .progress = progress});
-  if (!adaptive.refinement.is_accurate) {
-    events.warned(
-        fmt::format("the patches ({}) are spent: the error of the radiosity is about "
-                    "{:.2g}, {:.2g} was asked for",
-                    adaptive.mesh.size(), adaptive.refinement.error, settings.tolerance));
-  }
-  Model model = coarse;
-  model.mesh = std::make_shared<PatchMesh>(std::move(adaptive.mesh));
-  model.visibility = std::make_shared<radiosity::Visibility>(std::move(adaptive.visibility));
-  model.transport = std::move(adaptive.transport);
+Model with_patches(Model model, study::Patches patches) {
+  model.mesh = std::make_shared<PatchMesh>(std::move(patches.mesh));
+  model.visibility = std::make_shared<radiosity::Visibility>(std::move(patches.visibility));
   return model;
 }
 
-void warn_of_findings(const Scene& scene, const PipelineEvents& events) {
-  for (const std::string& warning : scene.warnings) events.warned(warning);
-  for (const std::string& message : meshing::serious_findings(scene)) events.warned(message);
+/// Each polygon as it is, which is enough to be looked at; nothing if even that is too much.
+std::optional<study::Patches> polygons_as_patches(const Scene& scene, const Progress& progress) {
+  const std::size_t needed = kShownBytes * static_cast<std::size_t>(scene.n_polygons());
+  const std::size_t usable = radiosity::usable_memory();
+  if (usable > 0 && needed > usable) return std::nullopt;
+  PatchMesh mesh = meshing::make_patches(scene, {.progress = progress});
+  radiosity::Visibility visibility(mesh);
+  return study::Patches{std::move(mesh), std::move(visibility)};
+}
+
+/// The model with its patches, to be solved. One that is too large for that is opened all the same.
+Model divided(const Model& model, const study::StudyOptions& options, const PipelineEvents& events,
+              const study::StudyEvents& studying) {
+  try {
+    return with_patches(model, study::divide(*model.scene, options, studying));
+  } catch (const radiosity::SolveError&) {
+    auto polygons = polygons_as_patches(*model.scene, studying.progress);
+    if (polygons) events.opened(with_patches(model, *std::move(polygons)));
+    throw;
+  }
 }
 
 radiosity::SolveOptions solve_options(double tolerance, const Progress& progress) {
@@ -127,7 +120,8 @@ radiosity::SolveOptions solve_options(double tolerance, const Progress& progress
 }
 
 EmitterLights separate(const Model& model, const LightMix& mix, const Scene& scene,
-                       const Eigen::MatrixXd& reflectance, const Progress& progress) {
+                       const Eigen::MatrixXd& reflectance, double tolerance,
+                       const Progress& progress) {
   EmitterLights lights;
   lights.reflectance = reflectance;
   const Index n_bands = reflectance.cols();
@@ -139,7 +133,7 @@ EmitterLights separate(const Model& model, const LightMix& mix, const Scene& sce
     all.middleCols(e * n_bands, n_bands) = lights.exitance.back();
   }
   const Solution solution =
-      solve(*model.transport, all, reflectance, solve_options(kTolerance, progress));
+      solve(*model.transport, all, reflectance, solve_options(tolerance, progress));
   for (Index e = 0; e < n_emitters; ++e) {
     lights.irradiance.emplace_back(solution.irradiance.middleCols(e * n_bands, n_bands));
   }
@@ -176,48 +170,31 @@ void open_result(const std::string& path, const PipelineEvents& events) {
   if (solution) events.stored(*std::move(solution));
 }
 
-Scene read_whole_scene(const std::string& path, const SolveSettings& settings,
+Scene read_whole_scene(const std::string& path, const io::ReadOptions& options,
                        const PipelineEvents& events, const Progress& progress) {
-  Scene scene = io::read_scene(path, {.unit = settings.unit,
-                                      .precision = settings.precision,
-                                      .strict = settings.strict,
-                                      .progress = progress});
+  io::ReadOptions reading = options;
+  reading.progress = progress;
+  Scene scene = io::read_scene(path, reading);
   if (scene.n_polygons() == 0) throw radiosity::SceneError(path + ": the scene has no polygons");
-  warn_of_findings(scene, events);
+  for (const std::string& warning : scene.warnings) events.warned(warning);
   return scene;
 }
 
 void run_pipeline(const std::string& path, std::shared_ptr<const Scene> scene, const LightMix& mix,
-                  const SolveSettings& settings, const PipelineEvents& events,
+                  const study::StudyOptions& options, const PipelineEvents& events,
                   const Progress& progress) {
+  const study::StudyEvents studying = {.warned = events.warned, .progress = progress};
   Model model;
   model.path = path;
   model.scene = std::move(scene);
   model.bands = model.scene->bands;
-  model.mesh = std::make_shared<PatchMesh>(meshing::make_patches(
-      *model.scene, meshing::make_patch_options({.max_edge = settings.max_edge,
-                                                 .n_patches = settings.n_patches,
-                                                 .as_is = settings.as_is,
-                                                 .adaptive = settings.adaptive},
-                                                *model.scene, progress)));
-  if (!settings.as_is) {
-    if (const auto uncut = meshing::uncut_warning(*model.mesh)) events.warned(*uncut);
-  }
-  model.visibility = std::make_shared<radiosity::Visibility>(*model.mesh);
+  model = divided(model, options, events, studying);
   events.opened(model);
   preview(model, mix, events, progress);
-  if (settings.adaptive) {
-    model = refined(model, settings, events, progress);
-    events.opened(model);
-  } else {
-    model.transport = make_transport(*model.mesh, *model.visibility,
-                                     transport_options(settings, *model.scene, progress));
-  }
-  const radiosity::AssemblyReport& report = model.transport->report();
-  if (report.open_rows > 0) {
-    events.warned(fmt::format("the scene is taken as closed, but {} of {} patches see an opening",
-                              report.open_rows, report.row_sums.size()));
-  }
+  study::FormFactors factors =
+      study::make_form_factors(*model.scene, *model.mesh, *model.visibility, options, studying);
+  if (factors.refined) model = with_patches(model, *std::move(factors.refined));
+  model.transport = std::move(factors.transport);
   model.factors = rows_of(model.transport);
   events.assembled(std::move(model));
 }
@@ -243,16 +220,13 @@ void solve_light(const Model& model, const LightMix& mix, const LightStart& star
     options.start = quick.irradiance;
     events.lit({Light::Kind::quick, std::move(quick)});
   }
-  options.tolerance = kTolerance;
+  options.tolerance = start.tolerance;
   Solution solution = solve(*model.transport, emitted, reflectance, options);
-  if (!solution.converged) {
-    events.warned(fmt::format("the iteration has not converged: its error may be {:.1e}",
-                              solution.error_bound));
-  }
+  study::warn_of_unconverged(solution, options, {.warned = events.warned});
   options.start = solution.irradiance;
   events.lit({Light::Kind::solved, std::move(solution)});
   if (start.is_separation_wanted && !mix.emitters.empty()) {
-    events.separated(separate(model, mix, scene, reflectance, progress));
+    events.separated(separate(model, mix, scene, reflectance, start.tolerance, progress));
   }
   options.estimates_errors = true;
   Solution complete = solve(*model.transport, emitted, reflectance, options);

@@ -4,10 +4,12 @@
 #include <memory>
 #include <string>
 
+#include "io/scene/read_options.h"
 #include "radiosity/base/progress.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/scene.h"
 #include "radiosity/solve/solution.h"
+#include "study/study_options.h"
 #include "viewer/work/light_mix.h"
 #include "viewer/work/model.h"
 
@@ -15,9 +17,9 @@ namespace viewer {
 
 /// What the pipeline from a file to its form factors tells on its way, on its own thread.
 struct PipelineEvents {
-  std::function<void(Model)> opened;  ///< patches are there; called again if they are refined
+  std::function<void(Model)> opened;                                        ///< patches are there
   std::function<void(radiosity::Solution, double unshot_share)> previewed;  ///< every 0.1 s or so
-  std::function<void(Model)> assembled;             ///< the same with form factors
+  std::function<void(Model)> assembled;  ///< with form factors, of refined patches perhaps
   std::function<void(radiosity::Solution)> stored;  ///< a result file had light
   std::function<void(const std::string&)> warned;
 };
@@ -29,15 +31,16 @@ bool is_result_file(const std::string& path);
 void open_result(const std::string& path, const PipelineEvents& events);
 
 /// Reads a scene file. Throws SceneError, also if there are no polygons.
-radiosity::Scene read_whole_scene(const std::string& path, const SolveSettings& settings,
+radiosity::Scene read_whole_scene(const std::string& path, const io::ReadOptions& options,
                                   const PipelineEvents& events,
                                   const radiosity::Progress& progress);
 
 /// Divides the scene, previews its light by progressive shooting for some seconds, and computes the
-/// form factors. `mix` is what the preview shows. Throws MeshError, SolveError, Interrupted.
+/// form factors. `mix` is what the preview shows. A scene whose form factors will not fit into
+/// memory is opened as it is before SolveError tells so. Throws MeshError, SolveError, Interrupted.
 void run_pipeline(const std::string& path, std::shared_ptr<const radiosity::Scene> scene,
-                  const LightMix& mix, const SolveSettings& settings, const PipelineEvents& events,
-                  const radiosity::Progress& progress);
+                  const LightMix& mix, const study::StudyOptions& options,
+                  const PipelineEvents& events, const radiosity::Progress& progress);
 
 /// Exitance of the mix on the patches, W/m², n x b.
 Eigen::MatrixXd mix_exitance(const radiosity::Scene& scene, const radiosity::PatchMesh& mesh,
@@ -50,9 +53,10 @@ struct LightEvents {
   std::function<void(const std::string&)> warned;
 };
 
-/// What is known already.
+/// What is known already, and what is wanted.
 struct LightStart {
   Eigen::MatrixXd irradiance;        ///< to start from, n x b; empty: darkness
+  double tolerance = 1e-8;           ///< of the iteration
   bool is_quick_wanted = false;      ///< first to the accuracy of a picture
   bool is_separation_wanted = true;  ///< find each emitter's light, too
 };

@@ -32,13 +32,17 @@ std::function<void(Arguments...)> posting(const Worker::Context& context, Take t
 
 }  // namespace
 
-Session::Session(SolveSettings settings)
-    : settings_(std::move(settings)), pipeline_(&pause_), lighting_(&pause_), recording_(&pause_) {}
+Session::Session(study::StudyOptions options, io::ReadOptions reading)
+    : options_(options),
+      reading_(std::move(reading)),
+      pipeline_(&pause_),
+      lighting_(&pause_),
+      recording_(&pause_) {}
 
 void Session::open(const std::string& path) { begin(path, nullptr); }
 
-void Session::restart(const SolveSettings& settings) {
-  settings_ = settings;
+void Session::restart(const study::StudyOptions& options) {
+  options_ = options;
   if (!model_.scene) {
     tell_error("only a scene can be solved again; a result file holds its result alone");
     return;
@@ -51,7 +55,8 @@ void Session::begin(const std::string& path, std::shared_ptr<const Scene> scene)
   asked_path_ = path;
   pause_.set(false);
   const auto take_model = [this](Model model) { this->take_model(std::move(model)); };
-  pipeline_.start([=, this, settings = settings_, mix = mix_](const Worker::Context& context) {
+  pipeline_.start([=, this, options = options_, reading = reading_,
+                   mix = mix_](const Worker::Context& context) {
     const PipelineEvents events = {.opened = posting<Model>(context, take_model),
                                    .previewed = posting<radiosity::Solution, double>(
                                        context,
@@ -70,11 +75,11 @@ void Session::begin(const std::string& path, std::shared_ptr<const Scene> scene)
     if (is_result_file(path)) {
       open_result(path, events);
     } else if (scene) {
-      run_pipeline(path, scene, mix, settings, events, context.progress);
+      run_pipeline(path, scene, mix, options, events, context.progress);
     } else {
       const auto read =
-          std::make_shared<const Scene>(read_whole_scene(path, settings, events, context.progress));
-      run_pipeline(path, read, make_mix(*read), settings, events, context.progress);
+          std::make_shared<const Scene>(read_whole_scene(path, reading, events, context.progress));
+      run_pipeline(path, read, make_mix(*read), options, events, context.progress);
     }
   });
 }
@@ -134,6 +139,7 @@ void Session::start_light_task() {
   LightStart start;
   const bool has_light = light_ && light_->kind != Light::Kind::preview;
   if (has_light) start.irradiance = light_->solution.irradiance;
+  start.tolerance = study::iteration_tolerance(options_.tolerance);
   start.is_separation_wanted = emitter_lights_ == nullptr;
   start.is_quick_wanted = has_light && start.is_separation_wanted;
   is_quick_running_ = start.is_quick_wanted;

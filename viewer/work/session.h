@@ -7,8 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "io/scene/read_options.h"
 #include "radiosity/base/geometry.h"
 #include "radiosity/scene/scene.h"
+#include "study/study_options.h"
 #include "viewer/work/iteration_record.h"
 #include "viewer/work/light_mix.h"
 #include "viewer/work/light_path.h"
@@ -28,13 +30,13 @@ struct Message {
 /// and then; none of them takes long.
 class Session {
  public:
-  explicit Session(SolveSettings settings = {});
+  explicit Session(study::StudyOptions options = {}, io::ReadOptions reading = {});
 
   /// Begins to open a scene or result file. What is open stays until the new one is there, and for
   /// good if it cannot be read; the console tells why.
   void open(const std::string& path);
   /// Solves the open scene anew with other patches.
-  void restart(const SolveSettings& settings);
+  void restart(const study::StudyOptions& options);
   /// Holds the work in the background back, or lets it go on.
   void set_paused(bool is_on) { pause_.set(is_on); }
   [[nodiscard]] bool is_paused() const { return pause_.is_on(); }
@@ -54,7 +56,7 @@ class Session {
   [[nodiscard]] const std::string& asked_path() const { return asked_path_; }
   [[nodiscard]] bool is_open() const { return model_.mesh != nullptr; }
   [[nodiscard]] const Model& model() const { return model_; }
-  [[nodiscard]] const SolveSettings& settings() const { return settings_; }
+  [[nodiscard]] const study::StudyOptions& options() const { return options_; }
   /// Absent until there is some.
   [[nodiscard]] const Light* light() const { return light_ ? &*light_ : nullptr; }
   /// Whether the light is a result: solved, with its errors, and of the mix as it is now.
@@ -116,7 +118,8 @@ class Session {
   void start_light_task();
   void add_message(bool is_error, const std::string& text);
 
-  SolveSettings settings_;
+  study::StudyOptions options_;
+  io::ReadOptions reading_;
   std::string asked_path_;
   Model model_;
   std::optional<Light> light_;

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "apps/validation/cases/cases.h"
-#include "apps/validation/reference/assembly.h"
+#include "apps/validation/reference/own_light.h"
 #include "apps/validation/reference/statistics.h"
 #include "io/scene/scene_file.h"
 #include "radiosity/scene/patch_mesh.h"
@@ -17,7 +17,7 @@ namespace {
 using namespace radiosity;
 
 /// A scene and how fine its patches get.
-struct Study {
+struct Room {
   const char* file;
   const char* name;
   std::vector<double> edges;   ///< longest patch edges, m
@@ -31,7 +31,7 @@ constexpr const char* kAdaptive = "adaptive";
 constexpr double kUnreached = 1e-9;  // relative error at which refinement would end by itself
 constexpr double kTolerance = 1e-3;  // of the form factors: well below what discretisation leaves
 
-std::vector<Study> studies() {
+std::vector<Room> rooms() {
   // All lengths of the L-room are whole metres, so that these patches are nested; none is larger
   // than the lamp.
   return {{"l-room.json",
@@ -54,35 +54,34 @@ std::vector<Study> studies() {
 }
 
 struct Run {
-  Assembly assembly;
+  study::Study assembly;
   Solution solution{};
   double seconds = 0;  ///< wall time
 };
 
-Run run(const Scene& scene, const meshing::PatchOptions& patches, const Context& context) {
+Run run(const Scene& scene, const study::StudyOptions& options, const Context& context) {
   const Progress quiet{.report = {}, .stop = context.progress.stop};
   const auto start = std::chrono::steady_clock::now();
-  Run result{.assembly =
-                 assemble(scene, patches,
-                          {.tolerance = kTolerance, .seed = context.seed, .progress = quiet})};
+  Run result{.assembly = study::assemble(scene, options, {.progress = quiet})};
   result.solution = solve_own_light(result.assembly, {.progress = quiet});
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
 }
 
+Run run_uniform(const Scene& scene, double max_edge, const Context& context) {
+  return run(scene,
+             {.patches = {.max_edge = max_edge}, .tolerance = kTolerance, .seed = context.seed},
+             context);
+}
+
 /// The same with patches that fit the light, about so many.
 Run run_adaptive(const Scene& scene, long n_patches, const Context& context) {
-  const Progress quiet{.report = {}, .stop = context.progress.stop};
-  const auto start = std::chrono::steady_clock::now();
-  Run result{
-      .assembly = assemble_adaptively(
-          scene, {.tolerance = kUnreached,
-                  .max_patches = n_patches,
-                  .transport = {.tolerance = kTolerance, .seed = context.seed, .progress = quiet},
-                  .progress = quiet})};
-  result.solution = solve_own_light(result.assembly, {.progress = quiet});
-  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return result;
+  return run(scene,
+             {.patches = {.n_patches = n_patches, .adaptive = true},
+              .tolerance = kUnreached,
+              .factor_tolerance = kTolerance,
+              .seed = context.seed},
+             context);
 }
 
 bool contains(const PatchMesh& mesh, Index i, const Vec3& point) {
@@ -147,15 +146,15 @@ Distance distance(const Run& coarse, const Run& fine) {
 /// Order p of the error C h^p whose square, less that of the reference, was measured:
 /// d(h)² = C² (h^2p - h_ref^2p), as the field's means on nested patches are its best approximation.
 /// Found by repeating the fit with the errors that it implies.
-double order_beside_reference(const Study& study, const std::vector<double>& distances) {
+double order_beside_reference(const Room& room, const std::vector<double>& distances) {
   double p = 1;
   for (int step = 0; step < 50; ++step) {
     std::vector<double> errors;
     for (std::size_t k = 0; k < distances.size(); ++k) {
-      const double ratio = study.reference_edge / study.edges[k];
+      const double ratio = room.reference_edge / room.edges[k];
       errors.push_back(distances[k] / std::sqrt(1 - std::pow(ratio, 2 * p)));
     }
-    p = fitted_order(study.edges, errors);
+    p = fitted_order(room.edges, errors);
   }
   return p;
 }
@@ -191,28 +190,27 @@ void add_run(Curves& curves, Table& table, const std::string& name, const std::s
 
 std::string edge_text(double edge) { return fmt::format("{:.4g} mm", 1000 * edge); }
 
-std::vector<Curves> measure(const Study& study, CaseResult& result, Table& table,
+std::vector<Curves> measure(const Room& room, CaseResult& result, Table& table,
                             const Context& context) {
-  const std::string name = study.name;
-  const Scene scene = io::read_scene(context.scenes / study.file);
-  const Run reference = run(scene, {.max_edge = study.reference_edge}, context);
+  const std::string name = room.name;
+  const Scene scene = io::read_scene(context.scenes / room.file);
+  const Run reference = run_uniform(scene, room.reference_edge, context);
   Curves uniform = empty_curves(name + ", uniform");
-  for (const double edge : study.edges) {
+  for (const double edge : room.edges) {
     context.progress.check();
-    add_run(uniform, table, name, edge_text(edge), run(scene, {.max_edge = edge}, context),
-            reference);
+    add_run(uniform, table, name, edge_text(edge), run_uniform(scene, edge, context), reference);
   }
   Curves adaptive = empty_curves(name + ", adaptive");
-  for (const long n_patches : study.adaptive) {
+  for (const long n_patches : room.adaptive) {
     context.progress.check();
     add_run(adaptive, table, name, kAdaptive, run_adaptive(scene, n_patches, context), reference);
   }
-  table.rows.push_back({name, edge_text(study.reference_edge),
+  table.rows.push_back({name, edge_text(room.reference_edge),
                         fmt::format("{}", reference.assembly.mesh.size()), "reference", "",
                         fmt::format("{:.2f}", reference.seconds)});
   result.checks.push_back(
       {fmt::format("{}: order of the uniform field's error in the patch edge h", name),
-       order_beside_reference(study, uniform.field.y), study.least_order, study.why, "",
+       order_beside_reference(room, uniform.field.y), room.least_order, room.why, "",
        Check::Relation::at_least});
   return {std::move(uniform), std::move(adaptive)};
 }
@@ -237,12 +235,12 @@ CaseResult run_convergence(const Context& context) {
              {"seconds", Axis::Scale::logarithmic},
              {"relative error, by area", Axis::Scale::logarithmic},
              {}};
-  for (const Study& study : studies()) {
-    Plot errors{fmt::format("{}: distance from the reference and number of patches", study.name),
+  for (const Room& room : rooms()) {
+    Plot errors{fmt::format("{}: distance from the reference and number of patches", room.name),
                 {"patches", Axis::Scale::logarithmic},
                 {"relative error, by area", Axis::Scale::logarithmic},
                 {}};
-    for (Curves& curves : measure(study, result, table, context)) {
+    for (Curves& curves : measure(room, result, table, context)) {
       errors.series.push_back(std::move(curves.field));
       if (!curves.means.x.empty()) errors.series.push_back(std::move(curves.means));
       times.series.push_back(std::move(curves.time));

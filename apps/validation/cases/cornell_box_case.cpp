@@ -7,8 +7,8 @@
 
 #include "apps/validation/cases/cases.h"
 #include "apps/validation/cases/cornell_map.h"
-#include "apps/validation/reference/assembly.h"
 #include "apps/validation/reference/cornell_reference.h"
+#include "apps/validation/reference/own_light.h"
 #include "apps/validation/reference/statistics.h"
 #include "io/scene/scene_file.h"
 #include "radiosity/solve/discretisation_error.h"
@@ -71,18 +71,13 @@ Comparison compare(const Context& context) {
     throw SceneError(
         fmt::format("the reference has {} polygons, patches-8x8.obj {}", n, scene.n_polygons()));
   }
-  const Assembly assembly =
-      assemble_adaptively(scene, {.tolerance = kTolerance,
-                                  .transport = {.seed = context.seed, .progress = quiet},
-                                  .progress = quiet});
-  Solution solution = solve_own_light(assembly, {.progress = quiet});
-  const DiscretisationError discretisation =
-      discretisation_error(assembly.mesh, *assembly.transport, solution, quiet);
-  solution = with_discretisation_error(std::move(solution), discretisation);
-  c.computed = polygon_means(assembly.mesh, solution.radiosity, n);
+  const study::Study solved = study::run(
+      scene, {.patches = {.adaptive = true}, .tolerance = kTolerance, .seed = context.seed},
+      {.progress = quiet});
+  c.computed = polygon_means(solved.mesh, solved.solution.radiosity, n);
   // Patches of one polygon err alike: the error of their mean is the mean of their errors.
-  c.computed_error = polygon_means(assembly.mesh, solution.radiosity_error, n);
-  c.n_patches = assembly.mesh.size();
+  c.computed_error = polygon_means(solved.mesh, solved.solution.radiosity_error, n);
+  c.n_patches = solved.mesh.size();
   sort_polygons(c);
   return c;
 }

@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "apps/validation/cases/cases.h"
-#include "apps/validation/reference/assembly.h"
 #include "apps/validation/reference/built_scenes.h"
 #include "apps/validation/reference/known_factors.h"
+#include "apps/validation/reference/own_light.h"
 #include "radiosity/operator/transport.h"
 #include "radiosity/solve/solution.h"
 
@@ -49,7 +49,8 @@ void check_factors(CaseResult& result, const Transport& transport,
 void check_radiosity(CaseResult& result, Table& table, const KnownFactor& known,
                      const Context& context) {
   const double rho = known.params.at("rho");
-  const Assembly assembly = assemble(cube(rho), {}, {.seed = context.seed});
+  const study::Study assembly =
+      study::assemble(cube(rho), {.patches = {.as_is = true}, .seed = context.seed});
   const Solution solution = solve_own_light(assembly, {.tolerance = kAskedOfSolver});
   Eigen::VectorXd expected = Eigen::VectorXd::Constant(6, known.value("B2"));
   expected[0] = known.value("B0");
@@ -79,7 +80,8 @@ CaseResult run_cube(const Context& context) {
           "Closed forms of the 6 x 6 system to 30 digits (tests/data/form-factors.json); "
           "F of opposite faces 0.19982..., of adjacent ones 0.20004..."};
   const std::vector<KnownFactor> known = read_known_factors(context.data);
-  const Assembly assembly = assemble(cube(0.5), {}, {.seed = context.seed});
+  const study::Study assembly =
+      study::assemble(cube(0.5), {.patches = {.as_is = true}, .seed = context.seed});
   check_factors(result, *assembly.transport, known);
   Table table{"Radiosity, W/m²", {"", "computed", "closed form", "relative error"}, {}};
   check_radiosity(result, table, known_factor(known, "unit cube, 6 patches (one per face)"),

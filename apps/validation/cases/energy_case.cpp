@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "apps/validation/cases/cases.h"
-#include "apps/validation/reference/assembly.h"
+#include "apps/validation/reference/own_light.h"
 #include "io/scene/scene_file.h"
 #include "radiosity/scene/radiometry.h"
 #include "radiosity/solve/solution.h"
@@ -56,7 +56,7 @@ Imbalance worst_imbalance(const Solution& solution, const Eigen::VectorXd& area)
 }
 
 /// Nothing escapes from a closed room.
-void check_closed(CaseResult& result, const std::string& name, const Assembly& room,
+void check_closed(CaseResult& result, const std::string& name, const study::Study& room,
                   const Solution& solution) {
   const Eigen::VectorXd power = solution.radiosity.transpose() * areas(room.mesh);
   const Eigen::ArrayXd share =
@@ -94,11 +94,11 @@ CaseResult run_energy(const Context& context) {
     context.progress.check();
     const Progress quiet{.report = {}, .stop = context.progress.stop};
     Scene scene = io::read_scene(file);
-    meshing::PatchOptions patches;
-    if (scene.n_polygons() < kPatches / 2) patches.n_patches = kPatches;
-    const Assembly assembly =
-        assemble(std::move(scene), patches,
-                 {.tolerance = kTolerance, .seed = context.seed, .progress = quiet});
+    meshing::PatchChoice patches{.as_is = true};
+    if (scene.n_polygons() < kPatches / 2) patches = {.n_patches = kPatches};
+    const study::Study assembly = study::assemble(
+        std::move(scene), {.patches = patches, .tolerance = kTolerance, .seed = context.seed},
+        {.progress = quiet});
     const Solution solution = solve_own_light(assembly, {.progress = quiet});
     const Imbalance imbalance = worst_imbalance(solution, areas(assembly.mesh));
     const std::string name = file.stem().string();

@@ -7,9 +7,9 @@
 #include <iterator>
 
 #include "apps/validation/cases/curved_factors.h"
-#include "apps/validation/reference/assembly.h"
 #include "apps/validation/reference/built_scenes.h"
 #include "apps/validation/reference/known_factors.h"
+#include "apps/validation/reference/own_light.h"
 #include "radiosity/assembly/transport_options.h"
 #include "radiosity/base/error.h"
 #include "radiosity/operator/surface_factors.h"
@@ -92,16 +92,17 @@ Comparisons compare_point(const KnownFactor& known, const Context& /*context*/) 
 }
 
 /// The scene as it is, its form factors without a correction.
-Assembly assemble_raw(Scene scene, double tolerance, const Context& context) {
-  return assemble(std::move(scene), {},
-                  {.tolerance = tolerance,
-                   .closed = Closed::no,
-                   .seed = context.seed,
-                   .progress = {.report = {}, .stop = context.progress.stop}});
+study::Study assemble_raw(Scene scene, double tolerance, const Context& context) {
+  return study::assemble(std::move(scene),
+                         {.patches = {.as_is = true},
+                          .tolerance = tolerance,
+                          .closed = Closed::no,
+                          .seed = context.seed},
+                         {.progress = {.report = {}, .stop = context.progress.stop}});
 }
 
 Eigen::MatrixXd occluded_factors(Scene scene, const Context& context) {
-  const Assembly assembly = assemble_raw(std::move(scene), kOccludedTolerance, context);
+  const study::Study assembly = assemble_raw(std::move(scene), kOccludedTolerance, context);
   return surface_form_factors(assembly.mesh, *assembly.transport);
 }
 
@@ -153,7 +154,7 @@ Comparisons compare_nested_spheres(const KnownFactor& known, const Context& cont
   Scene scene = empty_scene("nested spheres");
   add_surface(scene, "in", icosphere(kLevel, known.params.at("r_in"), Facing::outwards));
   add_surface(scene, "out", icosphere(kLevel, known.params.at("r_out"), Facing::inwards));
-  const Assembly assembly = assemble_raw(std::move(scene), kBodyTolerance, context);
+  const study::Study assembly = assemble_raw(std::move(scene), kBodyTolerance, context);
   const Eigen::MatrixXd factors = surface_form_factors(assembly.mesh, *assembly.transport);
   const Eigen::MatrixXd errors = surface_form_factor_errors(assembly.mesh, *assembly.transport);
   const auto compare = [&](const char* key, Index from, Index to) {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "apps/validation/cases/cases.h"
-#include "apps/validation/reference/assembly.h"
+#include "apps/validation/reference/own_light.h"
 #include "io/scene/scene_file.h"
 #include "radiosity/solve/solution.h"
 #include "radiosity/solve/solve.h"
@@ -21,11 +21,11 @@ constexpr double kReflectances[] = {0, 0.2, 0.5, 0.8, 0.9, 0.95, 0.99};
 struct Room {
   const char* file;
   const char* name;
-  meshing::PatchOptions patches;
+  meshing::PatchChoice patches;
 };
 
 /// Largest relative deviation of B from M / (1 - ρ), M = 1.
-double deviation(const Assembly& room, double rho, const Progress& progress) {
+double deviation(const study::Study& room, double rho, const Progress& progress) {
   const Eigen::MatrixXd ones = Eigen::MatrixXd::Ones(room.mesh.size(), 1);
   SolveOptions options{.tolerance = kAskedOfSolver};
   options.progress.stop = progress.stop;
@@ -33,7 +33,7 @@ double deviation(const Assembly& room, double rho, const Progress& progress) {
   return (solution.radiosity.array() * (1 - rho) - 1).abs().maxCoeff();
 }
 
-double asked(const Assembly& room, double rho) {
+double asked(const study::Study& room, double rho) {
   const double smallest = areas(room.mesh).minCoeff();
   return kAskedOfSolver * std::sqrt(areas(room.mesh).sum() / smallest) +
          kAskedOfRowSums * rho / (1 - rho);
@@ -57,9 +57,9 @@ CaseResult run_furnace(const Context& context) {
   for (const Room& room : {Room{"furnace-cube.json", "cube", {.max_edge = 0.1}},
                            Room{"l-room.json", "L-shaped room", {.n_patches = 800}}}) {
     context.progress.check();
-    const Assembly assembly =
-        assemble(io::read_scene(context.scenes / room.file), room.patches,
-                 {.seed = context.seed, .progress = {.report = {}, .stop = context.progress.stop}});
+    const study::Study assembly = study::assemble(
+        io::read_scene(context.scenes / room.file), {.patches = room.patches, .seed = context.seed},
+        {.progress = {.report = {}, .stop = context.progress.stop}});
     Series measured{fmt::format("{}, {} patches", room.name, assembly.mesh.size())};
     Series limit{fmt::format("{}: asked", room.name), Series::Style::dashed};
     for (const double rho : kReflectances) {

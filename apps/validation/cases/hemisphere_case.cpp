@@ -15,8 +15,9 @@ using namespace radiosity;
 
 CaseResult run_hemisphere(const Context& context) {
   const Progress quiet{.report = {}, .stop = context.progress.stop};
-  const Assembly room = assemble(io::read_scene(context.scenes / "furnished-room.json"), {},
-                                 {.seed = context.seed, .progress = quiet});
+  const study::Study room =
+      study::assemble(io::read_scene(context.scenes / "furnished-room.json"),
+                      {.patches = {.as_is = true}, .seed = context.seed}, {.progress = quiet});
   const Solution solution = solve_own_light(room, {.progress = quiet});
   const std::vector<TwofoldIrradiance> all =
       compare_irradiance(room, solution, {.seed = context.seed});

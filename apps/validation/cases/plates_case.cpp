@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "apps/validation/cases/cases.h"
-#include "apps/validation/reference/assembly.h"
 #include "apps/validation/reference/built_scenes.h"
 #include "apps/validation/reference/known_factors.h"
+#include "apps/validation/reference/own_light.h"
 #include "radiosity/scene/radiometry.h"
 #include "radiosity/solve/solution.h"
 
@@ -21,7 +21,7 @@ constexpr const char* kBound =
     "most, and form factors that are off by 1e-9, amplified by 1/(1-ρ).";
 
 /// Most that a patch of area `area` may be off, W/m².
-double allowed(const Assembly& assembly, const Solution& solution, double area, double rho) {
+double allowed(const study::Study& assembly, const Solution& solution, double area, double rho) {
   const double norm = std::sqrt(areas(assembly.mesh).dot(solution.radiosity.col(0).cwiseAbs2()));
   return (kAskedOfSolver + kAskedOfFactors / (1 - rho)) * norm / std::sqrt(area);
 }
@@ -36,7 +36,8 @@ void check_open_pair(CaseResult& result, Table& table, const std::string& name,
   add_surface(scene, "plate 1", {parallelogram(Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY())},
               {.reflectance = kRho[0], .exitance = kExitance[0]});
   add_surface(scene, "plate 2", {other}, {.reflectance = kRho[1], .exitance = kExitance[1]});
-  const Assembly assembly = assemble(std::move(scene), {}, {.seed = context.seed});
+  const study::Study assembly =
+      study::assemble(std::move(scene), {.patches = {.as_is = true}, .seed = context.seed});
   const Solution solution = solve_own_light(assembly, {.tolerance = kAskedOfSolver});
   for (int i = 0; i < 2; ++i) {
     const int j = 1 - i;
@@ -51,7 +52,8 @@ void check_open_pair(CaseResult& result, Table& table, const std::string& name,
 }
 
 /// Heat that the surface loses, W.
-double heat(const Assembly& assembly, const Solution& solution, const std::string& surface_part) {
+double heat(const study::Study& assembly, const Solution& solution,
+            const std::string& surface_part) {
   double sum = 0;
   for (Index i = 0; i < assembly.mesh.size(); ++i) {
     const std::string& name = assembly.mesh.surface_names[assembly.mesh.surface[i]];
@@ -62,8 +64,8 @@ double heat(const Assembly& assembly, const Solution& solution, const std::strin
 }
 
 /// Area of the surface over how far its heat may be off: √(A_s) of B and of H each.
-void add_heat(CaseResult& result, Table& table, const Assembly& assembly, const std::string& name,
-              const std::string& surface, double area, double expected) {
+void add_heat(CaseResult& result, Table& table, const study::Study& assembly,
+              const std::string& name, const std::string& surface, double area, double expected) {
   const Solution solution = solve_own_light(assembly, {.tolerance = kAskedOfSolver});
   const double computed = heat(assembly, solution, surface);
   const double norm = std::sqrt(areas(assembly.mesh).dot(solution.radiosity.col(0).cwiseAbs2()));
@@ -95,8 +97,8 @@ void check_cube_in_cube(CaseResult& result, Table& table, double side, double ho
       scene, "inner",
       box_faces(Vec3::Constant(0.5 - side / 2), Vec3::Constant(0.5 + side / 2), Facing::outwards),
       {.reflectance = 1 - hot_emissivity, .temperature = kHot});
-  const Assembly assembly =
-      assemble(std::move(scene), {}, {.tolerance = 1e-7, .seed = context.seed});
+  const study::Study assembly = study::assemble(
+      std::move(scene), {.patches = {.as_is = true}, .tolerance = 1e-7, .seed = context.seed});
   const double inner = 6 * side * side;
   const double resistance = (1 - hot_emissivity) / (hot_emissivity * inner) + 1 / inner +
                             (1 - cold_emissivity) / (cold_emissivity * 6);
@@ -118,7 +120,8 @@ void check_reradiating(CaseResult& result, Table& table, double factor, const Co
               {.reflectance = 1 - kColdEmissivity, .temperature = kCold});
   faces.erase(faces.begin(), faces.begin() + 2);
   add_surface(scene, "walls", faces, {.reflectance = 1});
-  const Assembly assembly = assemble(std::move(scene), {}, {.seed = context.seed});
+  const study::Study assembly =
+      study::assemble(std::move(scene), {.patches = {.as_is = true}, .seed = context.seed});
   const double around = (1 - factor) / 2;  // two wall resistances in series
   const double resistance = (1 - kHotEmissivity) / kHotEmissivity + 1 / (factor + around) +
                             (1 - kColdEmissivity) / kColdEmissivity;

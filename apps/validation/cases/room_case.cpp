@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "apps/validation/cases/cases.h"
-#include "apps/validation/reference/assembly.h"
 #include "apps/validation/reference/built_scenes.h"
+#include "apps/validation/reference/own_light.h"
 #include "io/scene/scene_file.h"
 #include "radiosity/assembly/transport_options.h"
 #include "radiosity/solve/solution.h"
@@ -41,7 +41,7 @@ Scene box_room() {
 }
 
 /// M = 1 W/m² on the surface of that name.
-Eigen::VectorXd lamp_exitance(const Assembly& room, const std::string& name) {
+Eigen::VectorXd lamp_exitance(const study::Study& room, const std::string& name) {
   Eigen::VectorXd exitance = Eigen::VectorXd::Zero(room.mesh.size());
   for (Index i = 0; i < room.mesh.size(); ++i) {
     if (room.mesh.surface_names[room.mesh.surface[i]] == name) exitance[i] = 1;
@@ -50,7 +50,7 @@ Eigen::VectorXd lamp_exitance(const Assembly& room, const std::string& name) {
 }
 
 void check_room(CaseResult& result, Plot& plot, const std::string& name,
-                const std::string& lamp_name, const Assembly& room, const Progress& progress) {
+                const std::string& lamp_name, const study::Study& room, const Progress& progress) {
   const Eigen::VectorXd area = areas(room.mesh);
   const double surface = area.sum();
   const auto n_columns = static_cast<Index>(std::size(kReflectances));
@@ -110,11 +110,13 @@ CaseResult run_room(const Context& context) {
             {"E S / Φ", Axis::Scale::logarithmic},
             {}};
   const Progress quiet{.report = {}, .stop = context.progress.stop};
-  const TransportOptions options{.seed = context.seed, .progress = quiet};
-  check_room(result, plot, "box", "lamp", assemble(box_room(), {.n_patches = 800}, options), quiet);
-  check_room(result, plot, "L-room", "light",
-             assemble(io::read_scene(context.scenes / "l-room.json"), {.n_patches = 800}, options),
+  const study::StudyOptions options{.patches = {.n_patches = 800}, .seed = context.seed};
+  check_room(result, plot, "box", "lamp", study::assemble(box_room(), options, {.progress = quiet}),
              quiet);
+  check_room(
+      result, plot, "L-room", "light",
+      study::assemble(io::read_scene(context.scenes / "l-room.json"), options, {.progress = quiet}),
+      quiet);
   result.notes.emplace_back(
       "Dashed: the least indirect irradiance of any patch, which the relation does not predict.");
   result.figures.emplace_back(plot);

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "apps/validation/cases/cases.h"
-#include "apps/validation/reference/assembly.h"
+#include "apps/validation/reference/own_light.h"
 #include "io/scene/scene_file.h"
 #include "radiosity/scene/radiometry.h"
 #include "radiosity/solve/solution.h"
@@ -22,8 +22,8 @@ constexpr double kAskedOfSolver = 4e-11;
 constexpr double kSingles[] = {500, 600, 700};  // nm
 constexpr const char* kShown[] = {"floor", "left", "right", "short_top"};
 
-void check_single(CaseResult& result, const Assembly& box, const Solution& all, double wavelength,
-                  const Progress& progress) {
+void check_single(CaseResult& result, const study::Study& box, const Solution& all,
+                  double wavelength, const Progress& progress) {
   const std::vector<double>& wavelengths = box.scene.bands.wavelengths;
   const auto found = std::find(wavelengths.begin(), wavelengths.end(), wavelength);
   if (found == wavelengths.end()) {
@@ -42,7 +42,7 @@ void check_single(CaseResult& result, const Assembly& box, const Solution& all, 
                            "differ by 8e-11 at most."});
 }
 
-void check_energy(CaseResult& result, const Assembly& box, const Solution& all) {
+void check_energy(CaseResult& result, const study::Study& box, const Solution& all) {
   const Eigen::VectorXd area = areas(box.mesh);
   double worst = 0;
   for (Index c = 0; c < all.radiosity.cols(); ++c) {
@@ -62,7 +62,7 @@ void check_energy(CaseResult& result, const Assembly& box, const Solution& all) 
 }
 
 /// Mean radiosity of a surface by wavelength.
-Series spectrum(const Assembly& box, const Solution& all, const std::string& surface) {
+Series spectrum(const study::Study& box, const Solution& all, const std::string& surface) {
   Series series{surface, Series::Style::line};
   Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(all.radiosity.cols());
   double area = 0;
@@ -87,8 +87,9 @@ CaseResult run_spectral(const Context& context) {
     throw Skipped(fmt::format("{}: there is no such scene", path.string()));
   }
   const Progress quiet{.report = {}, .stop = context.progress.stop};
-  const Assembly box = assemble(io::read_scene(path), {.n_patches = kPatches},
-                                {.seed = context.seed, .progress = quiet});
+  const study::Study box = study::assemble(
+      io::read_scene(path), {.patches = {.n_patches = kPatches}, .seed = context.seed},
+      {.progress = quiet});
   if (box.scene.bands.kind != Bands::Kind::wavelengths) {
     throw SceneError(fmt::format("{}: expected bands by wavelength", path.string()));
   }

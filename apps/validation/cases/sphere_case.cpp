@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "apps/validation/cases/cases.h"
-#include "apps/validation/reference/assembly.h"
 #include "apps/validation/reference/built_scenes.h"
 #include "apps/validation/reference/known_factors.h"
+#include "apps/validation/reference/own_light.h"
 #include "apps/validation/reference/statistics.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/solve/solution.h"
@@ -64,8 +64,9 @@ struct Facetted {
 
 Facetted measure(int level, const Context& context) {
   const Progress quiet{.report = {}, .stop = context.progress.stop};
-  const Assembly room =
-      assemble(sphere(level), {}, {.tolerance = 1e-4, .seed = context.seed, .progress = quiet});
+  const study::Study room = study::assemble(
+      sphere(level), {.patches = {.as_is = true}, .tolerance = 1e-4, .seed = context.seed},
+      {.progress = quiet});
   const Eigen::VectorXd area = areas(room.mesh);
   const Eigen::VectorXd exitance = smooth_exitance(room.mesh);
   const Solution solution =
@@ -99,8 +100,9 @@ void check_open_sphere(CaseResult& result, const KnownFactor& known, const Conte
   scene.closed = false;
   add_surface(scene, "sphere", faces, {.reflectance = rho, .exitance = 1});
   const Progress quiet{.report = {}, .stop = context.progress.stop};
-  const Assembly bowl =
-      assemble(std::move(scene), {}, {.tolerance = 1e-4, .seed = context.seed, .progress = quiet});
+  const study::Study bowl = study::assemble(
+      std::move(scene), {.patches = {.as_is = true}, .tolerance = 1e-4, .seed = context.seed},
+      {.progress = quiet});
   const Solution solution = solve_own_light(bowl, {.on_step = {}, .progress = quiet});
   // The opening is as large as the facets that are gone, not quite the share in the file.
   const double expected = 1 / (1 - rho * left / all);

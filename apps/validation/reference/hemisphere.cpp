@@ -45,15 +45,14 @@ struct Moments {
   double variance = 0;  ///< of one ray
 };
 
-Moments sample(const Assembly& assembly, const Eigen::VectorXd& radiosity, Index i, int n_rays,
+Moments sample(const study::Study& assembly, const Eigen::VectorXd& radiosity, Index i, int n_rays,
                Random& random) {
   double sum = 0;
   double squares = 0;
   for (int k = 0; k < n_rays; ++k) {
     const Vec3 origin = random_point(assembly.mesh, i, random);
     const Vec3 direction = cosine_direction(assembly.mesh.normal[i], random);
-    const auto hit =
-        assembly.visibility->first_hit(origin, direction, static_cast<std::int32_t>(i));
+    const auto hit = assembly.visibility.first_hit(origin, direction, static_cast<std::int32_t>(i));
     const double value = hit && hit->front ? radiosity[hit->patch] : 0;
     sum += value;
     squares += value * value;
@@ -64,7 +63,7 @@ Moments sample(const Assembly& assembly, const Eigen::VectorXd& radiosity, Index
 
 }  // namespace
 
-std::vector<TwofoldIrradiance> compare_irradiance(const Assembly& assembly,
+std::vector<TwofoldIrradiance> compare_irradiance(const study::Study& assembly,
                                                   const Solution& solution,
                                                   const HemisphereOptions& options) {
   const Eigen::VectorXd radiosity = solution.radiosity.col(0);

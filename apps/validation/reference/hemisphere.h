@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "apps/validation/reference/assembly.h"
+#include "apps/validation/reference/own_light.h"
 #include "radiosity/base/geometry.h"
 #include "radiosity/solve/solution.h"
 
@@ -26,7 +26,7 @@ struct HemisphereOptions {
 /// from random points of the patch fetch B where they first meet a patch; and the form factors.
 /// Rays seldom meet a small lamp, and a sample without it knows nothing of its variance: the
 /// error is that of the area form where that is larger.
-std::vector<TwofoldIrradiance> compare_irradiance(const Assembly& assembly,
+std::vector<TwofoldIrradiance> compare_irradiance(const study::Study& assembly,
                                                   const radiosity::Solution& solution,
                                                   const HemisphereOptions& options = {});
 

@@ -7,7 +7,7 @@
 #include "radiosity/scene/scene.h"
 #include "radiosity/solve/solution.h"
 
-namespace apps {
+namespace radiosity {
 
 /// Net heat that a surface loses by radiation (negative: gains).
 struct SurfaceFlux {
@@ -18,10 +18,9 @@ struct SurfaceFlux {
 };
 
 /// Whether any surface's material emits by its temperature.
-bool is_thermal(const radiosity::Scene& scene);
+bool is_thermal(const Scene& scene);
 
 /// One entry per surface, in the scene's order; bands are added up.
-std::vector<SurfaceFlux> surface_fluxes(const radiosity::PatchMesh& mesh,
-                                        const radiosity::Solution& solution);
+std::vector<SurfaceFlux> surface_fluxes(const PatchMesh& mesh, const Solution& solution);
 
-}  // namespace apps
+}  // namespace radiosity

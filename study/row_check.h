@@ -8,7 +8,7 @@
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/scene.h"
 
-namespace apps {
+namespace study {
 
 /// Throws SolveError if a row of form factors adds up to more than 1 by more than its errors and
 /// the tolerance (at least 1 %) explain: then more light would arrive than was sent. The message
@@ -19,4 +19,4 @@ void refuse_excess(const radiosity::Scene& scene, const radiosity::PatchMesh& me
                    const radiosity::AssemblyReport& report, double tolerance,
                    const std::function<Eigen::VectorXd(radiosity::Index)>& row_error);
 
-}  // namespace apps
+}  // namespace study

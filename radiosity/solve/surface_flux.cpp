@@ -1,22 +1,20 @@
-#include "apps/terminal/surface_flux.h"
+#include "radiosity/solve/surface_flux.h"
 
 #include <algorithm>
 
-namespace apps {
+namespace radiosity {
 
-bool is_thermal(const radiosity::Scene& scene) {
+bool is_thermal(const Scene& scene) {
   return std::any_of(scene.surfaces.begin(), scene.surfaces.end(), [&](const auto& surface) {
-    return scene.materials[surface.material].emission.kind ==
-           radiosity::Emission::Kind::temperature;
+    return scene.materials[surface.material].emission.kind == Emission::Kind::temperature;
   });
 }
 
-std::vector<SurfaceFlux> surface_fluxes(const radiosity::PatchMesh& mesh,
-                                        const radiosity::Solution& solution) {
+std::vector<SurfaceFlux> surface_fluxes(const PatchMesh& mesh, const Solution& solution) {
   std::vector<SurfaceFlux> fluxes(mesh.surface_names.size());
   for (std::size_t s = 0; s < fluxes.size(); ++s) fluxes[s].surface = mesh.surface_names[s];
   const Eigen::VectorXd net_flux = solution.net_flux().rowwise().sum();
-  for (radiosity::Index i = 0; i < mesh.size(); ++i) {
+  for (Index i = 0; i < mesh.size(); ++i) {
     SurfaceFlux& flux = fluxes[mesh.surface[i]];
     flux.area += mesh.area[i];
     flux.heat += mesh.area[i] * net_flux[i];
@@ -27,4 +25,4 @@ std::vector<SurfaceFlux> surface_fluxes(const radiosity::PatchMesh& mesh,
   return fluxes;
 }
 
-}  // namespace apps
+}  // namespace radiosity

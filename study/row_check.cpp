@@ -1,4 +1,4 @@
-#include "apps/run/row_check.h"
+#include "study/row_check.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include "meshing/inspect/inspect.h"
 #include "radiosity/base/error.h"
 
-namespace apps {
+namespace study {
 namespace {
 
 using namespace radiosity;
@@ -40,4 +40,4 @@ void refuse_excess(const Scene& scene, const PatchMesh& mesh, const AssemblyRepo
       cause(scene)));
 }
 
-}  // namespace apps
+}  // namespace study

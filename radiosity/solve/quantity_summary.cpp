@@ -1,13 +1,11 @@
-#include "apps/summary/quantity_summary.h"
+#include "radiosity/solve/quantity_summary.h"
 
 #include <limits>
 
 #include "radiosity/scene/patch_mesh.h"
 
-namespace apps {
+namespace radiosity {
 namespace {
-
-using radiosity::Index;
 
 QuantityShare empty_share(const std::string& surface, Index n_columns) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -30,7 +28,7 @@ void add_patch(QuantityShare& share, double area, const Eigen::VectorXd& value) 
 
 }  // namespace
 
-QuantitySummary summarize(const radiosity::QuantityField& field, const radiosity::PatchMesh& mesh) {
+QuantitySummary summarize(const QuantityField& field, const PatchMesh& mesh) {
   const Index n_columns = field.values.cols();
   QuantitySummary summary = {field.info, field.unit, {}, empty_share("all", n_columns)};
   std::vector<QuantityShare> shares;
@@ -51,4 +49,4 @@ QuantitySummary summarize(const radiosity::QuantityField& field, const radiosity
   return summary;
 }
 
-}  // namespace apps
+}  // namespace radiosity

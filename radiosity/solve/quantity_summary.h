@@ -1,12 +1,13 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <string>
 #include <vector>
 
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/solve/quantity.h"
 
-namespace apps {
+namespace radiosity {
 
 /// A quantity on one surface, or on all. One value per column of the quantity; of an additive
 /// quantity there is only the sum, else there are mean, minimum and maximum.
@@ -21,13 +22,14 @@ struct QuantityShare {
 
 /// A quantity by surface.
 struct QuantitySummary {
-  radiosity::QuantityInfo info;
+  QuantityInfo info;
   std::string unit;
-  std::vector<QuantityShare>
-      surfaces;         ///< in the scene's order; those without patches are left out
+  /// In the scene's order; those without patches are left out.
+  std::vector<QuantityShare> surfaces;
   QuantityShare total;  ///< of all patches
 };
 
-QuantitySummary summarize(const radiosity::QuantityField& field, const radiosity::PatchMesh& mesh);
+/// The quantity's sums, means and extremes on each surface of the mesh that it is of.
+QuantitySummary summarize(const QuantityField& field, const PatchMesh& mesh);
 
-}  // namespace apps
+}  // namespace radiosity

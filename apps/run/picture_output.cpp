@@ -1,0 +1,75 @@
+#include "apps/run/picture_output.h"
+
+#include <algorithm>
+
+#include "apps/options/camera_options.h"
+#include "apps/options/quantity_options.h"
+#include "io/picture/false_color.h"
+#include "io/picture/image_file.h"
+#include "radiosity/base/error.h"
+#include "radiosity/picture/gathered_picture.h"
+#include "radiosity/solve/quantity.h"
+
+namespace apps {
+namespace {
+
+using namespace radiosity;
+
+void refuse_empty(const Image& image) {
+  if (std::all_of(image.alpha.begin(), image.alpha.end(), [](float a) { return a == 0; })) {
+    throw SceneError(
+        "the picture would be empty: what the camera sees is smaller than a pixel; come closer, or "
+        "use more pixels or --samples");
+  }
+}
+
+ShownScale write_false_color_picture(const std::string& path, const study::Study& solved,
+                                     const PictureOptions& options, const Camera& camera,
+                                     const RenderOptions& render_options,
+                                     Interruption& interruption) {
+  const QuantityField field =
+      make_field(*quantity_named(*options.false_color.quantity), solved.mesh, solved.solution,
+                 solved.scene.bands, options.photometry.efficacy_or_default());
+  const ShownQuantity shown = shown_quantity(field, solved.scene.bands, options.false_color);
+  const Image image =
+      render_values(solved.mesh, solved.visibility, shown.values, camera, render_options);
+  render_options.progress.check();
+  refuse_empty(image);
+  const auto lock = interruption.hold();
+  const io::ColorScale scale = io::write_false_color(path, image, shown.options);
+  return {std::string(field.info.name), field.unit, scale};
+}
+
+Image draw(const study::Study& solved, const Camera& camera, bool gathers,
+           const RenderOptions& options) {
+  const Solution& solution = solved.solution;
+  if (!gathers) {
+    return render(solved.mesh, solved.visibility, solution.radiosity, camera, options);
+  }
+  const FinalGather gather(solved.mesh, solution.radiosity);
+  return render_gathered(gather, solved.visibility, {solution.exitance, solution.reflectance},
+                         camera, options);
+}
+
+}  // namespace
+
+std::optional<ShownScale> write_picture(const std::string& path, const study::Study& solved,
+                                        const PictureOptions& options, const Progress& progress,
+                                        Interruption& interruption) {
+  const Camera camera = choose_camera(solved.scene, solved.mesh, options.camera).camera;
+  RenderOptions render_options = options.render;
+  render_options.progress = progress;
+  if (options.false_color.quantity) {
+    return write_false_color_picture(path, solved, options, camera, render_options, interruption);
+  }
+  const Image image = draw(solved, camera, options.gather, render_options);
+  progress.check();
+  refuse_empty(image);
+  io::ImageOptions image_options = options.image;
+  image_options.wavelengths = solved.scene.bands.wavelengths;
+  const auto lock = interruption.hold();
+  io::write_image(path, image, image_options);
+  return std::nullopt;
+}
+
+}  // namespace apps

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "meshing/adaptive/adaptive.h"
+#include "radiosity/operator/transport.h"
+#include "radiosity/scene/patch_mesh.h"
+#include "radiosity/scene/scene.h"
+#include "radiosity/solve/discretisation_error.h"
+#include "radiosity/solve/solution.h"
+#include "radiosity/visibility/visibility.h"
+#include "study/study_events.h"
+#include "study/study_options.h"
+
+/// The one way from a scene to its light: each stage takes what the earlier ones made.
+namespace study {
+
+/// Form factors of patches.
+struct FormFactors {
+  std::optional<Patches> refined = {};  ///< those that they belong to, if patches were refined
+  std::optional<meshing::Refinement> refinement = {};  ///< how, if so
+  std::unique_ptr<radiosity::Transport> transport;
+};
+
+/// The light on the patches and how wrong it is.
+struct Light {
+  radiosity::Solution solution;  ///< its errors include `discretisation`
+  radiosity::DiscretisationError discretisation;
+};
+
+/// A scene and all that was found out about it.
+struct Study {
+  radiosity::Scene scene;
+  radiosity::PatchMesh mesh;
+  radiosity::Visibility visibility;
+  std::unique_ptr<radiosity::Transport> transport;
+  std::optional<meshing::Refinement> refinement = {};  ///< if patches were refined
+  radiosity::Solution solution = {};                   ///< its errors include `discretisation`
+  radiosity::DiscretisationError discretisation = {};
+};
+
+/// Divides the scene into patches. Warns of serious flaws of the scene and of patches that could
+/// not be cut. Throws SolveError if the form factors will not fit into memory, before patches are
+/// made wherever their number can be foreseen (`meshing::least_patches`); MeshError; Interrupted.
+Patches divide(const radiosity::Scene& scene, const StudyOptions& options = {},
+               const StudyEvents& events = {});
+
+/// Computes the form factors, with PatchChoice::adaptive of patches of its own. Warns of rows that
+/// see an opening in a scene taken as closed. Throws SolveError if they don't fit into memory,
+/// before anything long, and as `refuse_excess` does; Interrupted.
+FormFactors make_form_factors(const radiosity::Scene& scene, const radiosity::PatchMesh& mesh,
+                              const radiosity::Visibility& visibility,
+                              const StudyOptions& options = {}, const StudyEvents& events = {});
+
+/// The radiosity by the scene's own materials. Warns if nothing emits, if the iteration does not
+/// converge and if the errors can't be told. Throws SolveError, Interrupted.
+Light solve_light(const radiosity::Scene& scene, const radiosity::PatchMesh& mesh,
+                  const radiosity::Transport& transport, const StudyOptions& options = {},
+                  const StudyEvents& events = {});
+
+/// The stages up to the form factors: there is no light yet.
+Study assemble(radiosity::Scene scene, const StudyOptions& options = {},
+               const StudyEvents& events = {});
+
+/// All stages.
+Study run(radiosity::Scene scene, const StudyOptions& options = {}, const StudyEvents& events = {});
+
+}  // namespace study

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "meshing/patches/patches.h"
+#include "radiosity/assembly/transport_options.h"
+#include "radiosity/scene/scene.h"
+#include "radiosity/solve/solution.h"
+
+namespace study {
+
+/// Where form factors are kept, which decides how many patches can be.
+enum class Storage {
+  memory,  ///< one dense operator (`radiosity::make_transport`)
+  disk     ///< a work file (`radiosity::StreamedFactors`): memory is for the patches only
+};
+
+/// How a scene is divided and how exactly it is solved.
+struct StudyOptions {
+  meshing::PatchChoice patches = {};
+  double tolerance = 1e-2;                      ///< relative error asked of the result, > 0
+  std::optional<double> factor_tolerance = {};  ///< of the form factors; absent: `tolerance`
+  /// Whether the surfaces enclose the space that they light; automatic = what the scene says, else
+  /// found out from the form factors.
+  radiosity::Closed closed = radiosity::Closed::automatic;
+  std::uint64_t seed = 0;  ///< of the visibility samples
+  Storage storage = Storage::memory;
+  /// Bytes for the form factors; 0 = what the machine has, or half of that for those on disk.
+  std::size_t memory = 0;
+  radiosity::Method method = radiosity::Method::conjugate_gradients;  ///< of the iteration
+};
+
+/// What the options and the scene's own word on being closed come to.
+radiosity::Closed closedness(const radiosity::Scene& scene, radiosity::Closed asked);
+
+/// The tolerance of the iteration: it shall add nothing to the error of the form factors, and
+/// digits cost it little.
+double iteration_tolerance(double tolerance);
+
+}  // namespace study

@@ -1,0 +1,45 @@
+#include "study/warnings.h"
+
+#include <fmt/format.h>
+
+#include <string>
+
+#include "meshing/inspect/inspect.h"
+
+namespace study {
+
+using namespace radiosity;
+
+void warn_of_findings(const Scene& scene, const StudyEvents& events) {
+  if (!events.warned) return;
+  for (const std::string& message : meshing::serious_findings(scene)) events.warn(message);
+}
+
+void warn_of_open_rows(const AssemblyReport& report, const StudyEvents& events) {
+  if (report.open_rows == 0) return;
+  events.warn(
+      fmt::format("the scene is taken as closed, but {} of {} patches see an opening; "
+                  "their form factors stay as they are (--closed no leaves all so)",
+                  report.open_rows, report.row_sums.size()));
+}
+
+void warn_of_spent_patches(const meshing::Refinement& refinement, Index n_patches, double tolerance,
+                           const StudyEvents& events) {
+  if (refinement.is_accurate) return;
+  events.warn(
+      fmt::format("the patches ({}) are spent: the error of the radiosity is about "
+                  "{:.2g}, {:.2g} was asked for (--patches N allows more)",
+                  n_patches, refinement.error, tolerance));
+}
+
+void warn_of_unconverged(const Solution& solution, const SolveOptions& options,
+                         const StudyEvents& events) {
+  if (solution.converged) return;
+  const bool is_fastest = options.method == Method::conjugate_gradients;
+  events.warn(
+      fmt::format("the iteration has not converged: its error may be {:.1e}, {:.1e} "
+                  "was asked for{}",
+                  solution.error_bound, options.tolerance, is_fastest ? "" : "; try --method cg"));
+}
+
+}  // namespace study

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "meshing/adaptive/adaptive.h"
+#include "radiosity/operator/transport.h"
+#include "radiosity/scene/scene.h"
+#include "radiosity/solve/solution.h"
+#include "study/study_events.h"
+
+namespace study {
+
+/// Of serious flaws of the scene, unless it is too large to be searched.
+void warn_of_findings(const radiosity::Scene& scene, const StudyEvents& events);
+
+/// If a scene taken as closed has patches that see an opening.
+void warn_of_open_rows(const radiosity::AssemblyReport& report, const StudyEvents& events);
+
+/// If the patches were spent before their error was as asked.
+void warn_of_spent_patches(const meshing::Refinement& refinement, radiosity::Index n_patches,
+                           double tolerance, const StudyEvents& events);
+
+/// If the iteration, by `options`, has not converged.
+void warn_of_unconverged(const radiosity::Solution& solution,
+                         const radiosity::SolveOptions& options, const StudyEvents& events);
+
+}  // namespace study
