@@ -2,7 +2,6 @@
 /// the machine could do at best: Embree's raw rate on the very same rays, and the read bandwidth.
 
 #include <benchmark/benchmark.h>
-#include <embree3/rtcore.h>
 
 #include <array>
 #include <map>
@@ -15,6 +14,7 @@
 #include "radiosity/exchange/pair_kernel.h"
 #include "radiosity/exchange/visible_fraction.h"
 #include "radiosity/radiosity.h"
+#include "radiosity/visibility/embree.h"
 
 namespace {
 
@@ -160,9 +160,11 @@ void embree_alone(benchmark::State& state) {
     state.PauseTiming();
     rays = prepared;
     state.ResumeTiming();
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    for (RTCRay16& packet : rays) rtcOccluded16(valid.data(), scene, &context, &packet);
+    radiosity::EmbreeContext context;
+    radiosity::init_context(context);
+    for (RTCRay16& packet : rays) {
+      radiosity::occluded16(valid.data(), scene, context, false, packet);
+    }
     benchmark::ClobberMemory();
   }
   state.counters["rays/s"] = benchmark::Counter(

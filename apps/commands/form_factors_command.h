@@ -1,6 +1,5 @@
 #pragma once
 
-#include <CLI/App.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +9,10 @@
 #include "apps/terminal/interruption.h"
 #include "radiosity/base/progress.h"
 #include "radiosity/scene/patch_mesh.h"
+
+namespace CLI {
+class App;
+}  // namespace CLI
 
 namespace apps {
 

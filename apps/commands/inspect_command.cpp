@@ -1,5 +1,7 @@
 #include "apps/commands/inspect_command.h"
 
+#include <CLI/App.hpp>
+
 #include "apps/run/scene_input.h"
 #include "apps/run/shown_events.h"
 #include "apps/summary/json_summary.h"

@@ -1,9 +1,11 @@
 #pragma once
 
-#include <CLI/App.hpp>
-
 #include "apps/options/common_options.h"
 #include "apps/terminal/interruption.h"
+
+namespace CLI {
+class App;
+}  // namespace CLI
 
 namespace apps {
 

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <string>
 
 #include "apps/commands/form_factors_command.h"
 #include "apps/commands/inspect_command.h"
@@ -18,6 +19,7 @@
 #include "apps/terminal/usage_error.h"
 #include "radiosity/base/error.h"
 #include "radiosity/solve/solve.h"
+#include "radiosity/version.h"
 
 namespace {
 
@@ -48,12 +50,19 @@ int run(CLI::App& program, apps::Interruption& interruption, int argc, char** ar
   }
 }
 
+std::string version_text() {
+  return fmt::format(
+      "radiosity {}{}\nbuilt with {}", radiosity::kVersion,
+      radiosity::kCommit.empty() ? "" : fmt::format(" (commit {})", radiosity::kCommit),
+      RADIOSITY_LIBRARIES);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   apps::Interruption interruption;
   CLI::App program("Radiosity: how light spreads between diffuse surfaces.", "radiosity");
-  program.set_version_flag("--version", "radiosity " RADIOSITY_VERSION);
+  program.set_version_flag("--version", version_text());
   program.require_subcommand(1);
   const apps::SolveCommand solve(program, interruption);
   const apps::FormFactorsCommand form_factors(program, interruption);

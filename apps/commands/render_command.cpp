@@ -1,5 +1,6 @@
 #include "apps/commands/render_command.h"
 
+#include <CLI/App.hpp>
 #include "apps/run/picture_check.h"
 #include "apps/run/picture_output.h"
 #include "apps/run/scene_input.h"

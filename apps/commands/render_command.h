@@ -1,11 +1,14 @@
 #pragma once
 
-#include <CLI/App.hpp>
 #include <string>
 
 #include "apps/options/common_options.h"
 #include "apps/terminal/interruption.h"
 #include "study/study_options.h"
+
+namespace CLI {
+class App;
+}  // namespace CLI
 
 namespace apps {
 

@@ -1,5 +1,6 @@
 #include "apps/commands/solve_command.h"
 
+#include <CLI/App.hpp>
 #include <algorithm>
 
 #include "apps/run/picture_check.h"

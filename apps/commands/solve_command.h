@@ -1,6 +1,5 @@
 #pragma once
 
-#include <CLI/App.hpp>
 #include <string>
 #include <vector>
 
@@ -8,6 +7,10 @@
 #include "apps/terminal/interruption.h"
 #include "apps/terminal/terminal_progress.h"
 #include "study/study.h"
+
+namespace CLI {
+class App;
+}  // namespace CLI
 
 namespace apps {
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <CLI/App.hpp>
 #include <filesystem>
 #include <fstream>
 #include <system_error>
@@ -12,10 +13,12 @@
 #include "apps/summary/summary.h"
 #include "apps/terminal/machine.h"
 #include "apps/terminal/output_files.h"
+#include "apps/terminal/program_data.h"
 #include "apps/validation/cases/cases.h"
 #include "io/base/atomic_file.h"
 #include "radiosity/base/error.h"
 #include "radiosity/base/parallel.h"
+#include "radiosity/version.h"
 
 namespace apps {
 namespace {
@@ -79,7 +82,9 @@ void throw_if_failed(const validation::Report& report, const fs::path& folder) {
 }  // namespace
 
 ValidateCommand::ValidateCommand(CLI::App& program, Interruption& interruption)
-    : interruption_(interruption), data_(RADIOSITY_REFERENCE_DATA), scenes_(RADIOSITY_SCENES) {
+    : interruption_(interruption),
+      data_(program_data(RADIOSITY_REFERENCE_DATA, "tests/data")),
+      scenes_(program_data(RADIOSITY_SCENES, "scenes")) {
   CLI::App* command = program.add_subcommand(
       "validate", "Compare what the program computes with known answers and write a report");
   command->add_option("CASE", cases_, "Cases to run; none: all (see --list)")
@@ -93,10 +98,8 @@ ValidateCommand::ValidateCommand(CLI::App& program, Interruption& interruption)
   add_run_options(*command, common_);
   add_seed_option(*command, seed_);
   command->add_option("--data", data_, "Folder of the reference data, tests/data of the source")
-      ->capture_default_str()
       ->type_name("DIR");
   command->add_option("--scenes", scenes_, "Folder of the scenes, scenes of the source")
-      ->capture_default_str()
       ->type_name("DIR");
   command->callback([this] { run(); });
 }
@@ -110,7 +113,7 @@ std::vector<validation::Case> ValidateCommand::chosen_cases() const {
 
 validation::Report ValidateCommand::run_cases() const {
   validation::Report report{
-      .version = RADIOSITY_VERSION,
+      .version = std::string(radiosity::kVersion),
       .machine = machine_text(),
       .date = time_text(),
       .n_threads = common_.n_threads > 0 ? common_.n_threads : std::thread::hardware_concurrency(),

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <CLI/App.hpp>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -8,6 +7,10 @@
 #include "apps/options/common_options.h"
 #include "apps/terminal/interruption.h"
 #include "apps/validation/report/report.h"
+
+namespace CLI {
+class App;
+}  // namespace CLI
 
 namespace apps {
 

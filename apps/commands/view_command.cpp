@@ -1,5 +1,6 @@
 #include "apps/commands/view_command.h"
 
+#include <CLI/App.hpp>
 #include <filesystem>
 
 #include "apps/terminal/output_files.h"

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <CLI/App.hpp>
 #include <string>
 
 #include "apps/terminal/number_list.h"

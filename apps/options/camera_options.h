@@ -1,11 +1,14 @@
 #pragma once
 
-#include <CLI/App.hpp>
 #include <optional>
 
 #include "radiosity/base/geometry.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/scene.h"
+
+namespace CLI {
+class App;
+}  // namespace CLI
 
 namespace apps {
 

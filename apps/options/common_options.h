@@ -1,6 +1,5 @@
 #pragma once
 
-#include <CLI/App.hpp>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -11,6 +10,10 @@
 #include "io/picture/image_file.h"
 #include "radiosity/picture/render.h"
 #include "study/study_options.h"
+
+namespace CLI {
+class App;
+}  // namespace CLI
 
 namespace apps {
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <CLI/App.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,6 +7,10 @@
 #include "io/picture/false_color.h"
 #include "radiosity/scene/scene.h"
 #include "radiosity/solve/quantity.h"
+
+namespace CLI {
+class App;
+}  // namespace CLI
 
 namespace apps {
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <CLI/App.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,6 +7,10 @@
 #include "apps/terminal/terminal_progress.h"
 #include "radiosity/scene/scene.h"
 #include "radiosity/solve/quantity.h"
+
+namespace CLI {
+class App;
+}  // namespace CLI
 
 namespace apps {
 

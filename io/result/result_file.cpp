@@ -1,7 +1,6 @@
 #include "io/result/result_file.h"
 
 #include <fmt/format.h>
-#include <vtkPolyData.h>
 
 #include <cassert>
 #include <string>
@@ -9,7 +8,7 @@
 #include "io/base/extension.h"
 #include "io/result/color_ply.h"
 #include "io/result/patch_csv.h"
-#include "io/result/vtk_polydata.h"
+#include "io/result/write_vtp.h"
 #include "radiosity/base/error.h"
 
 namespace io {
@@ -19,7 +18,12 @@ void write(const std::filesystem::path& path, const radiosity::PatchMesh& mesh,
   assert(solution.radiosity.rows() == mesh.size());
   const std::string extension = lower_case_extension(path);
   if (extension == ".vtp") {
-    write_polydata(path, *make_polydata(mesh, solution, options.quantities, options.wavelengths));
+    if (radiosity_io_write_vtp == nullptr) {
+      throw radiosity::OutputError(fmt::format(
+          "{}: this program was built without VTK, which .vtp files need; expected .csv or .ply",
+          path.string()));
+    }
+    radiosity_io_write_vtp(path, mesh, solution, options.quantities, options.wavelengths);
   } else if (extension == ".csv") {
     write_patch_csv(path, mesh, solution, options.quantities);
   } else if (extension == ".ply") {

@@ -26,7 +26,8 @@ struct ResultOptions {
 /// `read_result` needs), .csv (one row per patch, header
 /// patch,surface,polygon,x,y,z,area,B_0..,H_0..,error_0..,net_0..) or .ply (smooth vertex colours,
 /// sRGB). The file is written beside and renamed into place, so there is never half a file. Throws
-/// OutputError naming the file if it cannot be written or the extension is none of these.
+/// OutputError naming the file if it cannot be written or the extension is none of these. Programs
+/// that do not link radiosity::vtk cannot write .vtp: to them it is none of these.
 void write(const std::filesystem::path& path, const radiosity::PatchMesh& mesh,
            const radiosity::Solution& solution, const ResultOptions& options = {});
 

@@ -312,14 +312,15 @@ std::vector<Triangle> PatchBuilder::triangulate_corners() const {
   const PlaneFrame frame(corners);
   std::vector<Vec2> flat;
   for (const Vec3& p : corners) flat.push_back(frame.to_plane(p));
-  const std::optional<std::vector<Triangle>> ears = clip_ears(flat);
+  std::optional<std::vector<Triangle>> ears = clip_ears(flat);
   if (!ears) {
     throw radiosity::MeshError(source_prefix(scene_) + polygon_name(scene_, polygon_) +
                                ": its outline of " + std::to_string(corners.size()) +
                                " corners, seen along its normal, crosses itself; expected a "
                                "simple polygon; split it into parts that do not cross");
   }
-  return ears->size() == 1 ? *ears : make_delaunay(flat, *ears);
+  if (ears->size() > 1) ears = make_delaunay(flat, *ears);
+  return *std::move(ears);
 }
 
 void PatchBuilder::add_patch(const std::array<std::int32_t, 4>& c) {

@@ -1,6 +1,6 @@
 #include "radiosity/scene/corner_values.h"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <cassert>
 #include <cmath>
 #include <span>
@@ -26,14 +26,17 @@ Eigen::Matrix<double, 3, 2> tangents(const Vec3& normal) {
 /// about the direction across it, where the gradient is then taken as 0.
 Eigen::Matrix2d pseudo_inverse(const Eigen::Matrix2d& matrix) {
   constexpr double kUnknownDirection = 1e-3;  // of the eigenvalues' ratio
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(matrix);
-  const double largest = eigen.eigenvalues()[1];
-  Eigen::Vector2d inverse = Eigen::Vector2d::Zero();
-  for (int k = 0; k < 2; ++k) {
-    const double value = eigen.eigenvalues()[k];
-    if (value > kUnknownDirection * largest) inverse[k] = 1 / value;
-  }
-  return eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose();
+  const double mean = 0.5 * (matrix(0, 0) + matrix(1, 1));
+  const double half = 0.5 * (matrix(0, 0) - matrix(1, 1));
+  const double radius = std::hypot(half, matrix(1, 0));
+  const double largest = mean + radius;
+  const double smallest = mean - radius;
+  if (smallest > kUnknownDirection * largest) return matrix.inverse();
+  if (largest <= 0) return Eigen::Matrix2d::Zero();
+  // (M - smallest) / (largest - smallest) projects on the direction of the largest.
+  const Eigen::Matrix2d projection =
+      (matrix - smallest * Eigen::Matrix2d::Identity()) / (2 * radius);
+  return projection / largest;
 }
 
 /// Gradient of the values at patch i, 1/m, 3 x n_bands, in the plane of the patch: the weighted

@@ -1,7 +1,5 @@
 #include "radiosity/visibility/visibility.h"
 
-#include <embree3/rtcore.h>
-
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -9,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "radiosity/visibility/embree.h"
 #include "radiosity/visibility/shaft.h"
 
 namespace radiosity {
@@ -99,7 +98,7 @@ namespace {
 
 /// What the filter function needs to know about the rays under way.
 struct FilterContext {
-  RTCIntersectContext embree;  // must come first: Embree hands back a pointer to it
+  EmbreeContext embree;  // must come first: Embree hands back a pointer to it
   const Visibility::Implementation* visibility;
   std::int32_t source;
   std::int32_t target;
@@ -240,10 +239,9 @@ void reject_own_ends_and_backs(const RTCFilterFunctionNArguments* arguments) {
 }
 
 FilterContext make_context(const Visibility::Implementation& implementation, std::int32_t source,
-                           std::int32_t target, RTCFilterFunctionN filter) {
+                           std::int32_t target) {
   FilterContext context{};
-  rtcInitIntersectContext(&context.embree);
-  context.embree.filter = filter;
+  init_context(context.embree);
   context.visibility = &implementation;
   context.source = source;
   context.target = target;
@@ -298,7 +296,7 @@ __attribute__((target_clones("arch=x86-64-v3", "default"))) void make_rays(
 }  // namespace
 
 void Visibility::Implementation::build() {
-  rtcSetSceneFlags(scene.handle, RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
+  rtcSetSceneFlags(scene.handle, RTC_SCENE_FLAG_ROBUST | kQueryFilter);
   rtcSetSceneBuildQuality(scene.handle, RTC_BUILD_QUALITY_HIGH);
   if (!triangles[0].patch.empty()) attach(triangles[0], nullptr);
   if (!triangles[1].patch.empty()) attach(triangles[1], reject_misplaced);
@@ -325,14 +323,14 @@ std::uint32_t Visibility::blocked(const SegmentPacket& segments, std::int32_t so
   alignas(64) std::array<int, kPacket> valid;
   RTCRay16 rays;
   make_rays(segments, trim, rays, valid);
-  FilterContext context = make_context(*implementation_, source, target, nullptr);
+  FilterContext context = make_context(*implementation_, source, target);
   SegmentPacket::Lanes end;
   if (!implementation_->triangles[1].patch.empty()) {
     std::copy(std::begin(rays.tfar), std::end(rays.tfar), end.begin());
     context.end = end.data();
   }
-  if (implementation_->is_large) context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  rtcOccluded16(valid.data(), implementation_->scene.handle, &context.embree, &rays);
+  occluded16(valid.data(), implementation_->scene.handle, context.embree, implementation_->is_large,
+             rays);
   std::uint32_t result = 0;
   for (int k = 0; k < kPacket; ++k) {
     const bool is_blocked = valid[k] != 0 && rays.tfar[k] < 0;  // Embree marks them with -inf
@@ -375,8 +373,8 @@ std::optional<Hit> Visibility::Implementation::first_hit(const Vec3& origin, con
   ray.ray.tfar = static_cast<float>(to);
   ray.ray.mask = ~0U;
   ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  FilterContext context = make_context(*this, source, -1, filter);
-  rtcIntersect1(scene.handle, &context.embree, &ray);
+  FilterContext context = make_context(*this, source, -1);
+  intersect1(scene.handle, context.embree, filter, ray);
   if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
 
   Hit hit;

@@ -3,6 +3,7 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
+#include <cassert>
 #include <cmath>
 
 namespace viewer {
@@ -15,8 +16,21 @@ constexpr double kWalk = 0.25;         // of the scene's size per second
 constexpr double kFast = 4;            // times as fast with Shift
 constexpr double kExposureStep = 0.5;  // stops
 
-// ImGui 1.86 counts most keys as GLFW does.
-bool is_pressed(int key) { return ImGui::IsKeyPressed(key); }
+/// A letter, tab, space or escape as ImGui counts it.
+#if IMGUI_VERSION_NUM >= 18700
+ImGuiKey imgui_key(int key) {
+  if (key == GLFW_KEY_TAB) return ImGuiKey_Tab;
+  if (key == GLFW_KEY_SPACE) return ImGuiKey_Space;
+  if (key == GLFW_KEY_ESCAPE) return ImGuiKey_Escape;
+  assert(key >= GLFW_KEY_A && key <= GLFW_KEY_Z);
+  return static_cast<ImGuiKey>(ImGuiKey_A + (key - GLFW_KEY_A));
+}
+#else
+int imgui_key(int key) { return key; }  // as GLFW does
+#endif
+
+bool is_pressed(int key) { return ImGui::IsKeyPressed(imgui_key(key)); }
+bool is_down(int key) { return ImGui::IsKeyDown(imgui_key(key)); }
 
 }  // namespace
 
@@ -95,7 +109,7 @@ void Input::fly(Desk& desk) {
   const ImGuiIO& io = ImGui::GetIO();
   if (!desk.session.is_open() || io.KeyCtrl) return;
   const auto direction = [](int forth, int back) {
-    return (ImGui::IsKeyDown(forth) ? 1.0 : 0.0) - (ImGui::IsKeyDown(back) ? 1.0 : 0.0);
+    return (is_down(forth) ? 1.0 : 0.0) - (is_down(back) ? 1.0 : 0.0);
   };
   const double forward = direction(GLFW_KEY_W, GLFW_KEY_S);
   const double right = direction(GLFW_KEY_D, GLFW_KEY_A);

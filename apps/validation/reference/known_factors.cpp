@@ -87,7 +87,7 @@ std::vector<KnownFactor> read_known_factors(const std::filesystem::path& data) {
   }
 }
 
-const KnownFactor& known_factor(const std::vector<KnownFactor>& list, const std::string& part) {
+const KnownFactor& known_factor(const std::vector<KnownFactor>& list, std::string_view part) {
   for (const KnownFactor& known : list) {
     if (known.name.find(part) != std::string::npos) return known;
   }

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "radiosity/base/geometry.h"
@@ -28,6 +29,6 @@ struct KnownFactor {
 std::vector<KnownFactor> read_known_factors(const std::filesystem::path& data);
 
 /// The first entry whose name contains `part`. Throws SceneError if there is none.
-const KnownFactor& known_factor(const std::vector<KnownFactor>& list, const std::string& part);
+const KnownFactor& known_factor(const std::vector<KnownFactor>& list, std::string_view part);
 
 }  // namespace apps::validation
