@@ -69,7 +69,7 @@ const std::vector<Packet>& undecided_packets(const Box& box) {
   const PreparedMesh prepared(box.mesh);
   const PairKernel kernel(prepared, 1e-9);
   for (Index i = 0; packets.size() < 20000 && i < box.mesh.size(); i += 7) {
-    const Eigen::VectorXd error = box.transport->row_error(i);
+    const Eigen::VectorXd error = rows_of(*box.transport).row_error(i);
     for (Index j = i + 1; j < box.mesh.size(); ++j) {
       if (error[j] == 0 || kernel.in_front(i, j) != Blocking::all ||
           kernel.in_front(j, i) != Blocking::all) {

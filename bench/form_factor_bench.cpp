@@ -74,7 +74,8 @@ void print_run(const PatchMesh& mesh, const Transport& transport, double seconds
       100 * static_cast<double>(report.partial) / n_pairs,
       100 * static_cast<double>(report.undecided) / facing, report.rays);
   double errors = 0;
-  for (Index i = 0; i < mesh.size(); ++i) errors += mesh.area[i] * transport.row_error(i).sum();
+  for (Index i = 0; i < mesh.size(); ++i)
+    errors += mesh.area[i] * rows_of(transport).row_error(i).sum();
   const double sum = transport.area().dot(report.row_sums);
   fmt::print(
       "raw row sums: mean gap {:.3g}, largest {:.3g}; closed: {}; sum of errors / sum G {:.3g}\n",
@@ -105,11 +106,11 @@ constexpr double kTiny = 1e-9;
 Comparison compare(const PatchMesh& mesh, const Transport& transport, const Transport& reference) {
   Comparison result;
   for (Index i = 0; i < mesh.size(); ++i) {
-    const Eigen::VectorXd row = transport.row(i);
-    const Eigen::VectorXd error = transport.row_error(i);
-    const Eigen::VectorXd truth = reference.row(i);
+    const Eigen::VectorXd row = rows_of(transport).row(i);
+    const Eigen::VectorXd error = rows_of(transport).row_error(i);
+    const Eigen::VectorXd truth = rows_of(reference).row(i);
     const Eigen::VectorXd gap = (row - truth).cwiseAbs();
-    const Eigen::VectorXd truth_error = reference.row_error(i);
+    const Eigen::VectorXd truth_error = rows_of(reference).row_error(i);
     const double tiny = kTiny * truth.sum();
     result.difference += mesh.area[i] * gap.sum();
     result.sum += mesh.area[i] * truth.sum();

@@ -56,7 +56,7 @@ void row(benchmark::State& state) {
   const SolvedRoom& room = solved_room(state.range(0));
   Index i = 0;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(room.transport->row(i));
+    benchmark::DoNotOptimize(rows_of(*room.transport).row(i));
     i = (i + 7919) % room.mesh.size();
   }
 }

@@ -97,7 +97,7 @@ FormFactors make_form_factors(const Scene& scene, const PatchMesh& mesh,
   const PatchMesh& made = result.refined ? result.refined->mesh : mesh;
   refuse_excess(scene, made, result.transport->report(),
                 options.factor_tolerance.value_or(options.tolerance),
-                [&](Index row) { return result.transport->row_error(row); });
+                [&](Index row) { return rows_of(*result.transport).row_error(row); });
   warn_of_open_rows(result.transport->report(), events);
   if (result.refinement) {
     warn_of_spent_patches(*result.refinement, made.size(), options.tolerance, events);

@@ -267,7 +267,7 @@ void write_form_factors(const std::filesystem::path& path, const radiosity::Patc
                         const FormFactorFileOptions& options) {
   const auto visit = [&](const radiosity::RowVisitor& visit_row) {
     for (Index i = 0; i < transport.size(); ++i) {
-      visit_row(i, transport.row(i), transport.row_error(i));
+      visit_row(i, rows_of(transport).row(i), rows_of(transport).row_error(i));
     }
   };
   write_form_factors(path, mesh, {transport.report(), visit}, options);

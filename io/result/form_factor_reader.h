@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "radiosity/base/geometry.h"
+#include "radiosity/operator/factor_rows.h"
 #include "radiosity/scene/patch_mesh.h"
 
 namespace io {
@@ -17,10 +18,10 @@ namespace io {
 ///
 /// All functions throw SceneError naming the file if it is no such file, of a newer version, cut
 /// off or damaged; nothing is printed.
-class FormFactorReader {
+class FormFactorReader final : public radiosity::FactorRows {
  public:
   explicit FormFactorReader(const std::filesystem::path& path);
-  ~FormFactorReader();
+  ~FormFactorReader() override;
   FormFactorReader(FormFactorReader&& other) noexcept;
   FormFactorReader& operator=(FormFactorReader&& other) noexcept;
 
@@ -29,9 +30,10 @@ class FormFactorReader {
   [[nodiscard]] const radiosity::PatchMesh& mesh() const;
   [[nodiscard]] radiosity::Index size() const { return mesh().size(); }
 
-  /// Row i of F, and one standard error of each entry; n values. Finite, not negative.
-  [[nodiscard]] Eigen::VectorXd row(radiosity::Index i) const;
-  [[nodiscard]] Eigen::VectorXd row_error(radiosity::Index i) const;
+  /// All finite, none negative.
+  [[nodiscard]] Eigen::VectorXd row(radiosity::Index i) const override;
+  [[nodiscard]] Eigen::VectorXd row_error(radiosity::Index i) const override;
+  [[nodiscard]] radiosity::PairFactor pair(radiosity::Index i, radiosity::Index j) const override;
   /// Reads all entries once, to find out whether they are intact as far as checksums tell.
   void check_entries() const;
 

@@ -32,11 +32,11 @@ bool is_closed_within_errors(const UncertainExchange& exchange, const Eigen::Vec
          are_explained(exchange, row_sums, areas, kNegligible + tolerance).all();
 }
 
-ClosureCorrection correct_closure(UncertainExchange& exchange, const Eigen::VectorXd& row_sums,
-                                  const Eigen::VectorXd& areas, double tolerance, int n_rounds) {
+ClosedRows correct_closure(UncertainExchange& exchange, const Eigen::VectorXd& row_sums,
+                           const Eigen::VectorXd& areas, double tolerance, int n_rounds) {
   const auto explained = are_explained(exchange, row_sums, areas).eval();
   const auto passing = are_explained(exchange, row_sums, areas, kNegligible + tolerance).eval();
-  ClosureCorrection result{{}, {row_sums, areas, Eigen::VectorXd::Ones(exchange.size())}};
+  ClosedRows result{true, {}, {row_sums, areas, Eigen::VectorXd::Ones(exchange.size())}};
   for (Index i = 0; i < exchange.size(); ++i) {
     if (explained[i]) continue;
     if (!passing[i]) result.open_rows.push_back(i);
@@ -46,8 +46,18 @@ ClosureCorrection correct_closure(UncertainExchange& exchange, const Eigen::Vect
   balance_rows(exchange, result.sums, n_rounds);
   for (Index i = 0; i < exchange.size(); ++i) {
     if (is_balanced(result.sums, i, exchange.rounding())) result.sums.present[i] = areas[i];
+    if (result.sums.mask[i] == 0) result.sums.wanted[i] = result.sums.present[i];
   }
   return result;
+}
+
+ClosedRows close_rows(UncertainExchange& exchange, const Eigen::VectorXd& row_sums,
+                      const Eigen::VectorXd& areas, Closed closed, double tolerance, int n_rounds) {
+  const bool is_closed =
+      closed == Closed::yes || (closed == Closed::automatic &&
+                                is_closed_within_errors(exchange, row_sums, areas, tolerance));
+  if (is_closed) return correct_closure(exchange, row_sums, areas, tolerance, n_rounds);
+  return {false, {}, {row_sums, row_sums, Eigen::VectorXd::Ones(exchange.size())}};
 }
 
 }  // namespace radiosity

@@ -14,7 +14,7 @@ namespace radiosity {
 struct UncertainEntry {
   std::uint16_t row;  ///< within the tile
   std::uint16_t column;
-  float error;  ///< one sigma of G_ij, m²; the sign is free for the owner's use
+  float error;  ///< one sigma of G_ij, m²
 };
 
 /// The exchange areas between the patches of two strips.

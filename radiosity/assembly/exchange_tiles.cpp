@@ -17,6 +17,10 @@ bool is_before(const UncertainEntry& a, const UncertainEntry& b) {
   return a.column < b.column || (a.column == b.column && a.row < b.row);
 }
 
+double variance(const UncertainEntry& entry) {
+  return static_cast<double>(entry.error) * entry.error;
+}
+
 }  // namespace
 
 ExchangeTiles::ExchangeTiles(const Strips& strips)
@@ -44,13 +48,16 @@ void ExchangeTiles::store(Tile& tile, const Eigen::MatrixXd& values) const {
   }
 }
 
+/// Calls change(tile, k, i, j, place) for the k-th uncertain entry of each tile, at (i, j) of the
+/// matrix and that place of the tile.
 template <typename Change>
 void ExchangeTiles::change_uncertain(const Change& change) {
   parallel_for(strips_.size(), [&](Index column_strip) {
     for (Index row_strip = 0; row_strip <= column_strip; ++row_strip) {
       Tile& tile = tiles_[Strips::tile(row_strip, column_strip)];
-      for (UncertainEntry& entry : tile.uncertain) {
-        change(tile, entry, strips_.begin(row_strip) + entry.row,
+      for (std::size_t k = 0; k < tile.uncertain.size(); ++k) {
+        const UncertainEntry& entry = tile.uncertain[k];
+        change(tile, k, strips_.begin(row_strip) + entry.row,
                strips_.begin(column_strip) + entry.column,
                entry.row + static_cast<Index>(entry.column) * strips_.rows(row_strip));
       }
@@ -59,35 +66,29 @@ void ExchangeTiles::change_uncertain(const Change& change) {
 }
 
 void ExchangeTiles::freeze(const Eigen::VectorXd& mask) {
-  change_uncertain([&](Tile&, UncertainEntry& entry, Index i, Index j, Index) {
-    if (mask[i] == 0 || mask[j] == 0) entry.error = -std::abs(entry.error);
-  });
-}
-
-void ExchangeTiles::unfreeze() {
-  change_uncertain([](Tile&, UncertainEntry& entry, Index, Index, Index) {
-    entry.error = std::abs(entry.error);
+  for (Tile& tile : tiles_) tile.is_fixed.assign(tile.uncertain.size(), false);
+  change_uncertain([&](Tile& tile, std::size_t k, Index i, Index j, Index) {
+    tile.is_fixed[k] = mask[i] == 0 || mask[j] == 0;
   });
 }
 
 void ExchangeTiles::adjust(const Eigen::VectorXd& factors) {
-  change_uncertain([&](Tile& tile, UncertainEntry& entry, Index i, Index j, Index place) {
-    if (entry.error <= 0) return;
-    const double variance = static_cast<double>(entry.error) * entry.error;
-    const double change = variance * (factors[i] + factors[j]);
+  change_uncertain([&](Tile& tile, std::size_t k, Index i, Index j, Index place) {
+    if (!tile.may_change(k)) return;
+    tile.is_fixed.resize(tile.uncertain.size());
     if (!tile.single && !tile.twice) {  // an empty tile has zeros only, which may not fall
-      entry.error = -entry.error;
+      tile.is_fixed[k] = true;
       return;
     }
-    const double value =
-        change + (tile.single ? static_cast<double>(tile.single[place]) : tile.twice[place]);
-    if (value < 0) entry.error = -entry.error;
-    if (tile.single) tile.single[place] = static_cast<float>(std::max(value, 0.0));
-    if (tile.twice) tile.twice[place] = std::max(value, 0.0);
+    double value = tile.single ? static_cast<double>(tile.single[place]) : tile.twice[place];
+    tile.is_fixed[k] = !change_entry(value, tile.uncertain[k].error, factors[i] + factors[j]);
+    if (tile.single) tile.single[place] = static_cast<float>(value);
+    if (tile.twice) tile.twice[place] = value;
   });
 }
 
 void ExchangeTiles::set_row_sums(const Eigen::VectorXd& sums) {
+  for (Tile& tile : tiles_) tile.is_fixed = {};
   if (is_double_) return;  // nothing was rounded
   diagonal_.setZero();
   diagonal_ = sums - row_sums();
@@ -125,14 +126,15 @@ Eigen::MatrixXd ExchangeTiles::product(const Eigen::MatrixXd& x) const {
   return result;
 }
 
-/// Σ_j term(entry) x_j over the uncertain entries.
+/// Σ_j term(tile, k) x_j over the uncertain entries.
 template <typename Term>
 Eigen::MatrixXd ExchangeTiles::sum_entries(const Eigen::MatrixXd& x, const Term& term) const {
   const auto add_tile = [&](Index row_strip, Index column_strip, const RowBlock& block,
                             RowBlock& sum) {
     const Tile& tile = tiles_[Strips::tile(row_strip, column_strip)];
-    for (const UncertainEntry& entry : tile.uncertain) {
-      const double factor = term(static_cast<double>(entry.error));
+    for (std::size_t k = 0; k < tile.uncertain.size(); ++k) {
+      const UncertainEntry& entry = tile.uncertain[k];
+      const double factor = term(tile, k);
       const Index i = strips_.begin(row_strip) + entry.row;
       const Index j = strips_.begin(column_strip) + entry.column;
       sum.row(i) += factor * block.row(j);
@@ -143,11 +145,16 @@ Eigen::MatrixXd ExchangeTiles::sum_entries(const Eigen::MatrixXd& x, const Term&
 }
 
 Eigen::MatrixXd ExchangeTiles::error_product(const Eigen::MatrixXd& x) const {
-  return sum_entries(x, [](double error) { return error * error; });
+  return sum_entries(x,
+                     [](const Tile& tile, std::size_t k) { return variance(tile.uncertain[k]); });
 }
 
 Eigen::VectorXd ExchangeTiles::weighted_sums(const Eigen::VectorXd& x) const {
-  return sum_entries(x, [](double error) { return error > 0 ? error * error : 0; }).col(0);
+  return sum_entries(x,
+                     [](const Tile& tile, std::size_t k) {
+                       return tile.may_change(k) ? variance(tile.uncertain[k]) : 0;
+                     })
+      .col(0);
 }
 
 Eigen::VectorXd ExchangeTiles::row_variances() const {
@@ -155,7 +162,10 @@ Eigen::VectorXd ExchangeTiles::row_variances() const {
 }
 
 Eigen::VectorXd ExchangeTiles::row_errors() const {
-  return sum_entries(Eigen::VectorXd::Ones(size()), [](double error) { return std::abs(error); })
+  return sum_entries(Eigen::VectorXd::Ones(size()),
+                     [](const Tile& tile, std::size_t k) {
+                       return static_cast<double>(tile.uncertain[k].error);
+                     })
       .col(0);
 }
 
@@ -199,7 +209,7 @@ PairFactor ExchangeTiles::entry(Index i, Index j) const {
   const auto found =
       std::lower_bound(tile.uncertain.begin(), tile.uncertain.end(), wanted, is_before);
   if (found != tile.uncertain.end() && !is_before(wanted, *found)) {
-    result.error = std::abs(found->error);
+    result.error = found->error;
     result.is_certain = false;
   }
   return result;

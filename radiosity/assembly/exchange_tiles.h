@@ -27,15 +27,14 @@ class ExchangeTiles final : public UncertainExchange {
 
   void freeze(const Eigen::VectorXd& mask) override;
   void adjust(const Eigen::VectorXd& factors) override;
-  /// Ends the exclusion of all entries.
-  void unfreeze();
   [[nodiscard]] Eigen::VectorXd weighted_sums(const Eigen::VectorXd& x) const override;
   [[nodiscard]] Eigen::VectorXd row_variances() const override;
   [[nodiscard]] Eigen::VectorXd row_errors() const override;
   [[nodiscard]] Eigen::VectorXd row_sums() const override;
   [[nodiscard]] double rounding() const override { return is_double_ ? 1e-14 : 6e-8; }
 
-  /// Makes the row sums of `product` equal to `sums`, from which rounding has moved them.
+  /// Makes the row sums of `product` equal to `sums`, from which rounding has moved them. Ends a
+  /// correction: all entries may change again.
   void set_row_sums(const Eigen::VectorXd& sums);
 
   /// G x for all columns of x, n x k. The same bits at any number of threads.
@@ -54,7 +53,9 @@ class ExchangeTiles final : public UncertainExchange {
   struct Tile {
     std::unique_ptr<float[]> single;  ///< column-major entries, one of the two or neither
     std::unique_ptr<double[]> twice;
-    std::vector<UncertainEntry> uncertain;  ///< by column and row; error < 0 while frozen
+    std::vector<UncertainEntry> uncertain;  ///< by column and row
+    std::vector<bool> is_fixed;  ///< of these: may not change; empty unless under correction
+    [[nodiscard]] bool may_change(std::size_t k) const { return is_fixed.empty() || !is_fixed[k]; }
   };
 
   template <typename Change>

@@ -12,7 +12,7 @@
 namespace radiosity {
 namespace {
 
-class DenseTransport final : public Transport {
+class DenseTransport final : public Transport, public FactorRows {
  public:
   DenseTransport(Assembly assembly, Eigen::VectorXd area)
       : order_(std::move(assembly.order)),
@@ -59,6 +59,7 @@ class DenseTransport final : public Transport {
   [[nodiscard]] double error() const override { return error_; }
   [[nodiscard]] std::size_t bytes() const override { return tiles_.bytes(); }
   [[nodiscard]] const AssemblyReport& report() const override { return report_; }
+  [[nodiscard]] const FactorRows* rows() const override { return this; }
 
  private:
   [[nodiscard]] Eigen::MatrixXd to_tree(const Eigen::MatrixXd& x) const {
@@ -88,22 +89,13 @@ std::unique_ptr<Transport> make_transport(const PatchMesh& mesh, const Visibilit
   const Coverage coverage = find_coverage(mesh, plane_thickness(mesh));
   Assembly assembly = assemble_exchange_areas(mesh, visibility, options, coverage);
   const Eigen::VectorXd open_area = (area.array() * (1 - coverage.share.array()))(assembly.order);
-  assembly.report.closed =
-      options.closed == Closed::yes ||
-      (options.closed == Closed::automatic &&
-       is_closed_within_errors(assembly.tiles, assembly.row_sums, open_area, options.tolerance));
   assembly.tiles.set_row_sums(assembly.row_sums);
-  Eigen::VectorXd row_sums = assembly.row_sums;
-  std::vector<Index> open_rows;
-  if (assembly.report.closed) {
-    const ClosureCorrection correction =
-        correct_closure(assembly.tiles, assembly.row_sums, open_area, options.tolerance);
-    assembly.tiles.unfreeze();
-    assembly.tiles.set_row_sums(correction.sums.present);
-    open_rows = correction.open_rows;
-    row_sums = correction.sums.present;
-  }
-  find_backs(mesh, visibility, assembly.order, row_sums, open_rows, options.seed, assembly.report);
+  const ClosedRows rows =
+      close_rows(assembly.tiles, assembly.row_sums, open_area, options.closed, options.tolerance);
+  assembly.tiles.set_row_sums(rows.sums.present);
+  assembly.report.closed = rows.is_closed;
+  find_backs(mesh, visibility, assembly.order, rows.sums.present, rows.open_rows, options.seed,
+             assembly.report);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   assembly.report.seconds = elapsed.count();
   return std::make_unique<DenseTransport>(std::move(assembly), area);

@@ -237,7 +237,7 @@ std::optional<PairFactor> ExchangeEvaluator::known_entry(std::int32_t i, std::in
   const std::int32_t earlier_i = options_.known.patch[i];
   const std::int32_t earlier_j = options_.known.patch[j];
   if (earlier_i < 0 || earlier_j < 0) return std::nullopt;
-  return options_.known.transport->pair(earlier_i, earlier_j);
+  return rows_of(*options_.known.transport).pair(earlier_i, earlier_j);
 }
 
 /// The candidates' blockers but for those that lie wholly behind one of the patches.

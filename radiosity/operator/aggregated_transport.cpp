@@ -42,7 +42,7 @@ Eigen::VectorXd AggregatedTransport::row(Index i) const {
   Eigen::VectorXd result = Eigen::VectorXd::Zero(size());
   for (Index patch = 0; patch < finer_.size(); ++patch) {
     if (groups_.group_of[patch] != i) continue;
-    const Eigen::VectorXd fine = finer_.row(patch);
+    const Eigen::VectorXd fine = rows_of(finer_).row(patch);
     for (Index j = 0; j < fine.size(); ++j) {
       result[groups_.group_of[j]] += finer_.area()[patch] / area_[i] * fine[j];
     }

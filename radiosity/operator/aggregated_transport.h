@@ -9,7 +9,7 @@ namespace radiosity {
 /// The operator between groups of patches: their exchange areas are the sums of those of their
 /// patches, G_IJ = Σ_{i in I} Σ_{j in J} G_ij, which is exact, and of which none is stored. As
 /// certain as the finer operator, but claims no errors of its own.
-class AggregatedTransport final : public Transport {
+class AggregatedTransport final : public Transport, public FactorRows {
  public:
   /// Refers to `finer`, which must outlive it.
   AggregatedTransport(const Transport& finer, PatchGroups groups);
@@ -20,6 +20,10 @@ class AggregatedTransport final : public Transport {
   [[nodiscard]] Eigen::VectorXd row(Index i) const override;
   [[nodiscard]] Eigen::VectorXd row_error(Index) const override {
     return Eigen::VectorXd::Zero(size());
+  }
+  [[nodiscard]] PairFactor pair(Index i, Index j) const override { return {area_[i] * row(i)[j]}; }
+  [[nodiscard]] const FactorRows* rows() const override {
+    return finer_.rows() != nullptr ? this : nullptr;
   }
   [[nodiscard]] Eigen::MatrixXd apply_error(const Eigen::MatrixXd& radiosity) const override {
     return Eigen::MatrixXd::Zero(size(), radiosity.cols());

@@ -5,6 +5,7 @@
 
 #include "radiosity/base/geometry.h"
 #include "radiosity/operator/census.h"
+#include "radiosity/operator/factor_rows.h"
 
 namespace radiosity {
 
@@ -23,13 +24,6 @@ struct AssemblyReport : Census {
   double closure_max = 0;   ///< max |1 - covered - Σ_j F_ij|, before any correction
 };
 
-/// What an operator knows about one pair of patches.
-struct PairFactor {
-  double exchange_area = 0;  ///< G_ij, m²
-  double error = 0;          ///< one standard error of G_ij, m²
-  bool is_certain = true;    ///< no error but rounding
-};
-
 /// The radiosity transport operator F of n patches, F_ij = G_ij / A_i with the exchange area
 /// G_ij = A_i F_ij = G_ji stored once per pair, so that reciprocity is exact.
 class Transport {
@@ -42,15 +36,6 @@ class Transport {
   [[nodiscard]] virtual const Eigen::VectorXd& area() const = 0;
   /// Irradiance H = F B, W/m², n x k, of the radiosity B, n x k, for all k columns at once.
   [[nodiscard]] virtual Eigen::MatrixXd apply(const Eigen::MatrixXd& radiosity) const = 0;
-  /// Row i of F: the fractions of the power leaving patch i that reach each patch, n.
-  [[nodiscard]] virtual Eigen::VectorXd row(Index i) const = 0;
-  /// One standard error of each entry of row i, n; exactly 0 where the entry is certified.
-  [[nodiscard]] virtual Eigen::VectorXd row_error(Index i) const = 0;
-  /// The exchange area of patches i and j, as `row` gives it.
-  [[nodiscard]] virtual PairFactor pair(Index i, Index j) const {
-    const double error = area()[i] * row_error(i)[j];
-    return {area()[i] * row(i)[j], error, error == 0};
-  }
   /// One standard error of each patch's irradiance F B caused by the entries' errors, for
   /// independent entries: sqrt(Σ_j (σ_ij B_j)²), n x k.
   [[nodiscard]] virtual Eigen::MatrixXd apply_error(const Eigen::MatrixXd& radiosity) const = 0;
@@ -61,6 +46,11 @@ class Transport {
   [[nodiscard]] virtual std::size_t bytes() const = 0;
   /// How the operator was made.
   [[nodiscard]] virtual const AssemblyReport& report() const = 0;
+  /// Its rows, if it keeps them.
+  [[nodiscard]] virtual const FactorRows* rows() const { return nullptr; }
 };
+
+/// For methods that need rows. Throws SolveError if the operator does not keep them.
+const FactorRows& rows_of(const Transport& transport);
 
 }  // namespace radiosity

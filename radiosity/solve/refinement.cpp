@@ -55,7 +55,7 @@ Eigen::VectorXd received_wrongly(const Transport& transport, const PatchGroups& 
     Eigen::VectorXd received(groups.n_groups);
     for (Index i = block * kBlock; i < std::min(n, (block + 1) * kBlock); ++i) {
       if (grey.reflectance[i] == 0) continue;
-      const Eigen::VectorXd row = transport.row(i);
+      const Eigen::VectorXd row = rows_of(transport).row(i);
       received.setZero();
       for (Index j = 0; j < n; ++j) received[groups.group_of[j]] += row[j] * deviation[j];
       const double factor = grey.weight[i] * grey.reflectance[i];

@@ -55,7 +55,7 @@ void for_rows(const Transport& transport, const Places& places, const Progress& 
     const Index size = std::min(kBlock, n - first);
     Rows rows{first, Eigen::ArrayXXd(n, size), Eigen::ArrayXXd(n, size)};
     for (Index i = 0; i < size; ++i) {
-      rows.factors.col(i) = transport.row(first + i).array();
+      rows.factors.col(i) = rows_of(transport).row(first + i).array();
       rows.distance.col(i) = (places.x - places.x[first + i]).square() +
                              (places.y - places.y[first + i]).square() +
                              (places.z - places.z[first + i]).square();

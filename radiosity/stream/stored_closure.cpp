@@ -22,8 +22,8 @@ double variance(const RecordedEntry& entry) {
 
 StoredClosure::StoredClosure(const TileStore& store, std::size_t memory)
     : store_(store), mask_(Eigen::VectorXd::Ones(size())) {
-  const std::size_t needed =
-      store.n_uncertain() * sizeof(RecordedEntry) + strips().n_tiles() * sizeof(Part);
+  const std::size_t needed = store.n_uncertain() * sizeof(RecordedEntry) + store.n_uncertain() / 8 +
+                             strips().n_tiles() * sizeof(Part);
   if (needed <= memory) load();
 }
 
@@ -50,9 +50,7 @@ void StoredClosure::change_loaded(const Change& change) {
 }
 
 void StoredClosure::freeze(const Eigen::VectorXd& mask) {
-  certain_sums_ = store_.totals().row_sums() -
-                  sum_entries(Eigen::VectorXd::Ones(size()),
-                              [](const RecordedEntry& entry) { return entry.value; });
+  certain_sums_ = store_.totals().row_sums() - uncertain_sums();
   mask_ = mask;
   change_loaded([this](Part& part, Index row_strip, Index column_strip) {
     freeze_masked(part, row_strip, column_strip);
@@ -62,8 +60,10 @@ void StoredClosure::freeze(const Eigen::VectorXd& mask) {
 void StoredClosure::freeze_masked(Part& part, Index row_strip, Index column_strip) const {
   const auto row_mask = mask_.segment(strips().begin(row_strip), strips().rows(row_strip));
   const auto column_mask = mask_.segment(strips().begin(column_strip), strips().rows(column_strip));
-  for (RecordedEntry& entry : part.entries) {
-    if (row_mask[entry.row] == 0 || column_mask[entry.column] == 0) entry.error = -entry.error;
+  part.is_fixed.resize(part.entries.size());
+  for (std::size_t k = 0; k < part.entries.size(); ++k) {
+    const RecordedEntry& entry = part.entries[k];
+    part.is_fixed[k] = row_mask[entry.row] == 0 || column_mask[entry.column] == 0;
   }
 }
 
@@ -80,25 +80,24 @@ void StoredClosure::advance(Part& part, Index row_strip, Index column_strip,
   const auto row_factors = factors.segment(strips().begin(row_strip), strips().rows(row_strip));
   const auto column_factors =
       factors.segment(strips().begin(column_strip), strips().rows(column_strip));
-  for (RecordedEntry& entry : part.entries) {
-    if (entry.error <= 0) continue;
-    const double change = variance(entry) * (row_factors[entry.row] + column_factors[entry.column]);
-    const double value = entry.value + change;
+  for (std::size_t k = 0; k < part.entries.size(); ++k) {
+    if (part.is_fixed[k]) continue;
+    RecordedEntry& entry = part.entries[k];
     // As in ExchangeTiles, the zeros of a tile without anything else stay what they are.
-    if (value < 0 || part.is_zero) entry.error = -entry.error;
-    if (!part.is_zero) entry.value = std::max(value, 0.0);
+    const double change = row_factors[entry.row] + column_factors[entry.column];
+    part.is_fixed[k] = part.is_zero || !change_entry(entry.value, entry.error, change);
   }
 }
 
 /// The entries of a tile from the file, brought up to date.
 StoredClosure::Part StoredClosure::read(Index row_strip, Index column_strip) const {
-  Part part = store_.uncertain_part(row_strip, column_strip);
+  Part part{store_.uncertain_part(row_strip, column_strip)};
   freeze_masked(part, row_strip, column_strip);
   for (const Eigen::VectorXd& factors : rounds_) advance(part, row_strip, column_strip, factors);
   return part;
 }
 
-/// Σ_j term(entry) x_j over the uncertain entries.
+/// Σ_j term(part, k) x_j over the uncertain entries.
 template <typename Term>
 Eigen::VectorXd StoredClosure::sum_entries(const Eigen::VectorXd& x, const Term& term) const {
   const auto add_tile = [&](Index row_strip, Index column_strip, const Eigen::MatrixXd& block,
@@ -109,8 +108,9 @@ Eigen::VectorXd StoredClosure::sum_entries(const Eigen::VectorXd& x, const Term&
     const Index first_column = strips().begin(column_strip);
     const double* in = block.data();
     double* out = sum.data();
-    for (const RecordedEntry& entry : part.entries) {
-      const double factor = term(entry);
+    for (std::size_t k = 0; k < part.entries.size(); ++k) {
+      const RecordedEntry& entry = part.entries[k];
+      const double factor = term(part, k);
       const Index i = first_row + entry.row;
       const Index j = first_column + entry.column;
       out[i] += factor * in[j];
@@ -121,23 +121,29 @@ Eigen::VectorXd StoredClosure::sum_entries(const Eigen::VectorXd& x, const Term&
 }
 
 Eigen::VectorXd StoredClosure::weighted_sums(const Eigen::VectorXd& x) const {
-  return sum_entries(
-      x, [](const RecordedEntry& entry) { return entry.error > 0 ? variance(entry) : 0.0; });
+  return sum_entries(x, [](const Part& part, std::size_t k) {
+    return part.is_fixed[k] ? 0.0 : variance(part.entries[k]);
+  });
 }
 
 Eigen::VectorXd StoredClosure::row_variances() const {
-  return sum_entries(Eigen::VectorXd::Ones(size()), variance);
+  return sum_entries(Eigen::VectorXd::Ones(size()),
+                     [](const Part& part, std::size_t k) { return variance(part.entries[k]); });
 }
 
 Eigen::VectorXd StoredClosure::row_errors() const {
-  return sum_entries(Eigen::VectorXd::Ones(size()),
-                     [](const RecordedEntry& entry) { return std::abs(double{entry.error}); });
+  return sum_entries(Eigen::VectorXd::Ones(size()), [](const Part& part, std::size_t k) {
+    return static_cast<double>(part.entries[k].error);
+  });
 }
 
-Eigen::VectorXd StoredClosure::row_sums() const {
-  return certain_sums_ + sum_entries(Eigen::VectorXd::Ones(size()),
-                                     [](const RecordedEntry& entry) { return entry.value; });
+/// Σ_j G_ij over the uncertain entries as they are.
+Eigen::VectorXd StoredClosure::uncertain_sums() const {
+  return sum_entries(Eigen::VectorXd::Ones(size()),
+                     [](const Part& part, std::size_t k) { return part.entries[k].value; });
 }
+
+Eigen::VectorXd StoredClosure::row_sums() const { return certain_sums_ + uncertain_sums(); }
 
 double StoredClosure::rounding() const {
   return kRounding * std::sqrt(std::max(1.0, static_cast<double>(size()) / kExactRows));

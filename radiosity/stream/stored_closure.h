@@ -34,8 +34,10 @@ class StoredClosure final : public UncertainExchange {
   [[nodiscard]] ExchangeTile tile(Index row_strip, Index column_strip) const;
 
  private:
-  /// Entries of a tile with their present values; error < 0 while they may not change.
-  using Part = TileStore::UncertainPart;
+  /// Entries of a tile with their present values.
+  struct Part : TileStore::UncertainPart {
+    std::vector<bool> is_fixed{};  ///< per entry: may not change
+  };
 
   void load();
   [[nodiscard]] bool is_loaded() const { return !parts_.empty(); }
@@ -45,6 +47,7 @@ class StoredClosure final : public UncertainExchange {
   void advance(Part& part, Index row_strip, Index column_strip,
                const Eigen::VectorXd& factors) const;
   [[nodiscard]] Part read(Index row_strip, Index column_strip) const;
+  [[nodiscard]] Eigen::VectorXd uncertain_sums() const;
   template <typename Term>
   [[nodiscard]] Eigen::VectorXd sum_entries(const Eigen::VectorXd& x, const Term& term) const;
 

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "radiosity/assembly/assembly_report.h"
 #include "radiosity/assembly/exchange_assembly.h"
@@ -82,26 +83,17 @@ Eigen::VectorXd StreamedFactors::areas_of_rows() const {
   return areas;
 }
 
-/// Corrects closure. The wanted sums of rows that stay as they are become the present ones.
+/// Corrects closure.
 RowSums StreamedFactors::close(const Visibility& visibility, const Eigen::VectorXd& row_sums,
                                const Eigen::VectorXd& areas) {
   closure_.emplace(store_, options_.buffers);
-  report_.closed = options_.closed == Closed::yes ||
-                   (options_.closed == Closed::automatic &&
-                    is_closed_within_errors(*closure_, row_sums, areas, options_.tolerance));
-  RowSums sums{row_sums, row_sums, Eigen::VectorXd::Ones(row_sums.size())};
-  std::vector<Index> open_rows;
-  if (report_.closed) {
-    ClosureCorrection correction =
-        correct_closure(*closure_, row_sums, areas, options_.tolerance, kClosureRounds);
-    open_rows = std::move(correction.open_rows);
-    sums = std::move(correction.sums);
-    sums.wanted = (sums.mask.array() != 0).select(sums.wanted, sums.present);
-  }
-  find_backs(mesh_, visibility, store_.layout().order, sums.present, open_rows, options_.seed,
-             report_);
+  ClosedRows rows =
+      close_rows(*closure_, row_sums, areas, options_.closed, options_.tolerance, kClosureRounds);
+  report_.closed = rows.is_closed;
+  find_backs(mesh_, visibility, store_.layout().order, rows.sums.present, rows.open_rows,
+             options_.seed, report_);
   closure_->release_memory();
-  return sums;
+  return std::move(rows.sums);
 }
 
 /// Balances what dropping the smallest pairs has left.

@@ -106,8 +106,12 @@ ExchangeTile decode_tile(std::span<const std::byte> record, Index rows, Index co
   const RecordHeader header = record_header(record);
   ExchangeTile tile{
       header.row_strip, header.column_strip, Eigen::MatrixXd::Zero(rows, columns), {}, {}};
-  tile.census = {header.facing,    header.visible, header.hidden,
-                 header.undecided, header.partial, static_cast<std::int64_t>(header.rays)};
+  tile.census = {.facing = header.facing,
+                 .visible = header.visible,
+                 .hidden = header.hidden,
+                 .undecided = header.undecided,
+                 .partial = header.partial,
+                 .rays = static_cast<std::int64_t>(header.rays)};
   const std::byte* place = record.data() + sizeof(RecordHeader);
   tile.uncertain.reserve(header.n_uncertain);
   for (std::uint32_t k = 0; k < header.n_uncertain; ++k, place += sizeof(RecordedEntry)) {

@@ -39,9 +39,9 @@ double compare(const PatchMesh& mesh, const Transport& transport, const Transpor
   double difference = 0;
   double sum = 0;
   for (Index i = 0; i < mesh.size(); ++i) {
-    const Eigen::ArrayXd truth = reference.row(i);
-    const Eigen::ArrayXd gap = (transport.row(i).array() - truth).abs();
-    const Eigen::ArrayXd error = transport.row_error(i);
+    const Eigen::ArrayXd truth = rows_of(reference).row(i);
+    const Eigen::ArrayXd gap = (rows_of(transport).row(i).array() - truth).abs();
+    const Eigen::ArrayXd error = rows_of(transport).row_error(i);
     difference += mesh.area[i] * gap.sum();
     sum += mesh.area[i] * truth.sum();
     for (Index j = 0; j < mesh.size(); ++j) {
@@ -98,7 +98,7 @@ TEST(Clutter, GivesTheSameBitsAtAnyNumberOfThreads) {
     const auto transport =
         make_transport(mesh, visibility, {.tolerance = 1e-2, .closed = Closed::no});
     Eigen::MatrixXd rows(mesh.size(), mesh.size());
-    for (Index i = 0; i < mesh.size(); ++i) rows.row(i) = transport->row(i);
+    for (Index i = 0; i < mesh.size(); ++i) rows.row(i) = rows_of(*transport).row(i);
     return rows;
   };
   const Eigen::MatrixXd with_many = run();
@@ -120,7 +120,7 @@ TEST(Clutter, CoarsePatchesAgreeWithTheirParts) {
   const auto sum_up = [&](const PatchMesh& mesh, const Transport& factors) {
     Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(n_polygons, n_polygons);
     for (Index i = 0; i < mesh.size(); ++i) {
-      const Eigen::VectorXd row = mesh.area[i] * factors.row(i);
+      const Eigen::VectorXd row = mesh.area[i] * rows_of(factors).row(i);
       for (Index j = 0; j < mesh.size(); ++j) sums(mesh.polygon[i], mesh.polygon[j]) += row[j];
     }
     return sums;

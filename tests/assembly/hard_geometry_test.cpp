@@ -44,12 +44,12 @@ struct Solved {
 
   [[nodiscard]] Eigen::MatrixXd factors() const {
     Eigen::MatrixXd rows(mesh.size(), mesh.size());
-    for (Index i = 0; i < mesh.size(); ++i) rows.row(i) = transport->row(i);
+    for (Index i = 0; i < mesh.size(); ++i) rows.row(i) = rows_of(*transport).row(i);
     return rows;
   }
   [[nodiscard]] Eigen::MatrixXd errors() const {
     Eigen::MatrixXd rows(mesh.size(), mesh.size());
-    for (Index i = 0; i < mesh.size(); ++i) rows.row(i) = transport->row_error(i);
+    for (Index i = 0; i < mesh.size(); ++i) rows.row(i) = rows_of(*transport).row_error(i);
     return rows;
   }
   [[nodiscard]] Eigen::MatrixXd exchange() const {
@@ -78,7 +78,7 @@ void expect_sane(const Solved& solved) {
 /// Row sums of 1, as in closed scenes.
 void expect_closed(const Solved& solved) {
   for (Index i = 0; i < solved.mesh.size(); ++i) {
-    EXPECT_NEAR(solved.transport->row(i).sum(), 1, kTolerance) << i;
+    EXPECT_NEAR(rows_of(*solved.transport).row(i).sum(), 1, kTolerance) << i;
   }
 }
 

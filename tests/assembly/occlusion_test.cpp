@@ -62,9 +62,9 @@ TEST(BoxInBox, ErrorsHoldAndSumUpToTheTolerance) {
   int within_one = 0;
   int within_two = 0;
   for (Index i = 0; i < mesh.size(); ++i) {
-    const Eigen::ArrayXd row = transport->row(i);
-    const Eigen::ArrayXd truth = reference->row(i);
-    const Eigen::ArrayXd error = transport->row_error(i);
+    const Eigen::ArrayXd row = rows_of(*transport).row(i);
+    const Eigen::ArrayXd truth = rows_of(*reference).row(i);
+    const Eigen::ArrayXd error = rows_of(*transport).row_error(i);
     difference += mesh.area[i] * (row - truth).abs().sum();
     sum += mesh.area[i] * truth.sum();
     for (Index j = 0; j < mesh.size(); ++j) {
@@ -131,8 +131,8 @@ TEST(Certificates, AreNeverWrong) {
   std::atomic<int> n_wrong = 0;
   for (std::size_t first = 0; first < rows.size() && n_checked < kPairs; ++first) {
     const Index i = rows[first];
-    const Eigen::VectorXd row = transport->row(i);
-    const Eigen::VectorXd error = transport->row_error(i);
+    const Eigen::VectorXd row = rows_of(*transport).row(i);
+    const Eigen::VectorXd error = rows_of(*transport).row_error(i);
     std::vector<Index> partners;
     for (Index j = 0; j < mesh.size(); ++j) {
       const bool is_facing =

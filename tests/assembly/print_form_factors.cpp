@@ -17,7 +17,7 @@ void print(const PatchMesh& mesh, double tolerance) {
   const auto transport =
       make_transport(mesh, visibility, {.tolerance = tolerance, .closed = Closed::no});
   for (Index i = 0; i < mesh.size(); ++i) {
-    for (const double factor : transport->row(i)) std::printf("%.17g\n", factor);
+    for (const double factor : rows_of(*transport).row(i)) std::printf("%.17g\n", factor);
   }
 }
 

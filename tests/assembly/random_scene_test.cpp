@@ -102,8 +102,8 @@ TEST(RandomScenes, FactorsAreBoundedAndAgreeWithMonteCarlo) {
     const Visibility visibility(mesh);
     const auto transport = make_transport(mesh, visibility, {.tolerance = 1e-3});
     for (Index i = 0; i < mesh.size(); ++i) {
-      const Eigen::VectorXd row = transport->row(i);
-      const Eigen::VectorXd error = transport->row_error(i);
+      const Eigen::VectorXd row = rows_of(*transport).row(i);
+      const Eigen::VectorXd error = rows_of(*transport).row_error(i);
       const Eigen::VectorXd sampled = sampled_row(mesh, visibility, i, kRays, random);
       EXPECT_GE(row.minCoeff(), 0);
       for (Index j = 0; j < mesh.size(); ++j) {

@@ -45,8 +45,8 @@ SurfaceFactor surface_factor(const PatchMesh& mesh, const Transport& transport, 
   for (Index i = 0; i < mesh.size(); ++i) {
     if (mesh.surface[i] != from) continue;
     area += mesh.area[i];
-    const Eigen::VectorXd row = transport.row(i);
-    const Eigen::VectorXd error = transport.row_error(i);
+    const Eigen::VectorXd row = rows_of(transport).row(i);
+    const Eigen::VectorXd error = rows_of(transport).row_error(i);
     for (Index j = 0; j < mesh.size(); ++j) {
       if (mesh.surface[j] != to) continue;
       result.value += mesh.area[i] * row[j];
@@ -64,7 +64,7 @@ TEST(Transport, CubeFacesAreExact) {
   const Visibility visibility(mesh);
   const auto transport = make_transport(mesh, visibility);
   // tests/data/form-factors.json: cube interior.
-  const Eigen::VectorXd row = transport->row(0);
+  const Eigen::VectorXd row = rows_of(*transport).row(0);
   EXPECT_EQ(row[0], 0);
   EXPECT_NEAR(row[1], 0.199824895698387383, 1e-12);
   for (int j = 2; j < 6; ++j) EXPECT_NEAR(row[j], 0.200043776075403154, 1e-12);
@@ -89,7 +89,7 @@ TEST(Transport, ReciprocityIsExact) {
   Eigen::MatrixXd exchange(mesh.size(), mesh.size());
   Eigen::MatrixXd factors(mesh.size(), mesh.size());
   for (Index i = 0; i < mesh.size(); ++i) {
-    factors.row(i) = transport->row(i);
+    factors.row(i) = rows_of(*transport).row(i);
     exchange.row(i) = factors.row(i) * mesh.area[i];
   }
   // F is G divided by the area, which costs one rounding.
@@ -175,7 +175,7 @@ TEST(Transport, SinglePrecisionRoundsEntriesOnly) {
   add_box(mesh, Vec3::Zero(), Vec3::Ones(), 10, Facing::inwards);  // 600 patches
   const Visibility visibility(mesh);
   const auto transport = make_transport(mesh, visibility);
-  const Eigen::VectorXd row = transport->row(0);
+  const Eigen::VectorXd row = rows_of(*transport).row(0);
   for (Index j = 1; j < mesh.size(); ++j) {
     std::vector<Vec3> a;
     std::vector<Vec3> b;
@@ -198,8 +198,8 @@ TEST(Transport, ClosureCorrectionClosesWithoutBreakingReciprocity) {
   EXPECT_TRUE(make_transport(mesh, visibility)->report().closed);
   // Only uncertain entries move, and by no more than a few of their standard errors.
   for (Index i = 0; i < mesh.size(); i += 17) {
-    const Eigen::VectorXd change = transport->row(i) - raw->row(i);
-    const Eigen::VectorXd error = raw->row_error(i);
+    const Eigen::VectorXd change = rows_of(*transport).row(i) - rows_of(*raw).row(i);
+    const Eigen::VectorXd error = rows_of(*raw).row_error(i);
     for (Index j = 0; j < mesh.size(); ++j) EXPECT_LE(std::abs(change[j]), 6 * error[j]);
   }
 }
@@ -236,8 +236,8 @@ TEST(Transport, CertificatesAgreeWithRays) {
   const auto transport = make_transport(mesh, visibility, {.closed = Closed::no});
   int n_checked = 0;
   for (Index i = 0; i < mesh.size(); ++i) {
-    const Eigen::VectorXd row = transport->row(i);
-    const Eigen::VectorXd error = transport->row_error(i);
+    const Eigen::VectorXd row = rows_of(*transport).row(i);
+    const Eigen::VectorXd error = rows_of(*transport).row_error(i);
     for (Index j = i + 1; j < mesh.size(); ++j) {
       if (error[j] > 0) continue;
       std::vector<Vec3> from;

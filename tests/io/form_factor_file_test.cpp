@@ -72,8 +72,8 @@ TEST_F(FormFactorFile, HoldsRowsErrorsAndPatches) {
       row[columns[k]] = data[k];
       row_error[columns[k]] = error[k];
     }
-    EXPECT_EQ(row, box.transport->row(i));
-    EXPECT_EQ(row_error, box.transport->row_error(i));
+    EXPECT_EQ(row, rows_of(*box.transport).row(i));
+    EXPECT_EQ(row_error, rows_of(*box.transport).row_error(i));
   }
   EXPECT_EQ(read_dataset<double>(file, "/patches/area", H5T_NATIVE_DOUBLE), box.mesh.area);
   EXPECT_EQ(read_dataset<int>(file, "/patches/surface", H5T_NATIVE_INT), box.mesh.surface);

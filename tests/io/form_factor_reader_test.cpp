@@ -123,8 +123,8 @@ TEST_F(FormFactorReader, GivesBackWhatWasWritten) {
   EXPECT_EQ(reader.mesh().surface_names, mesh_.surface_names);
   EXPECT_EQ(reader.mesh().surface_two_sided, mesh_.surface_two_sided);
   for (Index i = 0; i < reader.size(); ++i) {
-    EXPECT_EQ(reader.row(i), transport_->row(i)) << i;
-    EXPECT_EQ(reader.row_error(i), transport_->row_error(i)) << i;
+    EXPECT_EQ(reader.row(i), rows_of(*transport_).row(i)) << i;
+    EXPECT_EQ(reader.row_error(i), rows_of(*transport_).row_error(i)) << i;
   }
   EXPECT_EQ(reader.closure(), transport_->report().row_sums);
   EXPECT_EQ(reader.tolerance(), 2e-3);
@@ -158,7 +158,7 @@ TEST_F(FormFactorReader, ShowsSquaresWhereCornersAreMissing) {
     EXPECT_LT((again.centroid.back() - mesh_.centroid[i]).norm(), 1e-15);
     EXPECT_EQ(read.twin[i], -1);
   }
-  EXPECT_EQ(reader.row(3), transport_->row(3));
+  EXPECT_EQ(reader.row(3), rows_of(*transport_).row(3));
 }
 
 TEST_F(FormFactorReader, ExplainsWhatIsNoFile) {

@@ -111,8 +111,8 @@ TEST(KnownPairs, ComeOutAsTheyWere) {
       mesh, visibility, {.tolerance = 1e-3, .closed = Closed::no, .known = {before.get(), same}});
   EXPECT_GT(after->report().known, 0.9 * static_cast<double>(before->report().facing));
   for (Index i = 0; i < mesh.size(); ++i) {
-    EXPECT_EQ(after->row(i), before->row(i));
-    EXPECT_EQ(after->row_error(i), before->row_error(i));
+    EXPECT_EQ(rows_of(*after).row(i), rows_of(*before).row(i));
+    EXPECT_EQ(rows_of(*after).row_error(i), rows_of(*before).row_error(i));
   }
 }
 

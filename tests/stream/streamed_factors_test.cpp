@@ -96,9 +96,10 @@ TEST_F(StreamedFactorsTest, AreThoseOfTheOperatorInMemory) {
     EXPECT_EQ(factors.report.undecided, transport->report().undecided);
     EXPECT_GT(factors.report.undecided, 0);
     for (Index i = 0; i < mesh.size(); ++i) {
-      EXPECT_LE((factors.values.row(i).transpose() - transport->row(i)).cwiseAbs().maxCoeff(),
-                allowed);
-      EXPECT_EQ(factors.errors.row(i).transpose(), transport->row_error(i));
+      EXPECT_LE(
+          (factors.values.row(i).transpose() - rows_of(*transport).row(i)).cwiseAbs().maxCoeff(),
+          allowed);
+      EXPECT_EQ(factors.errors.row(i).transpose(), rows_of(*transport).row_error(i));
     }
   }
 }

@@ -130,8 +130,8 @@ class SceneCheck {
     std::shuffle(rows.begin(), rows.end(), random_);
     for (const Index i : rows) {
       if (found_.n_visible + found_.n_hidden >= options_.n_pairs) break;
-      const Eigen::VectorXd row = transport.row(i);
-      const Eigen::VectorXd error = transport.row_error(i);
+      const Eigen::VectorXd row = rows_of(transport).row(i);
+      const Eigen::VectorXd error = rows_of(transport).row_error(i);
       const std::vector<Vec3> outline_i = outline(i);
       for (Index j = 0; j < mesh_.size(); ++j) {
         if (j != i && error[j] == 0) check_pair(i, j, row[j], outline_i);
@@ -299,7 +299,7 @@ class SceneCheck {
       const double expected = 1 - oracle_.contact_share(i);
       const double raw = std::abs(report.row_sums[i] - expected);
       found_.worst_row_sum = std::max(found_.worst_row_sum, raw);
-      const Eigen::VectorXd error = transport.row_error(i);
+      const Eigen::VectorXd error = rows_of(transport).row_error(i);
       // Errors of neighbours are alike, so they add up. Digits move edges: what touches an edge
       // feels it in proportion to its width.
       const double digits = 20 * oracle_.thickness() / width(i);

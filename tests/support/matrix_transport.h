@@ -9,7 +9,7 @@
 namespace radiosity::test {
 
 /// A transport operator made from given exchange areas, for tests without meshes or rays.
-class DenseTestTransport final : public Transport {
+class DenseTestTransport final : public Transport, public FactorRows {
  public:
   /// `exchange` is G, symmetric, m², n x n; `area` A, m², n; `sigma` one standard error of each
   /// entry of G, n x n, or empty if exact.
@@ -26,6 +26,10 @@ class DenseTestTransport final : public Transport {
     return static_cast<std::size_t>(exchange_.size() + sigma_.size()) * sizeof(double);
   }
   [[nodiscard]] const AssemblyReport& report() const override { return report_; }
+  [[nodiscard]] const FactorRows* rows() const override { return this; }
+  [[nodiscard]] PairFactor pair(Index i, Index j) const override {
+    return {exchange_(i, j), sigma_(i, j), sigma_(i, j) == 0};
+  }
 
   /// Calls of `apply` so far, and the columns that they had in total.
   [[nodiscard]] long n_products() const { return n_products_; }

@@ -89,8 +89,8 @@ TEST(Window, FactorThroughTheWindow) {
   double variance = 0;
   for (Index i = 0; i < mesh.size(); ++i) {
     if (mesh.surface[i] != 0) continue;
-    const Eigen::VectorXd row = window.transport->row(i);
-    const Eigen::VectorXd error = window.transport->row_error(i);
+    const Eigen::VectorXd row = rows_of(*window.transport).row(i);
+    const Eigen::VectorXd error = rows_of(*window.transport).row_error(i);
     for (Index j = 0; j < mesh.size(); ++j) {
       if (mesh.surface[j] != 1) continue;
       power += mesh.area[i] * row[j];

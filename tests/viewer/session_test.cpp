@@ -210,8 +210,8 @@ TEST(Session, FactsOfAPatchAreThoseOfTheOperator) {
     desk.session.select(patch);
     viewer::update(desk);
     ASSERT_TRUE(desk.facts);
-    const Eigen::VectorXd row = transport.row(patch);
-    const Eigen::VectorXd error = transport.row_error(patch);
+    const Eigen::VectorXd row = rows_of(transport).row(patch);
+    const Eigen::VectorXd error = rows_of(transport).row_error(patch);
     EXPECT_EQ(desk.facts->row_sum, row.sum());
     ASSERT_LE(desk.facts->partners.size(), 10U);
     Eigen::VectorXd rest = row;
@@ -330,7 +330,7 @@ TEST_F(Results, OpenWithoutBeingSolvedAgain) {
   io::write_form_factors(h5, *desk.session.model().mesh, *desk.session.model().transport);
   const auto light = *desk.session.light();
   const auto mesh = desk.session.model().mesh;
-  const Eigen::VectorXd row = desk.session.model().transport->row(5);
+  const Eigen::VectorXd row = rows_of(*desk.session.model().transport).row(5);
 
   open(desk.session, vtp);
   ASSERT_NE(desk.session.light(), nullptr);
@@ -348,7 +348,7 @@ TEST_F(Results, OpenWithoutBeingSolvedAgain) {
   EXPECT_EQ(desk.session.light(), nullptr);
   EXPECT_EQ(desk.session.model().mesh->corners, mesh->corners);
   ASSERT_TRUE(desk.session.model().factors);
-  EXPECT_LE((desk.session.model().factors.row(5) - row).norm(), 1e-12);
+  EXPECT_LE((desk.session.model().factors->row(5) - row).norm(), 1e-12);
   desk.session.restart(coarse());
   EXPECT_TRUE(desk.session.messages().back().is_error);
 

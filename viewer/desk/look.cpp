@@ -78,7 +78,7 @@ std::optional<ShownField> row_field(const Session& session) {
   if (!session.selected() || !session.model().factors) return std::nullopt;
   const Index patch = *session.selected();
   return ShownField{.title = {fmt::format("form factor from patch {}", patch)},
-                    .values = session.model().factors.row(patch)};
+                    .values = session.model().factors->row(patch)};
 }
 
 std::optional<ShownField> path_field(const Session& session, const Look& look) {

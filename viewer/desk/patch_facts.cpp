@@ -61,9 +61,9 @@ PatchFacts patch_facts(const Session& session) {
   facts.normal = model.mesh->normal[i];
   if (session.light() != nullptr) add_light(facts, session);
   if (!model.factors) return facts;
-  const Eigen::VectorXd row = model.factors.row(facts.patch);
+  const Eigen::VectorXd row = model.factors->row(facts.patch);
   facts.has_factors = true;
-  facts.partners = largest(row, model.factors.error(facts.patch));
+  facts.partners = largest(row, model.factors->row_error(facts.patch));
   facts.row_sum = row.sum();
   if (facts.has_light) facts.direct = session.light()->solution.exitance.transpose() * row;
   return facts;

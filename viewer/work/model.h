@@ -1,10 +1,9 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <string>
 
-#include "radiosity/base/geometry.h"
+#include "radiosity/operator/factor_rows.h"
 #include "radiosity/operator/transport.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/scene.h"
@@ -12,13 +11,6 @@
 #include "radiosity/visibility/visibility.h"
 
 namespace viewer {
-
-/// Rows of form factors, from memory or from a file.
-struct FactorRows {
-  std::function<Eigen::VectorXd(radiosity::Index)> row;    ///< F_ij of a patch i, n
-  std::function<Eigen::VectorXd(radiosity::Index)> error;  ///< their standard errors, n
-  explicit operator bool() const { return static_cast<bool>(row); }
-};
 
 /// What is in the window. The parts are immutable and shared with the workers; each is absent until
 /// it is known: a form-factor file never has light, a result file no scene.
@@ -29,7 +21,7 @@ struct Model {
   std::shared_ptr<const radiosity::PatchMesh> mesh;
   std::shared_ptr<const radiosity::Visibility> visibility;
   std::shared_ptr<const radiosity::Transport> transport;
-  FactorRows factors;
+  std::shared_ptr<const radiosity::FactorRows> factors;  ///< the transport's, or a file's
 };
 
 /// Light on the patches of a model.

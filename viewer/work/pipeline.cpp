@@ -43,12 +43,6 @@ constexpr double kQuickTolerance = 1e-3;  // no pixel shows it
 /// Bytes that a polygon takes in the window at most, with its share of the ray tracer's tree.
 constexpr std::size_t kShownBytes = 2000;
 
-/// Rows of an operator in memory.
-FactorRows rows_of(std::shared_ptr<const Transport> transport) {
-  return {.row = [transport](Index i) { return transport->row(i); },
-          .error = [transport](Index i) { return transport->row_error(i); }};
-}
-
 /// Radiosity before any iteration as a solution, to be shown.
 Solution preview_solution(Eigen::MatrixXd radiosity, const Eigen::MatrixXd& exitance,
                           const Eigen::MatrixXd& reflectance) {
@@ -162,8 +156,7 @@ void open_result(const std::string& path, const PipelineEvents& events) {
     for (const std::string& warning : reader->warnings()) events.warned(warning);
     model.mesh = std::make_shared<PatchMesh>(reader->mesh());
     model.bands.kind = radiosity::Bands::Kind::grey;
-    model.factors = {.row = [reader](Index i) { return reader->row(i); },
-                     .error = [reader](Index i) { return reader->row_error(i); }};
+    model.factors = reader;
   }
   model.visibility = std::make_shared<radiosity::Visibility>(*model.mesh);
   events.opened(std::move(model));
@@ -195,7 +188,7 @@ void run_pipeline(const std::string& path, std::shared_ptr<const Scene> scene, c
       study::make_form_factors(*model.scene, *model.mesh, *model.visibility, options, studying);
   if (factors.refined) model = with_patches(model, *std::move(factors.refined));
   model.transport = std::move(factors.transport);
-  model.factors = rows_of(model.transport);
+  model.factors = {model.transport, model.transport->rows()};
   events.assembled(std::move(model));
 }
 

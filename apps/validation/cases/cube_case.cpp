@@ -35,7 +35,7 @@ void check_factors(CaseResult& result, const Transport& transport,
   const double adjacent = interior.value("F_adjacent");
   double worst = 0;
   for (Index i = 0; i < 6; ++i) {
-    const Eigen::VectorXd row = transport.row(i);
+    const Eigen::VectorXd row = rows_of(transport).row(i);
     for (Index j = 0; j < 6; ++j) {
       if (i == j) continue;
       const double expected = (i ^ 1) == j ? opposite : adjacent;

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "radiosity/base/geometry.h"
+
+namespace radiosity {
+
+/// What is known about one pair of patches.
+struct PairFactor {
+  double exchange_area = 0;  ///< G_ij, m²
+  double error = 0;          ///< one standard error of G_ij, m²
+  bool is_certain = true;    ///< no error but rounding
+};
+
+/// The form factors of n patches by rows and pairs, with their errors: of an operator that keeps
+/// them, or of a file.
+class FactorRows {
+ public:
+  virtual ~FactorRows() = default;
+  /// Row i of F: the fractions of the power leaving patch i that reach each patch, n.
+  [[nodiscard]] virtual Eigen::VectorXd row(Index i) const = 0;
+  /// One standard error of each entry of row i, n; exactly 0 where the entry is certified.
+  [[nodiscard]] virtual Eigen::VectorXd row_error(Index i) const = 0;
+  /// The exchange area of patches i and j, as `row` gives it.
+  [[nodiscard]] virtual PairFactor pair(Index i, Index j) const = 0;
+};
+
+}  // namespace radiosity
