@@ -226,6 +226,18 @@ Vec3 JsonItem::direction() const {
   return direction / length;
 }
 
+std::optional<JsonItem> find_inside(const JsonItem& item,
+                                    std::initializer_list<std::string_view> keys) {
+  std::optional<JsonItem> found = item;
+  for (const std::string_view key : keys) {
+    if (!found->value().is_object()) return std::nullopt;
+    std::optional<JsonItem> next = found->find(key);
+    if (!next) return std::nullopt;
+    found.emplace(*next);
+  }
+  return found;
+}
+
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);  // distances of a's beginning to all of b's
   for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;

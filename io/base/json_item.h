@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
@@ -58,6 +59,10 @@ class JsonItem {
   std::string file_;
   std::string place_;  // "surfaces[2].transform"; empty for the document
 };
+
+/// The item at keys inside each other, if all are there.
+std::optional<JsonItem> find_inside(const JsonItem& item,
+                                    std::initializer_list<std::string_view> keys);
 
 /// Number of letters to insert, delete or replace to turn one word into the other (Levenshtein).
 std::size_t edit_distance(std::string_view a, std::string_view b);

@@ -389,4 +389,9 @@ GltfValues GltfDocument::values(const JsonItem& accessor, std::string_view type)
   return result;
 }
 
+std::string gltf_name(const JsonItem& item) {
+  const auto name = item.find("name");
+  return name && name->value().is_string() ? name->value().get<std::string>() : std::string();
+}
+
 }  // namespace io

@@ -75,6 +75,9 @@ class GltfDocument {
   std::vector<std::string> repairs_;
 };
 
+/// The name of an item; empty if it has none.
+std::string gltf_name(const JsonItem& item);
+
 /// A whole number that is not negative and at most `largest`.
 std::int64_t gltf_integer(const JsonItem& item, std::int64_t largest);
 

@@ -5,20 +5,18 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <set>
 
-#include "io/base/input_checks.h"
 #include "io/base/line_reader.h"
 #include "io/base/printable.h"
 #include "io/mesh/gltf_document.h"
+#include "io/mesh/gltf_materials.h"
 #include "io/mesh/gltf_nodes.h"
+#include "io/mesh/gltf_triangles.h"
 #include "io/mesh/surface_index.h"
 
 namespace io {
 namespace {
 
-using radiosity::Emission;
-using radiosity::Material;
 using radiosity::Progress;
 using radiosity::Scene;
 using radiosity::Vec3;
@@ -57,73 +55,6 @@ constexpr std::array<std::string_view, 28> kKnownExtensions = {
 /// What files may hold by using one vertex or triangle many times, where they have fewer bytes.
 constexpr double kMostMultiplied = 1'000'000;
 
-std::string name_of(const JsonItem& item) {
-  const auto name = item.find("name");
-  return name && name->value().is_string() ? name->value().get<std::string>() : std::string();
-}
-
-Eigen::Vector3d color(const JsonItem& item) {
-  if (item.size() < 3) item.fail(fmt::format("has {} numbers, expected 3 or 4", item.size()));
-  return {item[0].number(), item[1].number(), item[2].number()};
-}
-
-/// The item at keys inside each other, if all are there.
-std::optional<JsonItem> find_inside(const JsonItem& item,
-                                    std::initializer_list<std::string_view> keys) {
-  std::optional<JsonItem> found = item;
-  for (const std::string_view key : keys) {
-    if (!found->value().is_object()) return std::nullopt;
-    std::optional<JsonItem> next = found->find(key);
-    if (!next) return std::nullopt;
-    found.emplace(*next);
-  }
-  return found;
-}
-
-Eigen::Vector3d base_color(const JsonItem& material) {
-  if (const auto factor = find_inside(material, {"pbrMetallicRoughness", "baseColorFactor"})) {
-    return color(*factor);
-  }
-  if (const auto factor = find_inside(
-          material, {"extensions", "KHR_materials_pbrSpecularGlossiness", "diffuseFactor"})) {
-    return color(*factor);
-  }
-  return Eigen::Vector3d::Ones();
-}
-
-Eigen::Vector3d radiance(const JsonItem& material) {
-  const auto factor = material.find("emissiveFactor");
-  if (!factor) return Eigen::Vector3d::Zero();
-  const auto strength =
-      find_inside(material, {"extensions", "KHR_materials_emissive_strength", "emissiveStrength"});
-  return (strength ? strength->number() : 1.0) * color(*factor);
-}
-
-bool has_texture(const JsonItem& material) {
-  return material.has("emissiveTexture") ||
-         find_inside(material, {"pbrMetallicRoughness", "baseColorTexture"}) ||
-         find_inside(material,
-                     {"extensions", "KHR_materials_pbrSpecularGlossiness", "diffuseTexture"});
-}
-
-/// Corners of the triangles of a primitive, as indices of its vertices (glTF 2.0, 3.7.2.1).
-class TriangleList {
- public:
-  static constexpr std::int64_t kTriangles = 4;
-  static constexpr std::int64_t kStrip = 5;
-  static constexpr std::int64_t kFan = 6;
-
-  static bool is_known(std::int64_t mode) { return mode >= kTriangles && mode <= kFan; }
-  static std::int64_t size(std::int64_t mode, std::int64_t n_corners) {
-    return mode == kTriangles ? n_corners / 3 : std::max<std::int64_t>(n_corners - 2, 0);
-  }
-  static std::array<std::int64_t, 3> corners(std::int64_t mode, std::int64_t i) {
-    if (mode == kTriangles) return {3 * i, 3 * i + 1, 3 * i + 2};
-    if (mode == kFan) return {i + 1, i + 2, 0};
-    return {i, i + 1 + i % 2, i + 2 - i % 2};
-  }
-};
-
 /// The instances of a node by EXT_mesh_gpu_instancing: the accessors that give their places.
 struct InstanceAccessors {
   std::optional<JsonItem> translation, rotation, scale;
@@ -140,12 +71,13 @@ class GltfReader {
 
   FileScene read() {
     check_extensions();
-    read_materials();
+    materials_ = read_gltf_materials(path_, document_);
+    scene_.materials = std::move(materials_.materials);
     const GltfTree tree(document_);
     check_size(tree);
     tree.walk([&](const GltfNode& node) { add_node(node); });
     std::vector<std::string> repairs = document_.take_repairs();
-    textures_.report("only the colour factors are read", scene_.warnings);
+    materials_.textures.report("only the colour factors are read", scene_.warnings);
     skipped_.report("points and lines are left out", scene_.warnings);
     deformed_.report("its shape at rest is read", scene_.warnings);
     return {std::move(scene_), std::move(repairs)};
@@ -163,32 +95,6 @@ class GltfReader {
              fmt::format("requires the extension {}, which is not supported", in_quotes(name)));
       }
     }
-  }
-
-  void read_materials() {
-    std::set<std::string> names;
-    for (std::size_t i = 0; i < document_.size("materials"); ++i) {
-      const JsonItem item = document_.element("materials", i);
-      std::string name = name_of(item);
-      if (name.empty()) name = fmt::format("material-{}", i);
-      while (!names.insert(name).second) name += fmt::format("-{}", i);
-      scene_.materials.push_back(make_material(item, name));
-      const auto two_sided = item.find("doubleSided");
-      two_sided_.push_back(two_sided && two_sided->boolean());
-    }
-  }
-
-  Material make_material(const JsonItem& item, const std::string& name) {
-    Material material{.name = name, .reflectance = base_color(item), .emission = {}};
-    const Eigen::VectorXd emitted = radiance(item);
-    if (const auto problem = reflectance_problem(material.reflectance)) item.fail(*problem);
-    if (const auto problem = emission_problem("radiance", emitted)) item.fail(*problem);
-    if (!emitted.isZero(0)) material.emission = {Emission::Kind::radiance, emitted};
-    if (has_texture(item)) {
-      textures_.add(path_.string(),
-                    fmt::format("material {}: textures are not read", in_quotes(name)));
-    }
-    return material;
   }
 
   [[nodiscard]] InstanceAccessors instances(const JsonItem& node) const {
@@ -234,7 +140,7 @@ class GltfReader {
       const auto corners =
           indices ? GltfDocument::count(document_.element("accessors", *indices)) : vertices;
       size.n_vertices += static_cast<double>(vertices);
-      size.n_triangles += static_cast<double>(TriangleList::size(mode(primitive), corners));
+      size.n_triangles += static_cast<double>(n_gltf_triangles(primitive, corners));
     }
     return size;
   }
@@ -268,19 +174,14 @@ class GltfReader {
     }
   }
 
-  static std::int64_t mode(const JsonItem& primitive) {
-    const auto item = primitive.find("mode");
-    return item ? gltf_integer(*item, 6) : TriangleList::kTriangles;
-  }
-
   void add_node(const GltfNode& node) {
     progress_.check();
     const JsonItem item = document_.element("nodes", node.index);
     const auto index = item.find("mesh");
     if (!index) return;
     const JsonItem mesh = document_.element("meshes", *index);
-    std::string name = name_of(item);
-    if (name.empty()) name = name_of(mesh);
+    std::string name = gltf_name(item);
+    if (name.empty()) name = gltf_name(mesh);
     if (name.empty()) name = fmt::format("node-{}", node.index);
     name = surfaces_.unused_name(name);
     if (item.has("skin") || mesh.has("weights")) {
@@ -323,8 +224,7 @@ class GltfReader {
 
   void add_primitive(const JsonItem& primitive, const std::string& object,
                      const std::vector<Eigen::Affine3d>& transforms) {
-    const std::int64_t drawn_as = mode(primitive);
-    if (!TriangleList::is_known(drawn_as)) {
+    if (!has_gltf_triangles(primitive)) {
       skipped_.add(path_.string(),
                    fmt::format("surface {} has points or lines", in_quotes(object)));
       return;
@@ -332,7 +232,7 @@ class GltfReader {
     const auto position = primitive.at("attributes").find("POSITION");
     if (!position) return;  // glTF 2.0, 3.7.2.1: there is nothing to draw
     const GltfValues points = document_.values(document_.element("accessors", *position), "VEC3");
-    const std::vector<std::int32_t> corners = corner_indices(primitive, drawn_as, points.count);
+    const std::vector<std::int32_t> corners = gltf_triangles(document_, primitive, points.count);
     const std::int32_t surface = find_surface(primitive, object);
     for (const Eigen::Affine3d& transform : transforms) {
       progress_.check();
@@ -348,43 +248,8 @@ class GltfReader {
     }
     const std::int32_t surface = surfaces_.find_or_add(object, material);
     scene_.surfaces[static_cast<std::size_t>(surface)].two_sided =
-        material >= 0 && two_sided_[static_cast<std::size_t>(material)];
+        material >= 0 && materials_.two_sided[static_cast<std::size_t>(material)];
     return surface;
-  }
-
-  /// Three vertices of the primitive per triangle.
-  std::vector<std::int32_t> corner_indices(const JsonItem& primitive, std::int64_t drawn_as,
-                                           std::int64_t n_vertices) {
-    GltfValues indices;
-    indices.count = n_vertices;
-    const auto given = primitive.find("indices");
-    if (given) {
-      const JsonItem accessor = document_.element("accessors", *given);
-      indices = document_.values(accessor, "SCALAR");
-      for (const double index : indices.values) {
-        if (!(index >= 0 && index < static_cast<double>(n_vertices))) {
-          accessor.fail(fmt::format("a triangle uses vertex {}, but there are {}, counted from 0",
-                                    index, n_vertices));
-        }
-      }
-    }
-    const std::int64_t n_triangles = TriangleList::size(drawn_as, indices.count);
-    std::vector<std::int32_t> result;
-    result.reserve(static_cast<std::size_t>(3 * n_triangles));
-    for (std::int64_t i = 0; i < n_triangles; ++i) {
-      std::array<std::int32_t, 3> triangle{};
-      const auto corners = TriangleList::corners(drawn_as, i);
-      for (std::size_t k = 0; k < 3; ++k) {
-        triangle[k] = static_cast<std::int32_t>(given ? indices(corners[k], 0)
-                                                      : static_cast<double>(corners[k]));
-      }
-      // Strips are joined by triangles without area, which are none.
-      const bool is_joint =
-          triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0];
-      if (drawn_as == TriangleList::kStrip && is_joint) continue;
-      result.insert(result.end(), triangle.begin(), triangle.end());
-    }
-    return result;
   }
 
   void add_triangles(const JsonItem& primitive, const GltfValues& points,
@@ -415,8 +280,8 @@ class GltfReader {
   GltfDocument document_;
   Scene scene_;
   SurfaceIndex surfaces_;
-  std::vector<bool> two_sided_;  // per material
-  RepairCount textures_, skipped_, deformed_;
+  GltfMaterials materials_;
+  RepairCount skipped_, deformed_;
 };
 
 }  // namespace

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
-#include <unordered_map>
 #include <utility>
 
 #include "meshing/base/triangulate.h"
 #include "meshing/patches/halfedge.h"
+#include "meshing/patches/patch_cells.h"
 #include "radiosity/base/box_tree.h"
 
 namespace meshing {
@@ -22,33 +22,12 @@ using radiosity::Vec3;
 
 /// A corner is moved by no more than this share of the shortest edge that it has there.
 constexpr double kLongestMove = 0.3;
-/// Moving a corner must leave this share of each patch's area, ...
-constexpr double kLeastArea = 0.3;
-/// ... and corners with this sine, or what they had.
-constexpr double kLeastSine = 0.25;
 /// Two triangles become a quad if its corners have this sine.
 constexpr double kQuadSine = 0.4;
 /// What is narrower than this share of its length is not cut off.
 constexpr double kLeastWidth = 1e-5;
 /// Rounding of directions.
 constexpr double kRounding = 1e-9;
-
-using Loop = std::vector<std::int32_t>;
-using Edge = std::pair<std::int32_t, std::int32_t>;  // vertices, the lower one first
-
-struct EdgeHash {
-  std::size_t operator()(const Edge& edge) const {
-    return std::hash<std::int64_t>{}(static_cast<std::int64_t>(edge.first) << 32 | edge.second);
-  }
-};
-
-Edge edge_of(std::int32_t a, std::int32_t b) { return {std::min(a, b), std::max(a, b)}; }
-
-/// A convex part of a patch: the vertices around it, those on its straight edges included.
-struct Cell {
-  Loop loop;
-  std::int32_t patch;
-};
 
 class ContactCutter {
  public:
@@ -57,91 +36,65 @@ class ContactCutter {
       : mesh_(mesh),
         lines_(lines),
         progress_(progress),
-        vertices_(mesh.vertices),
-        is_locked_(mesh.vertices.size(), false),
-        cells_at_(mesh.vertices.size()),
-        cells_of_(mesh.size()),
-        tolerance_(radiosity::plane_thickness(mesh)) {
-    std::fill(is_locked_.begin(), is_locked_.begin() + n_fixed, true);
-  }
+        cells_(mesh, n_fixed),
+        tolerance_(radiosity::plane_thickness(mesh)) {}
 
   PatchMesh run();
 
  private:
-  void make_cells();
+  void find_patches();
   void cut_polygon(std::int32_t polygon);
   void catch_point(const Vec3& point, std::int32_t polygon);
   void cut_cell(std::int32_t cell, const Segment& segment);
 
   [[nodiscard]] std::vector<std::int32_t> patches_near(const Box3& box, std::int32_t polygon) const;
-  [[nodiscard]] double shortest_edge(std::int32_t vertex) const;
-  [[nodiscard]] bool may_move(std::int32_t vertex, const Vec3& direction) const;
-  [[nodiscard]] bool is_inside_polygon(const Edge& edge) const;
-  bool move(std::int32_t vertex, const Vec3& to);
-  void split_edge(std::int32_t a, std::int32_t b, const Vec3& point);
-  void split_cell(std::int32_t cell, std::size_t from, std::size_t to);
-  void enter(std::int32_t cell);
-  void take_out(std::int32_t cell);
 
   [[nodiscard]] std::vector<Loop> patches_of(const Cell& cell) const;
   void append(PatchMesh& result, const Loop& loop, std::int32_t patch) const;
 
-  [[nodiscard]] const Vec3& at(std::int32_t vertex) const { return vertices_[vertex]; }
-  [[nodiscard]] double area_in(const Loop& loop, const Vec3& normal) const;
-  [[nodiscard]] std::vector<double> sines_in(const Loop& loop, const Vec3& normal) const;
+  [[nodiscard]] const Vec3& at(std::int32_t vertex) const { return cells_.at(vertex); }
 
   const PatchMesh& mesh_;
   std::span<const std::vector<Segment>> lines_;
   const radiosity::Progress& progress_;
-  std::vector<Vec3> vertices_;
-  std::vector<bool> is_locked_;  // corners of the input, and what lies on a contact line
-  std::vector<Cell> cells_;
-  std::vector<std::vector<std::int32_t>> cells_at_;  // per vertex
-  std::vector<std::vector<std::int32_t>> cells_of_;  // per patch; of the front of two
-  std::unordered_map<Edge, std::vector<std::int32_t>, EdgeHash> cells_on_;
+  PatchCells cells_;
   std::optional<BoxTree> tree_;           // of patches that may be cut
   std::vector<std::int32_t> tree_patch_;  // what its boxes belong to
   double tolerance_;
 };
 
 PatchMesh ContactCutter::run() {
-  make_cells();
+  find_patches();
   for (std::size_t p = 0; p < lines_.size(); ++p) {
     if (lines_[p].empty()) continue;
     progress_.check();
     cut_polygon(static_cast<std::int32_t>(p));
   }
   PatchMesh result;
-  result.vertices = vertices_;
+  result.vertices = cells_.vertices();
   result.surface_names = mesh_.surface_names;
   result.surface_two_sided = mesh_.surface_two_sided;
   result.precision = mesh_.precision;
   result.polygon_corners = mesh_.polygon_corners;
   result.first_polygon_corner = mesh_.first_polygon_corner;
-  for (std::size_t i = 0; i < cells_of_.size(); ++i) {
-    for (const std::int32_t cell : cells_of_[i]) {
-      for (const Loop& loop : patches_of(cells_[cell])) {
-        append(result, loop, static_cast<std::int32_t>(i));
-      }
+  for (Index i = 0; i < mesh_.size(); ++i) {
+    const auto patch = static_cast<std::int32_t>(i);
+    for (const std::int32_t cell : cells_.of_patch(patch)) {
+      for (const Loop& loop : patches_of(cells_[cell])) append(result, loop, patch);
     }
   }
   return result;
 }
 
-void ContactCutter::make_cells() {
+void ContactCutter::find_patches() {
   std::vector<Box3> boxes;
   for (Index i = 0; i < mesh_.size(); ++i) {
     if (mesh_.twin[i] >= 0 && mesh_.twin[i] < i) continue;
-    const auto& corners = mesh_.corners[i];
-    const auto patch = static_cast<std::int32_t>(i);
-    cells_of_[i].push_back(static_cast<std::int32_t>(cells_.size()));
-    cells_.push_back({Loop(corners.begin(), corners.begin() + mesh_.n_corners(i)), patch});
-    enter(cells_of_[i].back());
     if (lines_[mesh_.polygon[i]].empty()) continue;
     const Box3 box = patch_box(mesh_, i);
     // Corners may move.
     boxes.push_back(radiosity::grown(box, tolerance_ + kLongestMove * box.diagonal().norm()));
-    tree_patch_.push_back(patch);
+    tree_patch_.push_back(static_cast<std::int32_t>(i));
   }
   tree_.emplace(std::move(boxes));
 }
@@ -198,7 +151,7 @@ void ContactCutter::cut_polygon(std::int32_t polygon) {
     n_cells = cells_.size();
     for (std::size_t k = 0; k < segments.size(); ++k) {
       for (const std::int32_t patch : patches_near(boxes[k], polygon)) {
-        const std::vector<std::int32_t> cells = cells_of_[patch];
+        const std::vector<std::int32_t> cells = cells_.of_patch(patch);
         for (const std::int32_t cell : cells) cut_cell(cell, segments[k]);
       }
     }
@@ -210,7 +163,7 @@ void ContactCutter::catch_point(const Vec3& point, std::int32_t polygon) {
   std::int32_t nearest = -1;
   double distance = std::numeric_limits<double>::infinity();
   for (const std::int32_t patch : patches_near(Box3(point, point), polygon)) {
-    for (const std::int32_t cell : cells_of_[patch]) {
+    for (const std::int32_t cell : cells_.of_patch(patch)) {
       for (const std::int32_t v : cells_[cell].loop) {
         const double d = (at(v) - point).norm();
         if (d >= distance) continue;
@@ -221,144 +174,10 @@ void ContactCutter::catch_point(const Vec3& point, std::int32_t polygon) {
   }
   if (nearest < 0) return;
   if (distance <= tolerance_) {
-    is_locked_[nearest] = true;
-  } else if (distance <= kLongestMove * shortest_edge(nearest)) {
-    move(nearest, point);
+    cells_.lock(nearest);
+  } else if (distance <= kLongestMove * cells_.shortest_edge(nearest)) {
+    cells_.move(nearest, point);
   }
-}
-
-double ContactCutter::shortest_edge(std::int32_t vertex) const {
-  double shortest = std::numeric_limits<double>::infinity();
-  for (const std::int32_t cell : cells_at_[vertex]) {
-    const Loop& loop = cells_[cell].loop;
-    for (std::size_t k = 0; k < loop.size(); ++k) {
-      const std::int32_t next = loop[(k + 1) % loop.size()];
-      if (loop[k] != vertex && next != vertex) continue;
-      shortest = std::min(shortest, (at(loop[k]) - at(next)).norm());
-    }
-  }
-  return shortest;
-}
-
-/// Whether an edge lies between two patches of one plane and polygon.
-bool ContactCutter::is_inside_polygon(const Edge& edge) const {
-  const std::vector<std::int32_t>& cells = cells_on_.at(edge);
-  if (cells.size() != 2) return false;
-  const std::int32_t a = cells_[cells[0]].patch;
-  const std::int32_t b = cells_[cells[1]].patch;
-  return mesh_.polygon[a] == mesh_.polygon[b] &&
-         mesh_.normal[a].cross(mesh_.normal[b]).norm() <= kRounding;
-}
-
-/// A corner within a polygon may go anywhere, one on an outline along it.
-bool ContactCutter::may_move(std::int32_t vertex, const Vec3& direction) const {
-  if (is_locked_[vertex]) return false;
-  for (const std::int32_t cell : cells_at_[vertex]) {
-    const Loop& loop = cells_[cell].loop;
-    for (std::size_t k = 0; k < loop.size(); ++k) {
-      const std::int32_t next = loop[(k + 1) % loop.size()];
-      if (loop[k] != vertex && next != vertex) continue;
-      if (is_inside_polygon(edge_of(loop[k], next))) continue;
-      const Vec3 along = at(next) - at(loop[k]);
-      if (along.cross(direction).norm() > kRounding * along.norm() * direction.norm()) return false;
-    }
-  }
-  return true;
-}
-
-double ContactCutter::area_in(const Loop& loop, const Vec3& normal) const {
-  double area = 0;
-  for (std::size_t k = 2; k < loop.size(); ++k) {
-    area += normal.dot((at(loop[k - 1]) - at(loop[0])).cross(at(loop[k]) - at(loop[0])));
-  }
-  return area / 2;
-}
-
-/// Sines of the corners, negative where they are concave.
-std::vector<double> ContactCutter::sines_in(const Loop& loop, const Vec3& normal) const {
-  std::vector<double> sines;
-  for (std::size_t k = 0; k < loop.size(); ++k) {
-    const Vec3 before = at(loop[k]) - at(loop[(k + loop.size() - 1) % loop.size()]);
-    const Vec3 after = at(loop[(k + 1) % loop.size()]) - at(loop[k]);
-    sines.push_back(normal.dot(before.cross(after)) / (before.norm() * after.norm()));
-  }
-  return sines;
-}
-
-/// Moves a corner and keeps it there; does nothing and returns false where that spoils a patch.
-bool ContactCutter::move(std::int32_t vertex, const Vec3& to) {
-  if (!may_move(vertex, to - at(vertex))) return false;
-  const Vec3 from = at(vertex);
-  for (const std::int32_t cell : cells_at_[vertex]) {
-    const Loop& loop = cells_[cell].loop;
-    const Vec3& normal = mesh_.normal[cells_[cell].patch];
-    const double area_before = area_in(loop, normal);
-    const std::vector<double> before = sines_in(loop, normal);
-    vertices_[vertex] = to;
-    const std::vector<double> after = sines_in(loop, normal);
-    bool is_good = area_in(loop, normal) >= kLeastArea * area_before;
-    for (std::size_t k = 0; k < loop.size(); ++k) {
-      is_good = is_good && after[k] >= std::min(kLeastSine, before[k] - kRounding);
-    }
-    vertices_[vertex] = from;
-    if (!is_good) return false;
-  }
-  vertices_[vertex] = to;
-  is_locked_[vertex] = true;
-  return true;
-}
-
-/// Puts a vertex on an edge of all cells that have it.
-void ContactCutter::split_edge(std::int32_t a, std::int32_t b, const Vec3& point) {
-  const auto made = static_cast<std::int32_t>(vertices_.size());
-  vertices_.push_back(point);
-  is_locked_.push_back(true);
-  const std::vector<std::int32_t> cells = cells_on_.at(edge_of(a, b));
-  cells_on_.erase(edge_of(a, b));
-  for (const std::int32_t cell : cells) {
-    Loop& loop = cells_[cell].loop;
-    for (std::size_t k = 0; k < loop.size(); ++k) {
-      if (edge_of(loop[k], loop[(k + 1) % loop.size()]) != edge_of(a, b)) continue;
-      loop.insert(loop.begin() + static_cast<std::ptrdiff_t>(k) + 1, made);
-      break;
-    }
-  }
-  cells_at_.push_back(cells);
-  cells_on_[edge_of(a, made)] = cells;
-  cells_on_[edge_of(made, b)] = cells;
-}
-
-void ContactCutter::enter(std::int32_t cell) {
-  const Loop& loop = cells_[cell].loop;
-  for (std::size_t k = 0; k < loop.size(); ++k) {
-    cells_at_[loop[k]].push_back(cell);
-    cells_on_[edge_of(loop[k], loop[(k + 1) % loop.size()])].push_back(cell);
-  }
-}
-
-void ContactCutter::take_out(std::int32_t cell) {
-  const Loop& loop = cells_[cell].loop;
-  for (std::size_t k = 0; k < loop.size(); ++k) {
-    std::erase(cells_at_[loop[k]], cell);
-    std::erase(cells_on_[edge_of(loop[k], loop[(k + 1) % loop.size()])], cell);
-  }
-}
-
-/// Cuts a cell between two of its vertices, given by their places in the loop, from < to.
-void ContactCutter::split_cell(std::int32_t cell, std::size_t from, std::size_t to) {
-  take_out(cell);
-  const Loop whole = cells_[cell].loop;
-  const auto first = whole.begin() + static_cast<std::ptrdiff_t>(from);
-  const auto last = whole.begin() + static_cast<std::ptrdiff_t>(to);
-  Loop rest(whole.begin(), first + 1);
-  rest.insert(rest.end(), last, whole.end());
-  cells_[cell].loop = std::move(rest);
-  const std::int32_t patch = cells_[cell].patch;
-  const auto made = static_cast<std::int32_t>(cells_.size());
-  cells_.push_back({Loop(first, last + 1), patch});
-  cells_of_[patch].push_back(made);
-  enter(cell);
-  enter(made);
 }
 
 void ContactCutter::cut_cell(std::int32_t cell, const Segment& segment) {
@@ -407,7 +226,7 @@ void ContactCutter::cut_cell(std::int32_t cell, const Segment& segment) {
       const std::size_t from = on_line.front();
       const std::size_t to = on_line.back();
       // Next to each other in a loop that rounding has left not quite convex.
-      if (to - from > 1 && from + n - to > 1) split_cell(cell, from, to);
+      if (to - from > 1 && from + n - to > 1) cells_.split_cell(cell, from, to);
       return;
     }
     const std::int32_t a = loop[*crossed];
@@ -415,8 +234,8 @@ void ContactCutter::cut_cell(std::int32_t cell, const Segment& segment) {
     const double t = side[*crossed] / (side[*crossed] - side[(*crossed + 1) % n]);
     const Vec3 point = at(a) + t * (at(b) - at(a));
     const double share = std::min(t, 1 - t);
-    if (share <= kLongestMove && move(t < 0.5 ? a : b, point)) continue;
-    split_edge(a, b, point);
+    if (share <= kLongestMove && cells_.move(t < 0.5 ? a : b, point)) continue;
+    cells_.split_edge(a, b, point);
   }
 }
 
@@ -424,7 +243,7 @@ void ContactCutter::cut_cell(std::int32_t cell, const Segment& segment) {
 std::vector<Loop> ContactCutter::patches_of(const Cell& cell) const {
   const Vec3& normal = mesh_.normal[cell.patch];
   const Loop& loop = cell.loop;
-  const std::vector<double> sines = sines_in(loop, normal);
+  const std::vector<double> sines = cells_.sines_in(loop, normal);
   const bool is_strict =
       std::all_of(sines.begin(), sines.end(), [](double s) { return s > kRounding; });
   if (loop.size() == 3 || (loop.size() == 4 && is_strict)) return {loop};
@@ -457,7 +276,7 @@ std::vector<Loop> ContactCutter::patches_of(const Cell& cell) const {
             }
             const Loop candidate = {parts[i][k], parts[j][(m + 2) % 3], parts[i][(k + 1) % 3],
                                     parts[i][(k + 2) % 3]};
-            const std::vector<double> s = sines_in(candidate, normal);
+            const std::vector<double> s = cells_.sines_in(candidate, normal);
             const double worst = *std::min_element(s.begin(), s.end());
             if (worst <= best) continue;
             best = worst;

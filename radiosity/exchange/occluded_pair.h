@@ -1,17 +1,16 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <deque>
 #include <functional>
 #include <span>
-#include <vector>
 
-#include "radiosity/base/geometry.h"
+#include "radiosity/exchange/pair_blockers.h"
+#include "radiosity/exchange/pair_view.h"
+#include "radiosity/exchange/point_sampler.h"
 #include "radiosity/exchange/shadowed_quadrature.h"
 #include "radiosity/exchange/visible_fraction.h"
 #include "radiosity/visibility/blocker.h"
-#include "radiosity/visibility/segment_bundle.h"
 #include "radiosity/visibility/visibility.h"
 
 namespace radiosity {
@@ -34,90 +33,40 @@ struct OccludedPairOptions {
 };
 
 /// Estimates exchange areas of pairs given all blockers between them. Blockers are first proved
-/// away, as seen from the smaller polygon. What is left is a matter of cost: see `allowed_share` in
-/// the source for how much error a pair may have, and `choose_method` for which of rays, exact cuts
-/// of shadows and sampled shadows gets there soonest. Not to be shared by threads.
+/// away, as seen from the smaller polygon (`PairBlockers`). What is left is a matter of cost: see
+/// `allowed_share` in the source for how much error a pair may have, and `choose_method` for which
+/// of rays, exact cuts of shadows and sampled shadows gets there soonest. Not to be shared by
+/// threads.
 class OccludedPairEstimator {
  public:
-  OccludedPairEstimator(const Visibility& visibility, const OccludedPairOptions& options)
-      : visibility_(visibility), options_(options) {}
+  OccludedPairEstimator(const Visibility& visibility, const OccludedPairOptions& options);
 
   /// `unoccluded` gives the exchange area without blockers, m²; it is called where needed.
   PairEstimate estimate(const SampledPair& pair, std::span<const Blocker* const> candidates,
                         const std::function<double()>& unoccluded, std::uint64_t seed);
 
  private:
-  enum class Method { rays, cuts, points };
-  /// What is kept of a pair, and of the parts into which it is divided, at each depth.
-  struct Level {
-    std::vector<const Blocker*> blockers;
-    std::vector<Shadow> shadows;        ///< of the blockers; empty where it depends on the point
-    std::vector<std::size_t> dividing;  ///< blockers with a plane that divides the source
-    const HalfSpace* source_divider = nullptr;  ///< a face's plane that cuts the polygon
-    const HalfSpace* target_divider = nullptr;
-    /// As source_divider, of a blocker that stands on the source: what it covers ends there.
-    const HalfSpace* border = nullptr;
-    bool is_beside = false;  ///< a blocker stands right beside the source
-  };
-  /// A pair as seen from its smaller polygon.
-  struct View {
-    explicit View(const SampledPair& pair);
-    bool from_i;
-    const ConvexPolygon* source;
-    const ConvexPolygon* target;
-    Vec3 source_normal;
-    double source_area;  ///< m²
-    double distance;     ///< of their middles, m
-    bool is_near;
-  };
-  /// Sums over points of the source, per area of the kernel.
-  struct PointSums {
-    double whole = 0;
-    double visible = 0;
-    double variance = 0;
-    bool is_proved = false;
-    /// Of quads: what each of the four points, which lie in the quarters about the corners, gives.
-    bool has_quarters = false;
-    std::array<double, 4> quarter_whole{};
-    std::array<double, 4> quarter_visible{};
-    void add(const PointSums& other);
-  };
-
   PairEstimate estimate(const SampledPair& pair, std::span<const Blocker* const> candidates,
                         const std::function<double()>& unoccluded, std::uint64_t seed,
                         std::size_t depth);
-  /// Keeps the candidates that are not proved away, and their shadows.
-  Blocking find_shadows(const ConvexPolygon& source, const ConvexPolygon& target,
-                        std::span<const Blocker* const> candidates, Level& level) const;
-  PairEstimate estimate_unproved(const SampledPair& pair, const View& view, double whole,
+  PairEstimate estimate_unproved(const SampledPair& pair, const PairView& view, double whole,
                                  std::uint64_t seed, std::size_t depth);
-  [[nodiscard]] double allowed_share(const View& view, double whole) const;
-  [[nodiscard]] bool suits_rays(const View& view) const;
-  [[nodiscard]] Method choose_method(const View& view, const Level& level, double error) const;
+  [[nodiscard]] double allowed_share(const PairView& view, double whole) const;
+  [[nodiscard]] bool suits_rays(const PairView& view) const;
   PairEstimate divide(const SampledPair& pair, bool divides_i,
                       std::span<const ConvexPolygon> pieces, std::size_t depth, std::uint64_t seed);
-  [[nodiscard]] PairEstimate cut_shadows(const View& view, const Level& level, double whole,
-                                         double error);
-  /// Whether low rules won't do.
-  [[nodiscard]] static bool needs_adaption(const View& view, const Level& level, double error);
-  [[nodiscard]] PairEstimate cast_rays(const SampledPair& pair, const View& view, double whole,
+  [[nodiscard]] PairEstimate cut_shadows(const PairView& view, const PairBlockers& between,
+                                         double whole, double error);
+  [[nodiscard]] PairEstimate sample_points(const PairView& view, PairBlockers& between,
+                                           double whole, double error);
+  [[nodiscard]] PairEstimate cast_rays(const SampledPair& pair, const PairView& view, double whole,
                                        double error, std::uint64_t seed) const;
-  /// From points of the source, with the shadows that each of them sees.
-  [[nodiscard]] PairEstimate sample_points(const View& view, double whole, double error,
-                                           std::size_t depth);
-  [[nodiscard]] PointSums apply_rule(const View& view, const ConvexPolygon& piece, Level& level);
-  [[nodiscard]] PointSums look_at_part(const View& view, const ConvexPolygon& part,
-                                       std::size_t depth);
-  void add_parts(const View& view, const ConvexPolygon& piece, const PointSums& coarse, double goal,
-                 std::size_t depth, std::size_t last_depth, PointSums& sums);
 
   const Visibility& visibility_;
   OccludedPairOptions options_;
-  std::deque<Level> levels_;
+  std::deque<PairBlockers> levels_;  // of a pair, and of the parts into which it is divided
   ShadowedQuadrature quadrature_;
-  ShadowCutter cutter_;
-  int points_left_ = 0;        // before a pair has to do with what it has
-  double part_tolerance_ = 0;  // of the same pair: see kPartKernel
+  PointSampler points_;
 };
 
 }  // namespace radiosity

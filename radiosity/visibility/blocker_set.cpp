@@ -5,6 +5,7 @@
 #include "radiosity/scene/surface_pieces.h"
 #include "radiosity/visibility/body_finder.h"
 #include "radiosity/visibility/occluders.h"
+#include "radiosity/visibility/outer_planes.h"
 #include "radiosity/visibility/polytope.h"
 
 namespace radiosity {

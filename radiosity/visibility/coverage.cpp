@@ -8,7 +8,7 @@
 #include "radiosity/base/box_tree.h"
 #include "radiosity/scene/surface_pieces.h"
 #include "radiosity/visibility/body_finder.h"
-#include "radiosity/visibility/occluders.h"
+#include "radiosity/visibility/outer_planes.h"
 
 namespace radiosity {
 namespace {

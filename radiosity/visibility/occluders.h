@@ -16,14 +16,10 @@ struct Occluder {
   Box3 box;
 };
 
-/// The patches that block something, one of each pair of twins: those in a plane that has the whole
-/// scene on one side (a wall of a convex room) don't.
-/// `thickness` is how far off a plane points may be and still count as on it, m.
-std::vector<std::int32_t> find_blocking_patches(const PatchMesh& mesh, double thickness);
-
 /// The patches merged into few convex polygons that cover exactly the same set, so that visibility
 /// can be reasoned about at low cost. The patches of one input polygon are merged first, so that
-/// the number of occluders depends little on how it is divided.
+/// the number of occluders depends little on how it is divided. `thickness` is how far off a plane
+/// points may be and still count as on it, m.
 std::vector<Occluder> make_occluders(const PatchMesh& mesh,
                                      const std::vector<std::int32_t>& patches, double thickness);
 

@@ -4,20 +4,17 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <optional>
 
 #include "radiosity/base/box_tree.h"
 #include "radiosity/base/disjoint_sets.h"
 #include "radiosity/base/parallel.h"
+#include "radiosity/visibility/patch_contact.h"
 
 namespace radiosity {
 namespace {
 
 /// Distance, in thicknesses, at which edges touch: each may be off by one.
 constexpr double kReach = 2;
-/// Sine of the angle of planes that count as parallel, but for what their sizes and the thickness
-/// make of it.
-constexpr double kParallel = 1e-6;
 /// Edges that touch at one end for no more than this share of the shorter one end there.
 constexpr double kLongTouch = 0.05;
 /// How far from the corner rays start, relative to the scene.
@@ -50,6 +47,7 @@ class RegionFinder {
       : mesh_(mesh),
         visibility_(visibility),
         reach_(kReach * thickness),
+        contact_(mesh, reach_),
         boxes_(make_boxes(mesh, reach_)),
         tree_(boxes_),
         sides_(2 * mesh.size() + 1) {}
@@ -122,131 +120,31 @@ class RegionFinder {
       if (j != i && !is_second(j)) near.push_back(j);
     });
     for (const std::int32_t j : near) {
-      if (j > i && cross_or_cover(i, j)) join_all(i, j, joints);
+      if (j > i && contact_.cross_or_cover(i, j)) join_all(i, j, joints);
     }
     for (int k = 0; k < mesh_.n_corners(i); ++k) join_at_edge(i, k, near, joints);
-  }
-
-  [[nodiscard]] const Vec3& corner(std::int32_t patch, int k) const {
-    const int n = mesh_.n_corners(patch);
-    return mesh_.corner(patch, k < n ? k : k - n);
-  }
-
-  /// The directions in a patch's plane off its edges, inwards.
-  [[nodiscard]] Vec3 inwards(std::int32_t patch, int edge) const {
-    const Vec3 along = corner(patch, edge + 1) - corner(patch, edge);
-    return mesh_.normal[patch].cross(along).normalized();
-  }
-
-  /// Sine of the angle between planes that may be parallel.
-  [[nodiscard]] double parallel_sine(std::int32_t i, std::int32_t j) const {
-    return kParallel + reach_ / std::sqrt(std::min(mesh_.area[i], mesh_.area[j]));
-  }
-
-  /// Whether patches touch elsewhere than edge to edge.
-  [[nodiscard]] bool cross_or_cover(std::int32_t i, std::int32_t j) const {
-    const Vec3 along = mesh_.normal[i].cross(mesh_.normal[j]);
-    const double sine = along.norm();
-    if (sine <= parallel_sine(i, j)) return overlap(i, j);
-    const auto segment = meeting(i, j, along);
-    if (!segment) return false;
-    const double margin = reach_ * (1 + 1 / sine);
-    return !is_along_edge(i, *segment, margin) || !is_along_edge(j, *segment, margin);
-  }
-
-  /// Whether some of patch j lies on patch i, off its edges, given that they are parallel.
-  [[nodiscard]] bool overlap(std::int32_t i, std::int32_t j) const {
-    const Vec3& normal = mesh_.normal[i];
-    const auto flat = [&](const Vec3& x) {
-      return Vec3(x - normal.dot(x - mesh_.centroid[i]) * normal);
-    };
-    // Separated by an edge of one of them, or by distance.
-    double nearest = std::numeric_limits<double>::infinity();
-    for (int k = 0; k < mesh_.n_corners(j); ++k) {
-      nearest = std::min(nearest, std::abs(normal.dot(corner(j, k) - mesh_.centroid[i])));
-    }
-    if (nearest > reach_) return false;
-    for (const auto& [a, b] : {std::pair(i, j), std::pair(j, i)}) {
-      for (int k = 0; k < mesh_.n_corners(a); ++k) {
-        const Vec3 in = inwards(a, k);
-        double most = -std::numeric_limits<double>::infinity();
-        for (int m = 0; m < mesh_.n_corners(b); ++m) {
-          most = std::max(most, in.dot(flat(corner(b, m)) - corner(a, k)));
-        }
-        if (most <= reach_) return false;
-      }
-    }
-    return true;
-  }
-
-  /// The segment in which two patches meet whose planes do, if it is longer than `reach_`.
-  [[nodiscard]] std::optional<std::array<Vec3, 2>> meeting(std::int32_t i, std::int32_t j,
-                                                           const Vec3& along) const {
-    const Vec3 u = along.normalized();
-    std::optional<Interval> common;
-    for (const auto& [a, b] : {std::pair(i, j), std::pair(j, i)}) {
-      const Vec3& normal = mesh_.normal[a];
-      std::optional<Interval> here;
-      const auto add = [&](const Vec3& point) {
-        const double t = u.dot(point - mesh_.centroid[i]);
-        if (!here) here = {t, t};
-        here->low = std::min(here->low, t);
-        here->high = std::max(here->high, t);
-      };
-      for (int k = 0; k < mesh_.n_corners(b); ++k) {
-        const double first = normal.dot(corner(b, k) - mesh_.centroid[a]);
-        const double last = normal.dot(corner(b, k + 1) - mesh_.centroid[a]);
-        if (std::abs(first) <= reach_) {
-          add(corner(b, k));
-        } else if (std::abs(last) > reach_ && first * last < 0) {
-          add(corner(b, k) + first / (first - last) * (corner(b, k + 1) - corner(b, k)));
-        }
-      }
-      if (!here) return std::nullopt;
-      if (!common) {
-        common = here;
-      } else {
-        common->low = std::max(common->low, here->low);
-        common->high = std::min(common->high, here->high);
-      }
-    }
-    if (common->high - common->low <= reach_) return std::nullopt;
-    // A point of both planes.
-    const Vec3& n = mesh_.normal[i];
-    const Vec3& m = mesh_.normal[j];
-    const double c = n.dot(m);
-    const double height = m.dot(mesh_.centroid[i] - mesh_.centroid[j]);
-    const Vec3 foot = mesh_.centroid[i] - height / (1 - c * c) * (m - c * n);
-    return std::array<Vec3, 2>{foot + common->low * u, foot + common->high * u};
-  }
-
-  [[nodiscard]] bool is_along_edge(std::int32_t patch, const std::array<Vec3, 2>& segment,
-                                   double margin) const {
-    const auto corner_of = [&](int k) -> const Vec3& { return mesh_.corner(patch, k); };
-    return radiosity::is_along_edge(segment[0], segment[1], mesh_.n_corners(patch), corner_of,
-                                    margin);
   }
 
   /// Joins the sides about edge k of patch i with those next to them.
   void join_at_edge(std::int32_t i, int k, std::span<const std::int32_t> near,
                     Joints& joints) const {
-    const Vec3& a = corner(i, k);
-    const double length = (corner(i, k + 1) - a).norm();
+    const Vec3& a = contact_.corner(i, k);
+    const double length = (contact_.corner(i, k + 1) - a).norm();
     if (length <= 2 * reach_) {
       // Too short to tell what is beside it.
       Box3 box(a, a);
-      box.extend(corner(i, k + 1));
+      box.extend(contact_.corner(i, k + 1));
       for (const std::int32_t j : near) {
         if (boxes_[j].intersects(box)) join_all(i, j, joints);
       }
       return;
     }
-    const Vec3 u = (corner(i, k + 1) - a) / length;
-    std::vector<Spoke> spokes = {spoke(i, k, u, inwards(i, k), {0, length})};
+    const Vec3 u = (contact_.corner(i, k + 1) - a) / length;
+    std::vector<Spoke> spokes = {spoke(i, k, u, contact_.inwards(i, k), {0, length})};
     for (const std::int32_t j : near) {
       for (int m = 0; m < mesh_.n_corners(j); ++m) {
-        const Vec3 p = corner(j, m) - a;
-        const Vec3 q = corner(j, m + 1) - a;
+        const Vec3 p = contact_.corner(j, m) - a;
+        const Vec3 q = contact_.corner(j, m + 1) - a;
         const double t = u.dot(p);
         const double s = u.dot(q);
         if (std::max(t, s) <= 0 || std::min(t, s) >= length) continue;
@@ -257,7 +155,7 @@ class RegionFinder {
           continue;
         }
         const Interval along{std::max(0.0, std::min(t, s)), std::min(length, std::max(t, s))};
-        spokes.push_back(spoke(j, m, u, inwards(i, k), along));
+        spokes.push_back(spoke(j, m, u, contact_.inwards(i, k), along));
       }
     }
     std::vector<double> ends{0, length};
@@ -301,10 +199,10 @@ class RegionFinder {
 
   [[nodiscard]] Spoke spoke(std::int32_t patch, int edge, const Vec3& u, const Vec3& zero,
                             const Interval& along) const {
-    const Vec3 w = inwards(patch, edge);
-    const double length = (corner(patch, edge + 1) - corner(patch, edge)).norm();
+    const Vec3 w = contact_.inwards(patch, edge);
+    const double length = (contact_.corner(patch, edge + 1) - contact_.corner(patch, edge)).norm();
     return {patch, std::atan2(w.dot(u.cross(zero)), w.dot(zero)),
-            kParallel + reach_ * length / mesh_.area[patch],
+            PatchContact::kParallel + reach_ * length / mesh_.area[patch],
             mesh_.normal[patch].dot(u.cross(w)) > 0, along};
   }
 
@@ -391,6 +289,7 @@ class RegionFinder {
   const PatchMesh& mesh_;
   const Visibility& visibility_;
   double reach_;
+  PatchContact contact_;
   std::vector<Box3> boxes_;
   BoxTree tree_;
   DisjointSets sides_;

@@ -5,29 +5,17 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <vector>
 
 #include "radiosity/visibility/embree.h"
-#include "radiosity/visibility/shaft.h"
+#include "radiosity/visibility/scaled_patches.h"
 
 namespace radiosity {
 namespace {
 
-// Embree computes in float. The scene is moved into [-1, 1]³ beforehand, so that these lengths
-// are relative to half the scene's diagonal.
+// Embree computes in float, on patches that were scaled for it.
 
-/// How close to its ends a segment is not blocked, at least: a few roundings of a float coordinate
-/// near 1. More where the input is known to less: gaps below its precision are contact.
-constexpr double kEndGap = 2e-6;
-/// Patches whose corners are this close to the plane of a segment's end cannot block it; see above.
-constexpr double kCoplanar = 1e-6;
 /// Roundings of a segment's end and of a corner in its plane, added up.
 constexpr double kRounding = 5e-7;
-
-/// How many times longer than wide a triangle is at least for Embree to place hits of it too badly:
-/// in float its normal is off in proportion to that. Up to 100 none was placed wrongly, at 1000 one
-/// ray in forty was stopped by the triangle that it started from.
-constexpr double kNeedle = 64;
 
 /// Patches from which on packets of coherent rays gain, by 10 to 20 %; in tiny scenes they lose.
 constexpr Index kLarge = 512;
@@ -48,34 +36,15 @@ struct EmbreeScene {
   EmbreeScene& operator=(const EmbreeScene&) = delete;
 };
 
-/// Triangles for Embree, which has a filter function per geometry.
-struct Triangles {
-  std::vector<std::array<float, 3>> vertices;
-  std::vector<std::array<unsigned, 3>> corners;
-  std::vector<std::int32_t> patch;
-};
-
-bool is_needle(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const double length2 =
-      std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
-  return kNeedle * (b - a).cross(c - a).norm() < length2;
-}
-
 }  // namespace
 
 struct Visibility::Implementation {
   explicit Implementation(const PatchMesh& mesh);
 
-  [[nodiscard]] Vec3 scaled(const Vec3& point) const { return (point - center) * scale; }
-  void add_patch(const PatchMesh& mesh, std::int32_t i);
-  void build();
-  void attach(Triangles& some, RTCFilterFunctionN filter);
+  void attach(RayTriangles& some, RTCFilterFunctionN filter);
   [[nodiscard]] std::int32_t patch_of(unsigned geometry, unsigned triangle) const {
     return triangles[geometry].patch[triangle];
   }
-  [[nodiscard]] bool is_in_plane_of(std::int32_t patch, std::int32_t of) const;
-  [[nodiscard]] bool ignores(std::int32_t patch, std::int32_t source, std::int32_t target) const;
-  [[nodiscard]] bool is_back(std::int32_t patch, const Vec3& direction) const;
   /// The first hit between two distances in scaled coordinates.
   [[nodiscard]] std::optional<Hit> first_hit(const Vec3& origin, const Vec3& direction,
                                              std::int32_t source, RTCFilterFunctionN filter,
@@ -83,15 +52,10 @@ struct Visibility::Implementation {
 
   Device device;
   EmbreeScene scene{device.handle};
-  Vec3 center = Vec3::Zero();
-  double scale = 1;
-  std::array<Triangles, 2> triangles;  // by Embree's number of their geometry; the second: needles
-  std::vector<std::int32_t> twin;
-  std::vector<HalfSpace> planes;  // per patch, scaled coordinates
-  double end_gap = kEndGap;
-  double coplanar = kCoplanar;
+  ScaledPatches patches;
+  /// By Embree's number of their geometry; the second: needles.
+  std::array<RayTriangles, 2> triangles;
   bool is_large = false;  // so that packets are traced faster than their rays one by one
-  std::vector<std::array<Vec3, 4>> patch_corners;  // per patch, scaled; a triangle's last is twice
 };
 
 namespace {
@@ -107,47 +71,7 @@ struct FilterContext {
 
 }  // namespace
 
-Visibility::Implementation::Implementation(const PatchMesh& mesh) : twin(mesh.twin) {
-  const Box3 box = bounds(mesh);
-  if (!box.isEmpty()) {
-    center = box.center();
-    const double radius = 0.5 * box.diagonal().norm();
-    if (radius > 0) scale = 1 / radius;
-  }
-  planes.reserve(mesh.size());
-  patch_corners.reserve(mesh.size());
-  for (std::int32_t i = 0; i < mesh.size(); ++i) add_patch(mesh, i);
-  const double thickness = plane_thickness(mesh) * scale;
-  end_gap = std::max(kEndGap, thickness);
-  coplanar = std::max(kCoplanar, thickness);
-  is_large = mesh.size() > kLarge;
-  build();
-}
-
-void Visibility::Implementation::add_patch(const PatchMesh& mesh, std::int32_t i) {
-  std::array<Vec3, 4> corners;
-  for (int k = 0; k < 4; ++k) {
-    corners[k] = scaled(mesh.corner(i, std::min(k, mesh.n_corners(i) - 1)));
-  }
-  patch_corners.push_back(corners);
-  planes.push_back({mesh.normal[i], mesh.normal[i].dot(scaled(mesh.centroid[i]))});
-  const bool is_back_of_earlier = twin[i] >= 0 && twin[i] < i;
-  if (is_back_of_earlier) return;
-
-  for (int k = 2; k < mesh.n_corners(i); ++k) {
-    const std::array triangle{corners[0], corners[k - 1], corners[k]};
-    Triangles& some = triangles[is_needle(triangle[0], triangle[1], triangle[2]) ? 1 : 0];
-    const auto first = static_cast<unsigned>(some.vertices.size());
-    for (const Vec3& corner : triangle) {
-      const Eigen::Vector3f p = corner.cast<float>();
-      some.vertices.push_back({p.x(), p.y(), p.z()});
-    }
-    some.corners.push_back({first, first + 1, first + 2});
-    some.patch.push_back(i);
-  }
-}
-
-void Visibility::Implementation::attach(Triangles& some, RTCFilterFunctionN filter) {
+void Visibility::Implementation::attach(RayTriangles& some, RTCFilterFunctionN filter) {
   RTCGeometry geometry = rtcNewGeometry(device.handle, RTC_GEOMETRY_TYPE_TRIANGLE);
   const auto fill = [&](RTCBufferType type, RTCFormat format, auto& items) {
     void* buffer =
@@ -161,26 +85,6 @@ void Visibility::Implementation::attach(Triangles& some, RTCFilterFunctionN filt
   rtcCommitGeometry(geometry);
   rtcAttachGeometryByID(scene.handle, geometry, static_cast<unsigned>(&some - triangles.data()));
   rtcReleaseGeometry(geometry);
-}
-
-bool Visibility::Implementation::is_in_plane_of(std::int32_t patch, std::int32_t of) const {
-  const HalfSpace& plane = planes[of];
-  return std::all_of(patch_corners[patch].begin(), patch_corners[patch].end(),
-                     [&](const Vec3& corner) {
-                       return std::abs(plane.normal.dot(corner) - plane.offset) < coplanar;
-                     });
-}
-
-bool Visibility::Implementation::ignores(std::int32_t patch, std::int32_t source,
-                                         std::int32_t target) const {
-  for (const std::int32_t end : {source, target}) {
-    if (end >= 0 && (patch == end || patch == twin[end] || is_in_plane_of(patch, end))) return true;
-  }
-  return false;
-}
-
-bool Visibility::Implementation::is_back(std::int32_t patch, const Vec3& direction) const {
-  return twin[patch] < 0 && direction.dot(planes[patch].normal) >= 0;
 }
 
 namespace {
@@ -198,7 +102,8 @@ void reject_own_ends(const RTCFilterFunctionNArguments* arguments) {
   for (unsigned k = 0; k < arguments->N; ++k) {
     if (arguments->valid[k] == 0) continue;
     const std::int32_t patch = hit_patch(arguments, k);
-    if (implementation->ignores(patch, context->source, context->target)) arguments->valid[k] = 0;
+    if (implementation->patches.ignores(patch, context->source, context->target))
+      arguments->valid[k] = 0;
   }
 }
 
@@ -211,14 +116,14 @@ void reject_misplaced(const RTCFilterFunctionNArguments* arguments) {
   for (unsigned k = 0; k < n; ++k) {
     if (arguments->valid[k] == 0) continue;
     const std::int32_t patch = hit_patch(arguments, k);
-    const HalfSpace& plane = implementation->planes[patch];
+    const HalfSpace& plane = implementation->patches.plane(patch);
     RTCRayN* ray = arguments->ray;
     const Vec3 start(RTCRayN_org_x(ray, n, k), RTCRayN_org_y(ray, n, k), RTCRayN_org_z(ray, n, k));
     const Vec3 along(RTCRayN_dir_x(ray, n, k), RTCRayN_dir_y(ray, n, k), RTCRayN_dir_z(ray, n, k));
     const double distance = (plane.offset - plane.normal.dot(start)) / plane.normal.dot(along);
     const bool is_between = distance > static_cast<double>(RTCRayN_tnear(ray, n, k)) &&
                             distance < static_cast<double>(context->end[RTCRayN_id(ray, n, k)]);
-    if (!is_between || implementation->ignores(patch, context->source, context->target)) {
+    if (!is_between || implementation->patches.ignores(patch, context->source, context->target)) {
       arguments->valid[k] = 0;
     }
   }
@@ -230,7 +135,8 @@ void reject_backs(const RTCFilterFunctionNArguments* arguments) {
   const Vec3 direction(RTCRayN_dir_x(arguments->ray, arguments->N, 0),
                        RTCRayN_dir_y(arguments->ray, arguments->N, 0),
                        RTCRayN_dir_z(arguments->ray, arguments->N, 0));
-  if (context->visibility->is_back(hit_patch(arguments, 0), direction)) arguments->valid[0] = 0;
+  if (context->visibility->patches.is_back(hit_patch(arguments, 0), direction))
+    arguments->valid[0] = 0;
 }
 
 void reject_own_ends_and_backs(const RTCFilterFunctionNArguments* arguments) {
@@ -295,7 +201,8 @@ __attribute__((target_clones("arch=x86-64-v3", "default"))) void make_rays(
 
 }  // namespace
 
-void Visibility::Implementation::build() {
+Visibility::Implementation::Implementation(const PatchMesh& mesh)
+    : patches(mesh), triangles(patches.triangles(mesh)), is_large(mesh.size() > kLarge) {
   rtcSetSceneFlags(scene.handle, RTC_SCENE_FLAG_ROBUST | kQueryFilter);
   rtcSetSceneBuildQuality(scene.handle, RTC_BUILD_QUALITY_HIGH);
   if (!triangles[0].patch.empty()) attach(triangles[0], nullptr);
@@ -309,17 +216,17 @@ Visibility::~Visibility() = default;
 Visibility::Visibility(Visibility&&) noexcept = default;
 Visibility& Visibility::operator=(Visibility&&) noexcept = default;
 
-const Vec3& Visibility::center() const { return implementation_->center; }
+const Vec3& Visibility::center() const { return implementation_->patches.center(); }
 
 std::uint32_t Visibility::blocked(const SegmentPacket& segments, std::int32_t source,
                                   std::int32_t target) const {
   const auto normal_of = [this](std::int32_t patch) {
-    return Eigen::Vector3f(implementation_->planes[patch].normal.cast<float>());
+    return Eigen::Vector3f(implementation_->patches.plane(patch).normal.cast<float>());
   };
-  const Trim trim{static_cast<float>(implementation_->scale),
-                  static_cast<float>(implementation_->end_gap),
-                  static_cast<float>(implementation_->coplanar + kRounding), normal_of(source),
-                  normal_of(target)};
+  const Trim trim{static_cast<float>(implementation_->patches.scale()),
+                  static_cast<float>(implementation_->patches.end_gap()),
+                  static_cast<float>(implementation_->patches.coplanar() + kRounding),
+                  normal_of(source), normal_of(target)};
   alignas(64) std::array<int, kPacket> valid;
   RTCRay16 rays;
   make_rays(segments, trim, rays, valid);
@@ -346,8 +253,8 @@ std::uint32_t Visibility::blocked(std::span<const Vec3> from, std::span<const Ve
   SegmentPacket segments;
   for (std::size_t k = 0; k < kPacket; ++k) {
     const std::size_t given = std::min(k, from.size() - 1);
-    const Vec3 start = from[given] - implementation_->center;
-    const Vec3 end = to[given] - implementation_->center;
+    const Vec3 start = from[given] - implementation_->patches.center();
+    const Vec3 end = to[given] - implementation_->patches.center();
     for (int axis = 0; axis < 3; ++axis) {
       segments.from[axis][k] = static_cast<float>(start[axis]);
       segments.to[axis][k] = static_cast<float>(end[axis]);
@@ -360,7 +267,7 @@ std::optional<Hit> Visibility::Implementation::first_hit(const Vec3& origin, con
                                                          std::int32_t source,
                                                          RTCFilterFunctionN filter, double from,
                                                          double to) const {
-  const Vec3 start = scaled(origin);
+  const Vec3 start = patches.scaled(origin);
   const Vec3 unit = direction.normalized();
   RTCRayHit ray{};
   ray.ray.org_x = static_cast<float>(start.x());
@@ -379,31 +286,34 @@ std::optional<Hit> Visibility::Implementation::first_hit(const Vec3& origin, con
 
   Hit hit;
   hit.patch = patch_of(ray.hit.geomID, ray.hit.primID);
-  hit.distance = static_cast<double>(ray.ray.tfar) / scale;
-  hit.front = unit.dot(planes[hit.patch].normal) < 0;
-  if (const std::int32_t back = twin[hit.patch]; !hit.front && back >= 0) {
+  hit.distance = static_cast<double>(ray.ray.tfar) / patches.scale();
+  hit.front = unit.dot(patches.plane(hit.patch).normal) < 0;
+  if (const std::int32_t back = patches.twin(hit.patch); !hit.front && back >= 0) {
     hit.patch = back;
     hit.front = true;
   }
   return hit;
 }
 
-double Visibility::end_gap() const { return implementation_->end_gap / implementation_->scale; }
+double Visibility::end_gap() const {
+  return implementation_->patches.end_gap() / implementation_->patches.scale();
+}
 
 std::optional<Hit> Visibility::first_hit(const Vec3& origin, const Vec3& direction,
                                          std::int32_t source) const {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   const Implementation& all = *implementation_;
-  const double start = source >= 0 ? all.end_gap : 0;
+  const double start = source >= 0 ? all.patches.end_gap() : 0;
   const auto hit = all.first_hit(origin, direction, source, reject_own_ends, start, kFar);
   if (!hit || hit->front) return hit;
   // Of walls back to back, which are one to the digits, the ray meets the one that faces it.
-  const double cosine = direction.normalized().dot(all.planes[hit->patch].normal);
-  const double gap = 2 * (all.coplanar + kRounding) / std::max(cosine, all.end_gap);
-  const double distance = hit->distance * all.scale;
+  const double cosine = direction.normalized().dot(all.patches.plane(hit->patch).normal);
+  const double gap =
+      2 * (all.patches.coplanar() + kRounding) / std::max(cosine, all.patches.end_gap());
+  const double distance = hit->distance * all.patches.scale();
   const auto facing = all.first_hit(origin, direction, source, reject_own_ends_and_backs,
                                     std::max(start, distance - gap), distance + gap);
-  return facing && all.is_in_plane_of(facing->patch, hit->patch) ? facing : hit;
+  return facing && all.patches.is_in_plane_of(facing->patch, hit->patch) ? facing : hit;
 }
 
 std::optional<Hit> Visibility::first_front_hit(const Vec3& origin, const Vec3& direction) const {

@@ -95,37 +95,12 @@ void Oracle::add_face(const Scene& scene, Index polygon, Piece piece) {
 }
 
 void Oracle::add_shapes(std::int32_t index) {
-  const Face& face = faces_[index];
-  const auto& c = face.corners;
-  const auto add = [&](const Vec3& a, const Vec3& b, const Vec3& d, double most) {
-    const Vec3 u = b - a;
-    const Vec3 v = d - a;
-    const Vec3 cross = u.cross(v);
-    if (cross.isZero(0)) return;
-    const double square = cross.squaredNorm();
-    const Vec3 along_u = v.cross(cross) / square;
-    const Vec3 along_v = cross.cross(u) / square;
-    const Vec3 normal = cross / std::sqrt(square);
-    shapes_.nx.push_back(normal.x());
-    shapes_.ny.push_back(normal.y());
-    shapes_.nz.push_back(normal.z());
-    shapes_.offset.push_back(normal.dot(a));
-    shapes_.ux.push_back(along_u.x());
-    shapes_.uy.push_back(along_u.y());
-    shapes_.uz.push_back(along_u.z());
-    shapes_.u0.push_back(along_u.dot(a));
-    shapes_.vx.push_back(along_v.x());
-    shapes_.vy.push_back(along_v.y());
-    shapes_.vz.push_back(along_v.z());
-    shapes_.v0.push_back(along_v.dot(a));
-    shapes_.most.push_back(most);
-    shapes_.face.push_back(index);
-  };
+  const auto& c = faces_[index].corners;
   if (c.size() == 4 && (c[0] + c[2] - c[1] - c[3]).norm() <= thickness_) {
-    add(c[0], c[1], c[3], 2);
+    shapes_.add(index, c[0], c[1], c[3], 2);
     return;
   }
-  for (std::size_t k = 2; k < c.size(); ++k) add(c[0], c[k - 1], c[k], 1);
+  for (std::size_t k = 2; k < c.size(); ++k) shapes_.add(index, c[0], c[k - 1], c[k], 1);
 }
 
 void Oracle::find_coplanar() {
@@ -268,57 +243,13 @@ double Oracle::contact_share(Index patch) const {
   });
 }
 
-void Oracle::Shapes::append(const Shapes& other, std::size_t k) {
-  nx.push_back(other.nx[k]);
-  ny.push_back(other.ny[k]);
-  nz.push_back(other.nz[k]);
-  offset.push_back(other.offset[k]);
-  ux.push_back(other.ux[k]);
-  uy.push_back(other.uy[k]);
-  uz.push_back(other.uz[k]);
-  u0.push_back(other.u0[k]);
-  vx.push_back(other.vx[k]);
-  vy.push_back(other.vy[k]);
-  vz.push_back(other.vz[k]);
-  v0.push_back(other.v0[k]);
-  most.push_back(other.most[k]);
-  face.push_back(other.face[k]);
-}
-
-void Oracle::Shapes::clear() {
-  for (auto* column : {&nx, &ny, &nz, &offset, &ux, &uy, &uz, &u0, &vx, &vy, &vz, &v0, &most}) {
-    column->clear();
-  }
-  face.clear();
-}
-
-void Oracle::find_hits(const Shapes& s, const Vec3& origin, const Vec3& direction,
-                       std::vector<double>& distances) {
-  const std::size_t n = s.size();
-  distances.resize(n);
-  const double ox = origin.x(), oy = origin.y(), oz = origin.z();
-  const double dx = direction.x(), dy = direction.y(), dz = direction.z();
-  for (std::size_t k = 0; k < n; ++k) {
-    const double height = s.offset[k] - (s.nx[k] * ox + s.ny[k] * oy + s.nz[k] * oz);
-    const double t = height / (s.nx[k] * dx + s.ny[k] * dy + s.nz[k] * dz);
-    const double x = ox + t * dx;
-    const double y = oy + t * dy;
-    const double z = oz + t * dz;
-    const double u = s.ux[k] * x + s.uy[k] * y + s.uz[k] * z - s.u0[k];
-    const double v = s.vx[k] * x + s.vy[k] * y + s.vz[k] * z - s.v0[k];
-    const bool is_hit =
-        (t > 0) & (u >= 0) & (v >= 0) & (u + v <= s.most[k]) & (std::max(u, v) <= 1);
-    distances[k] = is_hit ? t : kInfinity;
-  }
-}
-
 void Oracle::shoot_from(std::int32_t start, bool is_back, std::int64_t n_rays,
                         std::mt19937_64& random, RayCounts& counts) const {
   const Face& face = faces_[start];
   const Vec3 normal = is_back ? Vec3(-face.normal) : face.normal;
-  Shapes shapes;
+  RayShapes shapes;
   for (std::size_t k = 0; k < shapes_.size(); ++k) {
-    const std::int32_t other = shapes_.face[k];
+    const std::int32_t other = shapes_.face(k);
     if (other == start || std::binary_search(face.coplanar.begin(), face.coplanar.end(), other)) {
       continue;
     }
@@ -353,7 +284,7 @@ void Oracle::shoot_from(std::int32_t start, bool is_back, std::int64_t n_rays,
       ++counts.covered;
       continue;
     }
-    find_hits(shapes, origin, direction, distances);
+    shapes.find_hits(origin, direction, distances);
     const auto first = std::min_element(distances.begin(), distances.end());
     if (first == distances.end() || *first == kInfinity) {
       ++counts.escaped;
@@ -361,13 +292,13 @@ void Oracle::shoot_from(std::int32_t start, bool is_back, std::int64_t n_rays,
     }
     // Of the polygons in the plane that is met: a front counts, unless a solid's face covers it.
     const auto nearest = static_cast<std::size_t>(first - distances.begin());
-    const std::int32_t met = shapes.face[nearest];
+    const std::int32_t met = shapes.face(nearest);
     const auto& coplanar = faces_[met].coplanar;
     std::int32_t front = -1;
     bool is_end_covered = false;
     for (std::size_t k = 0; k < shapes.size(); ++k) {
       if (distances[k] == kInfinity) continue;
-      const std::int32_t other = shapes.face[k];
+      const std::int32_t other = shapes.face(k);
       if (other != met && !std::binary_search(coplanar.begin(), coplanar.end(), other)) continue;
       const Face& f = faces_[other];
       const bool is_front = direction.dot(f.normal) < 0;

@@ -9,6 +9,7 @@
 #include "radiosity/base/geometry.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/scene.h"
+#include "tests/support/ray_shapes.h"
 #include "tests/support/scene_families.h"
 
 namespace radiosity::test {
@@ -84,18 +85,6 @@ class Oracle {
     std::vector<double> edge_length;     // m
     std::vector<std::int32_t> coplanar;  // other faces in its plane
   };
-  /// Triangles and parallelograms as arrays: plane, and two affine coordinates that are at least 0
-  /// inside, with a sum of at most `most`.
-  struct Shapes {
-    std::vector<double> nx, ny, nz, offset, ux, uy, uz, u0, vx, vy, vz, v0, most;
-    std::vector<std::int32_t> face;
-    void append(const Shapes& other, std::size_t k);
-    void clear();
-    [[nodiscard]] std::size_t size() const { return face.size(); }
-  };
-  /// Distances of what a ray meets; infinite for what it misses.
-  static void find_hits(const Shapes& shapes, const Vec3& origin, const Vec3& direction,
-                        std::vector<double>& distances);
   void add_face(const Scene& scene, Index polygon, Piece piece);
   void add_shapes(std::int32_t face);
   void find_coplanar();
@@ -114,7 +103,7 @@ class Oracle {
   double thickness_ = 0;
   double margin_ = 0;
   std::vector<Face> faces_;  // per polygon
-  Shapes shapes_;
+  RayShapes shapes_;
 };
 
 }  // namespace radiosity::test

@@ -100,4 +100,22 @@ std::vector<Points> prism_faces(const Points& bottom, const Vec3& up) {
   return faces;
 }
 
+void add_plate(Builder& builder, Random& random, int kind, double x0, double x1, double y0,
+               double y1, double z) {
+  const Points points = rectangle(x0, x1, y0, y1, z);
+  switch (kind) {
+    case 0:
+    case 1:
+      builder.add_polygon(builder.add_surface("plate"), kind == 0 ? points : reversed(points));
+      builder.result.is_closed = false;
+      break;
+    case 2:
+      builder.add_polygon(builder.add_surface("sheet", true), points);
+      break;
+    default:
+      builder.add_box("slab", {x0, y0, z}, {x1, y1, z + random.log_uniform(1e-3, 2e-2)},
+                      any_division(random));
+  }
+}
+
 }  // namespace radiosity::test

@@ -37,6 +37,18 @@ Points reversed(Points points);
 /// A room of about 2 m around the origin. Half of all are of one surface per wall.
 void add_room(Builder& builder, Random& random, Vec3& low, Vec3& high);
 
+/// A plate at a height: one-sided, facing up (0) or down (1), two-sided (2), or a thin solid (3).
+void add_plate(Builder& builder, Random& random, int kind, double x0, double x1, double y0,
+               double y1, double z);
+
+/// The families of closed solids, in solid_families.cpp.
+void make_grid_boxes(Builder& builder, Random& random);
+void make_turned_boxes(Builder& builder, Random& random);
+void make_prisms(Builder& builder, Random& random);
+void make_recessed(Builder& builder, Random& random);
+void make_curved(Builder& builder, Random& random);
+void make_furniture(Builder& builder, Random& random);
+
 /// The families of buildings and their parts, in building_families.cpp.
 void make_louvres(Builder& builder, Random& random);
 void make_stairs(Builder& builder, Random& random);

@@ -2,12 +2,12 @@
 
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "viewer/desk/desk.h"
+#include "viewer/script/script_host.h"
 
 namespace viewer {
 
@@ -16,20 +16,6 @@ namespace viewer {
 struct ScriptError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
-
-/// What only the window can do for a script.
-class ScriptHost {
- public:
-  virtual ~ScriptHost() = default;
-  virtual void open(const std::string& path) = 0;
-  virtual void resize(int width, int height) = 0;
-  /// Milliseconds that the latest frames took, oldest first.
-  [[nodiscard]] virtual std::vector<double> frame_times() const = 0;
-  virtual void forget_frame_times() = 0;
-};
-
-/// Whether what is open is all that it can become: solved, if it is a scene.
-bool is_solved(const Session& session);
 
 /// A list of actions, docs/viewer.md, done one after the other as a person would do them.
 class Script {

@@ -324,4 +324,10 @@ void Session::add_message(bool is_error, const std::string& text) {
   ++versions_.messages;
 }
 
+bool is_solved(const Session& session) {
+  if (!session.is_open()) return false;
+  if (!session.model().scene) return true;  // nothing to solve
+  return session.light() != nullptr && session.light()->has_errors();
+}
+
 }  // namespace viewer

@@ -148,4 +148,7 @@ class Session {
   Worker recording_;
 };
 
+/// Whether what is open is all that it can become: solved, if it is a scene.
+bool is_solved(const Session& session);
+
 }  // namespace viewer

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "radiosity/base/geometry.h"
+#include "radiosity/scene/patch_mesh.h"
+
+namespace meshing {
+
+using Loop = std::vector<std::int32_t>;  ///< vertices around something, counter-clockwise
+
+/// A convex part of a patch: the vertices around it, those on its straight edges included.
+struct Cell {
+  Loop loop;
+  std::int32_t patch;
+};
+
+/// The patches of a mesh, which it refers to, on their way to being cut: each starts as one cell.
+/// What is done to an edge is done to all cells that have it, so that no T-vertices come up. Of two
+/// patches back to back the front has the cells.
+class PatchCells {
+ public:
+  /// The first `n_fixed` vertices are locked.
+  PatchCells(const radiosity::PatchMesh& mesh, radiosity::Index n_fixed);
+
+  [[nodiscard]] std::size_t size() const { return cells_.size(); }
+  [[nodiscard]] const Cell& operator[](std::int32_t cell) const { return cells_[cell]; }
+  /// The cells of a patch, in the order that they were made in.
+  [[nodiscard]] const std::vector<std::int32_t>& of_patch(std::int32_t patch) const {
+    return cells_of_[patch];
+  }
+  [[nodiscard]] const std::vector<radiosity::Vec3>& vertices() const { return vertices_; }
+  [[nodiscard]] const radiosity::Vec3& at(std::int32_t vertex) const { return vertices_[vertex]; }
+  /// The shortest edge that meets a vertex, m.
+  [[nodiscard]] double shortest_edge(std::int32_t vertex) const;
+  /// Sines of the corners of a loop about a normal, negative where they are concave.
+  [[nodiscard]] std::vector<double> sines_in(const Loop& loop, const radiosity::Vec3& normal) const;
+
+  /// Keeps a vertex where it is.
+  void lock(std::int32_t vertex) { is_locked_[vertex] = true; }
+  /// Moves a vertex within its polygon, or along its outline, and locks it; does nothing and
+  /// returns false where that spoils a patch.
+  bool move(std::int32_t vertex, const radiosity::Vec3& to);
+  /// Puts a locked vertex on an edge of all cells that have it.
+  void split_edge(std::int32_t a, std::int32_t b, const radiosity::Vec3& point);
+  /// Cuts a cell between two of its vertices, given by their places in the loop, from < to.
+  void split_cell(std::int32_t cell, std::size_t from, std::size_t to);
+
+ private:
+  using Edge = std::pair<std::int32_t, std::int32_t>;  // vertices, the lower one first
+  struct EdgeHash {
+    std::size_t operator()(const Edge& edge) const {
+      return std::hash<std::int64_t>{}(static_cast<std::int64_t>(edge.first) << 32 | edge.second);
+    }
+  };
+
+  [[nodiscard]] bool is_inside_polygon(const Edge& edge) const;
+  [[nodiscard]] bool may_move(std::int32_t vertex, const radiosity::Vec3& direction) const;
+  [[nodiscard]] double area_in(const Loop& loop, const radiosity::Vec3& normal) const;
+  void enter(std::int32_t cell);
+  void take_out(std::int32_t cell);
+
+  const radiosity::PatchMesh& mesh_;
+  std::vector<radiosity::Vec3> vertices_;
+  std::vector<bool> is_locked_;  // corners of the input, and what lies on a contact line
+  std::vector<Cell> cells_;
+  std::vector<std::vector<std::int32_t>> cells_at_;  // per vertex
+  std::vector<std::vector<std::int32_t>> cells_of_;  // per patch
+  std::unordered_map<Edge, std::vector<std::int32_t>, EdgeHash> cells_on_;
+};
+
+}  // namespace meshing

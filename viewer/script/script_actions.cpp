@@ -1,0 +1,299 @@
+#include "viewer/script/script_actions.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include "io/base/atomic_file.h"
+#include "viewer/script/state_report.h"
+
+namespace viewer {
+namespace {
+
+using nlohmann::json;
+
+constexpr double kPatience = 600;  // s, that a script waits unless it says otherwise
+
+/// An action that is done at once.
+Perform at_once(std::function<void(Stage&, ScriptArguments&)> work) {
+  return [work = std::move(work)](Stage& stage, ScriptArguments& arguments) {
+    work(stage, arguments);
+    return true;
+  };
+}
+
+std::string last_error(const Session& session) {
+  const auto& messages = session.messages();
+  const auto found = std::find_if(messages.rbegin(), messages.rend(),
+                                  [](const Message& message) { return message.is_error; });
+  return found == messages.rend() ? "no light was found" : found->text;
+}
+
+void check_patience(const Stage& stage, ScriptArguments& arguments) {
+  const double patience = arguments.number_or("timeout", kPatience);
+  if (stage.seconds > patience) {
+    throw std::runtime_error(fmt::format("was not done within {} s", patience));
+  }
+}
+
+bool wait_solved(Stage& stage, ScriptArguments& arguments) {
+  check_patience(stage, arguments);
+  const Session& session = stage.desk.session;
+  if (stage.is_first || !session.is_settled() || session.is_paused()) return false;
+  if (!is_solved(session)) throw std::runtime_error(last_error(session));
+  return true;
+}
+
+bool wait_idle(Stage& stage, ScriptArguments& arguments) {
+  check_patience(stage, arguments);
+  return !stage.is_first && stage.desk.session.is_idle();
+}
+
+void load(Stage& stage, ScriptArguments& arguments) { stage.host.open(arguments.text("scene")); }
+
+void select_patch(Stage& stage, ScriptArguments& arguments) {
+  if (arguments.value("patch").is_null()) {
+    stage.desk.session.select(std::nullopt);
+  } else {
+    stage.desk.session.select(arguments.integer("patch"));
+  }
+}
+
+void select_at(Stage& stage, ScriptArguments& arguments) {
+  stage.desk.session.select(patch_at(stage.desk, arguments.number("x"), arguments.number("y")));
+}
+
+void set_quantity(Stage& stage, ScriptArguments& arguments) {
+  Look& look = stage.desk.look;
+  show(stage.desk, arguments.text("quantity"));
+  look.logarithmic = arguments.flag_or("log", false);
+  look.band.reset();
+  if (arguments.has("band")) {
+    const long band = arguments.integer("band");
+    if (band < 0 || band >= stage.desk.session.model().bands.count()) {
+      throw std::invalid_argument(fmt::format("there is no band {}", band));
+    }
+    look.band = band;
+  }
+  if (!arguments.has("range")) return;
+  const Eigen::VectorXd range = arguments.numbers("range");
+  if (range.size() != 2 || !(range[0] < range[1])) {
+    throw std::invalid_argument("'range' needs two numbers, the first one smaller");
+  }
+  look.range = io::ColorScale{.low = range[0], .high = range[1]};
+}
+
+void set_exposure(Stage& stage, ScriptArguments& arguments) {
+  if (arguments.value("stops") == "auto") {
+    stage.desk.look.stops = 0;
+    stage.desk.is_exposure_due = true;
+  } else {
+    stage.desk.look.stops = arguments.number("stops");
+  }
+}
+
+void set_look(Stage& stage, ScriptArguments& arguments) {
+  Desk& desk = stage.desk;
+  desk.look.smooth = arguments.flag_or("smooth", desk.look.smooth);
+  desk.look.edges = arguments.flag_or("edges", desk.look.edges);
+  desk.look.hide_backs = arguments.flag_or("hide_backs", desk.look.hide_backs);
+  desk.shows_panels = arguments.flag_or("panels", desk.shows_panels);
+  desk.shows_help = arguments.flag_or("help", desk.shows_help);
+}
+
+std::size_t emitter_of(const Stage& stage, ScriptArguments& arguments) {
+  const std::string name = arguments.name("emitter");
+  const auto emitter = emitter_named(stage.desk.session.mix(), name);
+  if (emitter) return *emitter;
+  std::string known;
+  for (const Emitter& other : stage.desk.session.mix().emitters) known += " '" + other.name + "'";
+  throw std::invalid_argument(fmt::format("no emitter is called '{}'; there are{}", name, known));
+}
+
+void set_emitter(Stage& stage, ScriptArguments& arguments) {
+  Session& session = stage.desk.session;
+  const std::size_t e = emitter_of(stage, arguments);
+  const Emitter& emitter = session.mix().emitters[e];
+  session.set_emitter(e, arguments.number_or("scale", emitter.scale),
+                      arguments.flag_or("on", emitter.is_on));
+}
+
+void toggle_emitter(Stage& stage, ScriptArguments& arguments) {
+  Session& session = stage.desk.session;
+  const std::size_t e = emitter_of(stage, arguments);
+  const Emitter& emitter = session.mix().emitters[e];
+  session.set_emitter(e, emitter.scale, !emitter.is_on);
+}
+
+void set_reflectance(Stage& stage, ScriptArguments& arguments) {
+  Session& session = stage.desk.session;
+  const std::string name = arguments.name("material");
+  const std::size_t n_materials = session.mix().reflectance.size();
+  std::size_t m = 0;
+  while (m < n_materials && session.model().scene->materials[m].name != name) ++m;
+  if (m == n_materials) throw std::invalid_argument("no material is called '" + name + "'");
+  if (arguments.value("value").is_array()) {
+    session.set_reflectance(m, arguments.numbers("value"));
+    return;
+  }
+  const double mean = arguments.number("value");
+  if (!(mean >= 0 && mean <= 1)) throw std::invalid_argument("'value' must be in [0, 1]");
+  session.set_reflectance(m, with_mean_reflectance(session.original_mix().reflectance[m], mean));
+}
+
+void restart(Stage& stage, ScriptArguments& arguments) {
+  study::StudyOptions options = stage.desk.session.options();
+  meshing::PatchChoice& patches = options.patches;
+  patches.as_is = false;
+  patches.adaptive = arguments.flag_or("adaptive", patches.adaptive);
+  if (arguments.has("patches")) {
+    patches.n_patches = arguments.integer("patches");
+    patches.max_edge.reset();
+  }
+  if (arguments.has("max_edge")) {
+    patches.max_edge = arguments.number("max_edge");
+    patches.n_patches.reset();
+  }
+  if (patches.n_patches && *patches.n_patches < 1) {
+    throw std::invalid_argument("'patches' must be at least 1");
+  }
+  if (patches.max_edge && !(*patches.max_edge > 0)) {
+    throw std::invalid_argument("'max_edge' must be above 0");
+  }
+  stage.desk.session.restart(options);
+}
+
+void set_camera(Stage& stage, ScriptArguments& arguments) {
+  if (!stage.desk.session.is_open()) throw std::runtime_error("there is no scene");
+  radiosity::Camera camera = stage.desk.camera.camera();
+  if (arguments.has("position")) camera.position = arguments.vector("position");
+  if (arguments.has("direction")) camera.direction = arguments.vector("direction");
+  if (arguments.has("look_at")) camera.direction = arguments.vector("look_at") - camera.position;
+  if (arguments.has("up")) camera.up = arguments.vector("up");
+  const double degree = radiosity::kPi / 180;
+  camera.vertical_fov = degree * arguments.number_or("fov", camera.vertical_fov / degree);
+  const bool is_possible = camera.direction.norm() > 0 && camera.up.norm() > 0 &&
+                           camera.direction.cross(camera.up).norm() >
+                               1e-6 * camera.direction.norm() * camera.up.norm() &&
+                           camera.vertical_fov > 0 && camera.vertical_fov < radiosity::kPi;
+  if (!is_possible) throw std::invalid_argument("nothing can be seen in that direction");
+  stage.desk.camera = CameraControl(camera, radiosity::bounds(*stage.desk.session.model().mesh));
+}
+
+void record_iteration(Stage& stage, ScriptArguments& arguments) {
+  const std::string name = arguments.text("method");
+  const auto method = radiosity::method_named(name);
+  if (!method) {
+    throw std::invalid_argument("no method is called '" + name +
+                                "'; there are cg, jacobi, gauss-seidel, southwell, chebyshev");
+  }
+  stage.desk.session.record_iteration(*method);
+  show(stage.desk, "watched");
+  stage.desk.look.step = 0;
+}
+
+void set_step(Stage& stage, ScriptArguments& arguments) {
+  const IterationRecord* record = stage.desk.session.iteration();
+  if (record == nullptr) throw std::runtime_error("no iteration is recorded");
+  const std::size_t last = record->frames.size() - 1;
+  const json& step = arguments.value("step");
+  if (step == "last") {
+    stage.desk.look.step = last;
+    return;
+  }
+  const long wanted = arguments.integer("step");
+  if (wanted < 0) throw std::invalid_argument("'step' must be at least 0");
+  stage.desk.look.step = std::min(static_cast<std::size_t>(wanted), last);
+}
+
+void write_report(Stage& stage, ScriptArguments& arguments) {
+  const std::string file = arguments.text("file");
+  json report = state_report(stage.desk);
+  report["frame_times"] = stage.host.frame_times();
+  check_output(stage.desk, file);
+  io::write_stream_atomically(file,
+                              [&](std::ofstream& stream) { stream << report.dump(1) << '\n'; });
+}
+
+/// Waits until the picture has been drawn and written.
+bool screenshot(Stage& stage, ScriptArguments& arguments) {
+  const std::string file = arguments.text("file");
+  if (stage.is_first) stage.desk.screenshot = file;
+  return !stage.desk.screenshot;
+}
+
+}  // namespace
+
+const std::map<std::string, ActionKind>& action_kinds() {
+  static const std::map<std::string, ActionKind> kinds = {
+      {"load", {"scene", at_once(load)}},
+      {"wait-solved", {"timeout", wait_solved}},
+      {"wait-idle", {"timeout", wait_idle}},
+      {"wait",
+       {"seconds",
+        [](Stage& stage, ScriptArguments& arguments) {
+          return stage.seconds >= arguments.number("seconds");
+        }}},
+      {"select-patch", {"patch", at_once(select_patch)}},
+      {"select-at", {"", at_once(select_at)}},
+      {"set-quantity", {"quantity", at_once(set_quantity)}},
+      {"set-exposure", {"stops", at_once(set_exposure)}},
+      {"set-look", {"", at_once(set_look)}},
+      {"set-emitter", {"emitter", at_once(set_emitter)}},
+      {"toggle-emitter", {"emitter", at_once(toggle_emitter)}},
+      {"set-reflectance", {"material", at_once(set_reflectance)}},
+      {"reset-scene",
+       {"", at_once([](Stage& stage, ScriptArguments&) { stage.desk.session.reset_mix(); })}},
+      {"restart", {"patches", at_once(restart)}},
+      {"pause",
+       {"", at_once([](Stage& stage, ScriptArguments&) { stage.desk.session.set_paused(true); })}},
+      {"resume",
+       {"", at_once([](Stage& stage, ScriptArguments&) { stage.desk.session.set_paused(false); })}},
+      {"stop", {"", at_once([](Stage& stage, ScriptArguments&) { stage.desk.session.stop(); })}},
+      {"camera", {"", at_once(set_camera)}},
+      {"orbit", {"", at_once([](Stage& stage, ScriptArguments& arguments) {
+                   constexpr double kDegree = radiosity::kPi / 180;
+                   stage.desk.camera.orbit(kDegree * arguments.number_or("right", 0),
+                                           kDegree * arguments.number_or("up", 0));
+                 })}},
+      {"zoom", {"factor", at_once([](Stage& stage, ScriptArguments& arguments) {
+                  const double factor = arguments.number("factor");
+                  if (!(factor > 0)) throw std::invalid_argument("'factor' must be above 0");
+                  stage.desk.camera.zoom(factor);
+                })}},
+      {"fly", {"", at_once([](Stage& stage, ScriptArguments& arguments) {
+                 stage.desk.camera.fly(arguments.number_or("forward", 0),
+                                       arguments.number_or("right", 0),
+                                       arguments.number_or("up", 0));
+               })}},
+      {"fit", {"", at_once([](Stage& stage, ScriptArguments&) { fit_camera(stage.desk); })}},
+      {"scene-camera",
+       {"", at_once([](Stage& stage, ScriptArguments&) { use_scene_camera(stage.desk); })}},
+      {"light-path", {"on", at_once([](Stage& stage, ScriptArguments& arguments) {
+                        stage.desk.asks_light_path = arguments.flag_or("on", true);
+                      })}},
+      {"record-iteration", {"method", at_once(record_iteration)}},
+      {"set-step", {"step", at_once(set_step)}},
+      {"screenshot", {"file", screenshot}},
+      {"save-result", {"file", at_once([](Stage& stage, ScriptArguments& arguments) {
+                         save_result(stage.desk, arguments.text("file"));
+                       })}},
+      {"save-scene", {"file", at_once([](Stage& stage, ScriptArguments& arguments) {
+                        save_scene(stage.desk, arguments.text("file"));
+                      })}},
+      {"resize", {"", at_once([](Stage& stage, ScriptArguments& arguments) {
+                    stage.host.resize(static_cast<int>(arguments.integer("width")),
+                                      static_cast<int>(arguments.integer("height")));
+                  })}},
+      {"report", {"file", at_once(write_report)}},
+      {"forget-frame-times",
+       {"", at_once([](Stage& stage, ScriptArguments&) { stage.host.forget_frame_times(); })}}};
+  return kinds;
+}
+
+}  // namespace viewer
