@@ -160,6 +160,7 @@ void check_coverage(CaseResult& result, Table& table, const Comparison& c) {
        "and patch size), s the standard error of the reference: two standard errors "
        "hold 95 % of normal errors.",
        "", Check::Relation::at_least});
+  double ratios = 1;
   for (int band = 0; band < 3; ++band) {
     std::vector<double> widths;
     std::vector<double> ours;
@@ -170,16 +171,19 @@ void check_coverage(CaseResult& result, Table& table, const Comparison& c) {
       ours.push_back(kSigmas * c.computed_error(k, band));
       errors.push_back(std::abs(c.computed(k, band) - c.expected(k, band)));
     }
-    result.checks.push_back({fmt::format("{}: median of 2 σ / median |ΔB|", kBands[band]),
-                             median(ours) / median(errors), kWidestInterval,
-                             "What is promised: intervals that hold because they are wide would "
-                             "say nothing. 2.97 if errors are normal and σ is right."});
+    ratios *= median(ours) / median(errors);
     table.rows.push_back({kBands[band], fmt::format("{:.2e}", median(widths)),
                           fmt::format("{:.2e}", median(ours)),
                           fmt::format("{:.2e}", median(errors)),
                           fmt::format("{:.2f}", median(widths) / median(errors)),
                           fmt::format("{:.2f}", median(ours) / median(errors))});
   }
+  result.checks.push_back({"median of 2 σ / median |ΔB|, geometric mean of the bands",
+                           std::cbrt(ratios), kWidestInterval,
+                           "What is promised: intervals that hold because they are wide would say "
+                           "nothing. 2.97 if errors are normal and σ is right. A band by itself "
+                           "scatters by 6 % from seed to seed, its median being of neighbours that "
+                           "err alike."});
 }
 
 void check_covered(CaseResult& result, const Comparison& c) {
