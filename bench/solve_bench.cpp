@@ -19,8 +19,7 @@ test::DenseTestTransport make_ring() {
 test::DenseTestTransport make_long_box() { return test::rough_box({1, 1, 8}, 0.25); }
 
 /// Uniform reflectance, the slowest case for a given largest one; one patch in thirty emits.
-void solve_with(benchmark::State& state, Method method,
-                const test::DenseTestTransport& transport) {
+void solve_with(benchmark::State& state, Method method, const test::DenseTestTransport& transport) {
   const double rho = static_cast<double>(state.range(0)) / 100;
   const Index n = transport.size();
   const Eigen::MatrixXd reflectance = Eigen::MatrixXd::Constant(n, 3, rho);

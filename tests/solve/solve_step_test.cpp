@@ -95,8 +95,7 @@ TEST_P(SolveSteps, HaveValidBounds) {
 
 TEST_P(SolveSteps, ChangeNothing) {
   const Solution watched = watch(GetParam());
-  const Solution alone =
-      solve(transport_, exitance_, reflectance_, test::with_method(GetParam()));
+  const Solution alone = solve(transport_, exitance_, reflectance_, test::with_method(GetParam()));
   EXPECT_EQ(watched.radiosity, alone.radiosity);
   EXPECT_EQ(watched.products, alone.products);
 }
