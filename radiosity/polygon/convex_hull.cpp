@@ -28,6 +28,7 @@ bool holds_all(const std::vector<std::int32_t>& hull, const std::vector<Point2>&
 }  // namespace
 
 std::vector<std::int32_t> convex_hull(const std::vector<Point2>& points, double thickness) {
+  if (points.size() < 3) return {};
   std::vector<std::int32_t> sorted(points.size());
   std::iota(sorted.begin(), sorted.end(), 0);
   // Along a direction that is hardly ever an edge's normal: points that rounding alone puts in
