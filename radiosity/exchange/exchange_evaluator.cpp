@@ -151,20 +151,21 @@ void ExchangeEvaluator::find_budget() {
   pair_options_.budget *= std::clamp(asked / mean, kLeastBudget, kMostBudget);
 }
 
-Between ExchangeEvaluator::between(std::int32_t i, std::int32_t j) const {
-  auto kept = possible_blockers(alone(prepared_, i), alone(prepared_, j), prepared_.blockers,
-                                all_candidates(prepared_.blockers), prepared_.thickness);
+Between ExchangeEvaluator::filtered(const Cluster& a, const Cluster& b,
+                                    const Candidates& candidates) const {
+  auto kept = possible_blockers(a, b, prepared_.blockers, candidates, prepared_.thickness);
   if (!kept) return {{}, true};
   return {std::move(*kept), false};
+}
+
+Between ExchangeEvaluator::between(std::int32_t i, std::int32_t j) const {
+  return filtered(alone(prepared_, i), alone(prepared_, j), all_candidates(prepared_.blockers));
 }
 
 Between ExchangeEvaluator::narrowed(std::int32_t a, std::int32_t b, const Between& wider) const {
   if (wider.is_hidden || are_apart(a, b)) return {{}, true};
   if (is_known_[a] && is_known_[b]) return {};
-  auto kept = possible_blockers(tree().clusters[a], tree().clusters[b], prepared_.blockers,
-                                wider.candidates, prepared_.thickness);
-  if (!kept) return {{}, true};
-  return {std::move(*kept), false};
+  return filtered(tree().clusters[a], tree().clusters[b], wider.candidates);
 }
 
 void ExchangeEvaluator::visit_block(std::int32_t a, std::int32_t b, const Between& between,

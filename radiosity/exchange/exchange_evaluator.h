@@ -76,6 +76,8 @@ class ExchangeEvaluator {
   void find_regions_of_clusters();
   void find_known_clusters();
   void find_budget();
+  [[nodiscard]] Between filtered(const Cluster& a, const Cluster& b,
+                                 const Candidates& candidates) const;
   [[nodiscard]] bool are_apart(std::int32_t a, std::int32_t b) const;
   [[nodiscard]] double trial_error(std::int32_t i, std::int32_t j) const;
   [[nodiscard]] std::optional<PairFactor> known_entry(std::int32_t i, std::int32_t j) const;

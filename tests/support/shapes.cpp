@@ -1,5 +1,6 @@
 #include "tests/support/shapes.h"
 
+#include <algorithm>
 #include <array>
 #include <string>
 
@@ -45,6 +46,31 @@ void add_box(PatchMesh& mesh, const Vec3& low, const Vec3& high, int n, Facing f
 Vec3 random_unit(std::mt19937_64& random) {
   std::normal_distribution<double> normal;
   return Vec3(normal(random), normal(random), normal(random)).normalized();
+}
+
+Vec3 random_point(std::span<const Vec3> corners, std::mt19937_64& random) {
+  std::exponential_distribution<double> weight;
+  Vec3 sum = Vec3::Zero();
+  double total = 0;
+  for (const Vec3& corner : corners) {
+    const double w = weight(random);
+    sum += w * corner;
+    total += w;
+  }
+  return sum / total;
+}
+
+double length_inside(std::span<const HalfSpace> faces, const Vec3& from, const Vec3& to) {
+  double first = 0;
+  double last = 1;
+  for (const HalfSpace& face : faces) {
+    const double a = face.normal.dot(from) - face.offset;
+    const double b = face.normal.dot(to) - face.offset;
+    if (a >= 0 && b >= 0) return 0;
+    if (a > 0) first = std::max(first, a / (a - b));
+    if (b > 0) last = std::min(last, a / (a - b));
+  }
+  return std::max(0.0, last - first);
 }
 
 void make_two_sided(PatchMesh& mesh, std::int32_t surface) {

@@ -2,9 +2,11 @@
 
 #include <cstdint>
 #include <random>
+#include <span>
 
 #include "radiosity/base/geometry.h"
 #include "radiosity/scene/patch_mesh.h"
+#include "radiosity/visibility/shaft.h"
 
 namespace radiosity::test {
 
@@ -19,6 +21,12 @@ void add_box(PatchMesh& mesh, const Vec3& low, const Vec3& high, int n, Facing f
 
 /// A direction, all alike.
 Vec3 random_unit(std::mt19937_64& random);
+
+/// A point of the hull of some corners, each of them near at times.
+Vec3 random_point(std::span<const Vec3> corners, std::mt19937_64& random);
+
+/// The share of a segment that lies inside a convex body, by cutting it with all half-spaces.
+double length_inside(std::span<const HalfSpace> faces, const Vec3& from, const Vec3& to);
 
 /// Adds the back side of every patch of a surface.
 void make_two_sided(PatchMesh& mesh, std::int32_t surface);

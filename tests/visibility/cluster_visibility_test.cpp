@@ -29,32 +29,6 @@ PatchMesh cluttered_room(std::mt19937_64& random) {
   return mesh;
 }
 
-/// The part of a segment inside a convex body.
-double share_inside(const Blocker& body, const Vec3& from, const Vec3& to) {
-  double first = 0;
-  double last = 1;
-  for (const HalfSpace& face : body.faces) {
-    const double a = face.normal.dot(from) - face.offset;
-    const double b = face.normal.dot(to) - face.offset;
-    if (a >= 0 && b >= 0) return 0;
-    if (a > 0) first = std::max(first, a / (a - b));
-    if (b > 0) last = std::min(last, a / (a - b));
-  }
-  return std::max(0.0, last - first);
-}
-
-Vec3 random_point(const ConvexPolygon& patch, std::mt19937_64& random) {
-  std::exponential_distribution<double> weight;
-  Vec3 sum = Vec3::Zero();
-  double total = 0;
-  for (const Vec3& corner : patch) {
-    const double w = weight(random);
-    sum += w * corner;
-    total += w;
-  }
-  return sum / total;
-}
-
 /// The blockers that nodes are made of.
 std::vector<bool> blockers_of(const BlockerSet& set, const Candidates& nodes) {
   std::vector<bool> result(set.blockers.size(), false);
@@ -104,8 +78,8 @@ TEST(ClusterVisibility, SegmentsDoNotDisagree) {
         };
         const std::int32_t i = any_of(a);
         const std::int32_t j = any_of(b);
-        const Vec3 from = random_point(prepared.polygons[i], random);
-        const Vec3 to = random_point(prepared.polygons[j], random);
+        const Vec3 from = test::random_point(prepared.polygons[i].points(), random);
+        const Vec3 to = test::random_point(prepared.polygons[j].points(), random);
         const auto is_in_front = [&](std::int32_t patch, const Vec3& point) {
           const HalfSpace& plane = prepared.planes[patch];
           return plane.normal.dot(point) - plane.offset > kInside;
@@ -114,7 +88,7 @@ TEST(ClusterVisibility, SegmentsDoNotDisagree) {
         bool is_blocked = false;
         for (std::size_t k = 0; k < set.blockers.size(); ++k) {
           ASSERT_FALSE(set.blockers[k].is_flat());
-          if (share_inside(set.blockers[k], from, to) <= kInside) continue;
+          if (test::length_inside(set.blockers[k].faces, from, to) <= kInside) continue;
           is_blocked = true;
           EXPECT_TRUE(is_kept[k]) << "seed " << seed << ", trial " << trial << ", blocker " << k;
         }

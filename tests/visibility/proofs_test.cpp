@@ -106,33 +106,6 @@ std::vector<Vec3> random_set(std::mt19937_64& random) {
   return {center, center + u, center + v};
 }
 
-Vec3 random_point(const std::vector<Vec3>& corners, std::mt19937_64& random) {
-  std::exponential_distribution<double> weight;
-  Vec3 sum = Vec3::Zero();
-  double total = 0;
-  for (const Vec3& corner : corners) {
-    const double w = weight(random);
-    sum += w * corner;
-    total += w;
-  }
-  return sum / total;
-}
-
-/// Whether a segment meets the inside of a convex body, by cutting it with all half-spaces; and by
-/// how much of its length.
-double length_inside(const Blocker& body, const Vec3& from, const Vec3& to) {
-  double first = 0;
-  double last = 1;
-  for (const HalfSpace& face : body.faces) {
-    const double a = face.normal.dot(from) - face.offset;
-    const double b = face.normal.dot(to) - face.offset;
-    if (a > 0 && b > 0) return 0;
-    if (a > 0) first = std::max(first, a / (a - b));
-    if (b > 0) last = std::min(last, a / (a - b));
-  }
-  return std::max(0.0, last - first);
-}
-
 TEST(SegmentBundle, VerdictsAreTrueAndDoNotDependOnTheOrder) {
   PatchMesh mesh = room();
   add_box(mesh, {-.4, -.3, -.5}, {.5, .4, .3}, 2, Facing::outwards);
@@ -149,9 +122,9 @@ TEST(SegmentBundle, VerdictsAreTrueAndDoNotDependOnTheOrder) {
     ++count[static_cast<std::size_t>(verdict)];
     if (verdict == Blocking::some) continue;
     for (int ray = 0; ray < 8; ++ray) {
-      const Vec3 from = random_point(a, random);
-      const Vec3 to = random_point(b, random);
-      const double inside = length_inside(body, from, to);
+      const Vec3 from = test::random_point(a, random);
+      const Vec3 to = test::random_point(b, random);
+      const double inside = test::length_inside(body.faces, from, to);
       // What is inside with both ends crosses no face.
       const bool is_blocked = inside > 1e-9 && inside < 1 - 1e-9;
       EXPECT_EQ(is_blocked, verdict == Blocking::all) << kSeed << ", " << k;
@@ -177,7 +150,9 @@ TEST(Polytope, HoldsItsPointsAndTellsSegmentsApart) {
     const std::vector<Vec3> b = random_set(random);
     if (!bundle(a, b).misses(*body)) continue;
     for (int ray = 0; ray < 8; ++ray) {
-      EXPECT_LE(length_inside(*body, random_point(a, random), random_point(b, random)), 1e-9)
+      EXPECT_LE(test::length_inside(body->faces, test::random_point(a, random),
+                                    test::random_point(b, random)),
+                1e-9)
           << kSeed << ", " << k;
     }
   }
@@ -195,7 +170,9 @@ TEST(Polytope, IsPiercedByAllSegmentsOrNot) {
     if (!bundle(a, b).is_pierced(body)) continue;
     ++n_pierced;
     for (int ray = 0; ray < 8; ++ray) {
-      EXPECT_GT(length_inside(body, random_point(a, random), random_point(b, random)), 0)
+      EXPECT_GT(test::length_inside(body.faces, test::random_point(a, random),
+                                    test::random_point(b, random)),
+                0)
           << kSeed << ", " << k;
     }
   }
