@@ -28,9 +28,9 @@ constexpr double kCrossing = 2.5;
 // Costs on one core, µs (form_factor_bench, by perf): a packet of rays; a point from which a
 // target is seen, and each shadow there; points that a border of a shadow brings with its pieces.
 constexpr double kPacketCost = 2.2;
-constexpr double kPointCost = 0.5;
-constexpr double kShadowCost = 0.5;
-constexpr double kDividingCost = 0.7;
+constexpr double kPointCost = 0.3;
+constexpr double kShadowCost = 0.4;
+constexpr double kDividingCost = 0.6;
 constexpr double kPointsOfBorder = 1.5;
 /// What other methods cost at least, proofs included: rays go first where they cost less.
 constexpr double kLookCost = 15;

@@ -9,7 +9,6 @@
 
 #include "radiosity/base/parallel.h"
 #include "radiosity/polygon/convex_polygon.h"
-#include "radiosity/polygon/exchange_area.h"
 #include "radiosity/visibility/occluders.h"
 #include "radiosity/visibility/visible_polygon.h"
 

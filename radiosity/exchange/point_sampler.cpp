@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "radiosity/polygon/exchange_area.h"
+#include "radiosity/polygon/point_to_polygon.h"
 #include "radiosity/polygon/polygon_quadrature.h"
 
 namespace radiosity {

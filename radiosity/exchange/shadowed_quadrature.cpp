@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "radiosity/polygon/exchange_area.h"
+#include "radiosity/polygon/point_to_polygon.h"
 #include "radiosity/polygon/polygon_quadrature.h"
 
 namespace radiosity {
@@ -164,8 +164,9 @@ void ShadowedQuadrature::divide_pieces(const Vec3& normal, const Vec3& on_plane,
       is_divided_ = false;
       continue;
     }
-    const ConvexPolygon above = clip_to_half_space(piece.points(), on_plane, normal, 0);
-    const ConvexPolygon below = clip_to_half_space(piece.points(), on_plane, -normal, 0);
+    ConvexPolygon above;
+    ConvexPolygon below;
+    split(piece, on_plane, normal, above, below);
     pieces_[k] = above;
     pieces_.push_back(below);
   }

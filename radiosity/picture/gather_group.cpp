@@ -4,7 +4,7 @@
 #include <array>
 
 #include "radiosity/polygon/convex_hull.h"
-#include "radiosity/polygon/exchange_area.h"
+#include "radiosity/polygon/point_to_polygon.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/visibility/point_shadow.h"
 

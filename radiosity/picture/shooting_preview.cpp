@@ -8,7 +8,7 @@
 #include <span>
 
 #include "radiosity/base/parallel.h"
-#include "radiosity/polygon/exchange_area.h"
+#include "radiosity/polygon/point_to_polygon.h"
 
 namespace radiosity {
 namespace {

@@ -3,6 +3,41 @@
 #include <cmath>
 
 namespace radiosity {
+namespace {
+
+/// How far corners are above a plane, where those within the thickness are in it.
+struct Heights {
+  std::array<double, ConvexPolygon::kCapacity> of_corner;
+  bool any_above = false;
+  bool any_below = false;
+
+  Heights(std::span<const Vec3> polygon, const Vec3& on_plane, const Vec3& normal,
+          double thickness) {
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+      const double height = normal.dot(polygon[k] - on_plane);
+      of_corner[k] = std::abs(height) <= thickness ? 0 : height;
+      any_above |= of_corner[k] > 0;
+      any_below |= of_corner[k] < 0;
+    }
+  }
+};
+
+/// Appends the part above the plane, with a sign of -1 that below it.
+void add_above(std::span<const Vec3> polygon, const Heights& heights, double sign,
+               ConvexPolygon& result) {
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const std::size_t next = k + 1 < polygon.size() ? k + 1 : 0;
+    const double height = heights.of_corner[k];
+    const double height_next = heights.of_corner[next];
+    if (sign * height >= 0) result.push_back(polygon[k]);
+    if (height * height_next < 0) {
+      const double s = height / (height - height_next);
+      result.push_back(polygon[k] + s * (polygon[next] - polygon[k]));
+    }
+  }
+}
+
+}  // namespace
 
 Disc bounding_disc(std::span<const Vec3> polygon) {
   Vec3 center = Vec3::Zero();
@@ -28,28 +63,38 @@ std::vector<ConvexPolygon> divide_about_corners(const ConvexPolygon& polygon) {
 
 ConvexPolygon clip_to_half_space(std::span<const Vec3> polygon, const Vec3& on_plane,
                                  const Vec3& normal, double thickness) {
-  std::array<double, ConvexPolygon::kCapacity> height{};
-  bool any_above = false;
-  bool any_below = false;
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    height[k] = normal.dot(polygon[k] - on_plane);
-    if (std::abs(height[k]) <= thickness) height[k] = 0;
-    any_above |= height[k] > 0;
-    any_below |= height[k] < 0;
-  }
-  if (!any_above) return {};
-  if (!any_below) return ConvexPolygon(polygon);
-
+  const Heights heights(polygon, on_plane, normal, thickness);
   ConvexPolygon result;
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const std::size_t next = k + 1 < polygon.size() ? k + 1 : 0;
-    if (height[k] >= 0) result.push_back(polygon[k]);
-    if (height[k] * height[next] < 0) {
-      const double s = height[k] / (height[k] - height[next]);
-      result.push_back(polygon[k] + s * (polygon[next] - polygon[k]));
-    }
-  }
+  if (!heights.any_above) return result;
+  if (!heights.any_below) return ConvexPolygon(polygon);
+  add_above(polygon, heights, 1, result);
   return result;
+}
+
+bool keep_above(const Vec3& on_plane, const Vec3& normal, ConvexPolygon& polygon) {
+  const Heights heights(polygon.points(), on_plane, normal, 0);
+  if (!heights.any_above) {
+    polygon.clear();
+  } else if (heights.any_below) {
+    const ConvexPolygon whole = polygon;
+    polygon.clear();
+    add_above(whole.points(), heights, 1, polygon);
+  }
+  return !polygon.empty();
+}
+
+bool split(const ConvexPolygon& polygon, const Vec3& on_plane, const Vec3& normal,
+           ConvexPolygon& above, ConvexPolygon& below) {
+  const Heights heights(polygon.points(), on_plane, normal, 0);
+  above.clear();
+  below.clear();
+  if (!heights.any_above || !heights.any_below) {
+    (heights.any_above ? above : below) = polygon;
+    return false;
+  }
+  add_above(polygon.points(), heights, 1, above);
+  add_above(polygon.points(), heights, -1, below);
+  return true;
 }
 
 }  // namespace radiosity

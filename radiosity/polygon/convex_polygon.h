@@ -31,6 +31,7 @@ class ConvexPolygon {
     assert(size_ < kCapacity);
     points_[size_++] = point;
   }
+  void clear() { size_ = 0; }
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] bool empty() const { return size_ == 0; }
   Vec3& operator[](std::size_t k) { return points_[k]; }
@@ -59,5 +60,13 @@ std::vector<ConvexPolygon> divide_about_corners(const ConvexPolygon& polygon);
 /// plane count as lying on it. Empty if nothing with area is left. (Sutherland & Hodgman 1974)
 ConvexPolygon clip_to_half_space(std::span<const Vec3> polygon, const Vec3& on_plane,
                                  const Vec3& normal, double thickness);
+
+/// Leaves the part where normal · (x - on_plane) >= 0 only, and tells whether there is any area.
+bool keep_above(const Vec3& on_plane, const Vec3& normal, ConvexPolygon& polygon);
+
+/// Both parts of a polygon, and whether the plane goes through it. If not, all of it is `above`, or
+/// `below` if nothing of it is above.
+bool split(const ConvexPolygon& polygon, const Vec3& on_plane, const Vec3& normal,
+           ConvexPolygon& above, ConvexPolygon& below);
 
 }  // namespace radiosity

@@ -7,6 +7,7 @@
 
 #include "radiosity/polygon/contour_integral.h"
 #include "radiosity/polygon/convex_polygon.h"
+#include "radiosity/polygon/point_to_polygon.h"
 #include "radiosity/polygon/polygon_quadrature.h"
 
 namespace radiosity {
@@ -136,23 +137,6 @@ std::vector<std::array<Vec3, 3>> fan(std::span<const Vec3> polygon) {
   return triangles;
 }
 
-/// Σ_k 2^2k (k!)² / (2k+1)! (z/2)^k, k <= n_terms: the angle θ divided by its sine, z = 1 - cosθ.
-template <int n_terms>
-inline double angle_series(double z) {
-  double sum = 1;
-  for (int k = n_terms; k > 0; --k) sum = 1 + (k / (2.0 * k + 1)) * z * sum;
-  return sum;
-}
-
-/// The angle between unit vectors divided by its sine, from their cross and dot product.
-inline double angle_over_sine(const Vec3& cross, double dot) {
-  const double z = 1 - dot;
-  if (z <= 0.005) return angle_series<6>(z);
-  if (z <= 0.1) return angle_series<11>(z);
-  const double sine = cross.norm();
-  return sine > 0 ? std::atan2(sine, dot) / sine : 0;
-}
-
 }  // namespace
 
 double exchange_area(std::span<const Vec3> polygon1, std::span<const Vec3> polygon2,
@@ -165,42 +149,6 @@ double exchange_area(std::span<const Vec3> polygon1, std::span<const Vec3> polyg
   }
   if (polygon2.size() > kLargest) return exchange_area(polygon2, polygon1, tolerance);
   return convex_exchange_area(polygon1, polygon2, tolerance);
-}
-
-double facing_point_to_polygon(const Vec3& point, const Vec3& normal,
-                               std::span<const Vec3> polygon) {
-  const auto direction_to = [&](const Vec3& corner) {
-    const Vec3 way = corner - point;
-    const double square = way.squaredNorm();
-    return square > 0 ? Vec3(way / std::sqrt(square)) : Vec3(Vec3::Zero());
-  };
-  const Vec3 first = direction_to(polygon[0]);
-  Vec3 a = first;
-  double sum = 0;
-  for (std::size_t k = 1; k <= polygon.size(); ++k) {
-    const Vec3 b = k < polygon.size() ? direction_to(polygon[k]) : first;
-    const Vec3 cross = a.cross(b);
-    sum += angle_over_sine(cross, a.dot(b)) * normal.dot(cross);
-    a = b;
-  }
-  // Counter-clockwise about the polygon's normal is clockwise as seen from the point.
-  return std::max(0.0, -sum / (2 * kPi));
-}
-
-double point_to_polygon(const Vec3& point, const Vec3& normal, std::span<const Vec3> polygon) {
-  const Vec3 area = vector_area(polygon);
-  if (area.dot(point - polygon.front()) <= 0) return 0;  // behind the polygon
-  const bool is_above = std::all_of(polygon.begin(), polygon.end(), [&](const Vec3& corner) {
-    return normal.dot(corner - point) >= 0;
-  });
-  if (is_above) return facing_point_to_polygon(point, normal, polygon);
-  if (polygon.size() > ConvexPolygon::kCapacity - 2) {
-    double sum = 0;
-    for (const auto& triangle : fan(polygon)) sum += point_to_polygon(point, normal, triangle);
-    return sum;
-  }
-  return facing_point_to_polygon(point, normal,
-                                 clip_to_half_space(polygon, point, normal, 0).points());
 }
 
 }  // namespace radiosity

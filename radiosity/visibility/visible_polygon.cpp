@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "radiosity/polygon/exchange_area.h"
+#include "radiosity/polygon/point_to_polygon.h"
 
 namespace radiosity {
 namespace {
@@ -51,9 +51,9 @@ Border border(const Shadow& shadow, std::size_t k, const Vec3& point) {
 /// The part of a polygon within the shadow that the point throws.
 ConvexPolygon shadowed(const ConvexPolygon& polygon, const Shadow& shadow, const Vec3& point) {
   ConvexPolygon rest = polygon;
-  for (std::size_t k = 0; k < n_borders(shadow) && !rest.empty(); ++k) {
+  for (std::size_t k = 0; k < n_borders(shadow); ++k) {
     const Border limit = border(shadow, k, point);
-    rest = clip_to_half_space(rest.points(), limit.on_plane, limit.inwards, 0);
+    if (!keep_above(limit.on_plane, limit.inwards, rest)) break;
   }
   return rest;
 }
@@ -79,22 +79,23 @@ void cut(const ConvexPolygon& part, const Shadow& shadow, const Vec3& point,
     return;
   }
   ConvexPolygon rest = part;
+  ConvexPolygon inside;
+  ConvexPolygon outside;
   const std::size_t first = parts.size();
-  for (std::size_t k = first_border; k < n_borders(shadow) && !rest.empty(); ++k) {
+  for (std::size_t k = first_border; k < n_borders(shadow); ++k) {
     if (rest.size() + 1 >= ConvexPolygon::kCapacity) {
       for (const ConvexPolygon& half : halves(rest)) cut(half, shadow, point, parts, k);
       return;
     }
     const Border limit = border(shadow, k, point);
-    const ConvexPolygon inside =
-        clip_to_half_space(rest.points(), limit.on_plane, limit.inwards, 0);
-    if (inside.empty()) {  // the shadow misses the part
+    if (split(rest, limit.on_plane, limit.inwards, inside, outside)) {
+      add_part(outside, parts);
+      rest = inside;
+    } else if (inside.empty()) {  // the shadow misses the part
       parts.resize(first);
       add_part(part, parts);
       return;
     }
-    add_part(clip_to_half_space(rest.points(), limit.on_plane, -limit.inwards, 0), parts);
-    rest = inside;
   }
 }
 

@@ -14,6 +14,7 @@
 #include "radiosity/operator/surface_factors.h"
 #include "radiosity/operator/transport.h"
 #include "radiosity/polygon/exchange_area.h"
+#include "radiosity/polygon/point_to_polygon.h"
 #include "radiosity/polygon/polygon_quadrature.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "tests/support/shapes.h"

@@ -11,7 +11,7 @@
 #include "meshing/patches/patches.h"
 #include "radiosity/assembly/make_transport.h"
 #include "radiosity/base/parallel.h"
-#include "radiosity/polygon/exchange_area.h"
+#include "radiosity/polygon/point_to_polygon.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/radiometry.h"
 #include "radiosity/solve/solve.h"

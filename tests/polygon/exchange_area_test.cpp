@@ -1,4 +1,5 @@
 #include "radiosity/polygon/exchange_area.h"
+#include "radiosity/polygon/point_to_polygon.h"
 
 #include <gtest/gtest.h>
 

@@ -9,6 +9,7 @@
 
 #include "radiosity/exchange/visible_fraction.h"
 #include "radiosity/polygon/exchange_area.h"
+#include "radiosity/polygon/point_to_polygon.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/visibility/visibility.h"
 #include "tests/support/shapes.h"

@@ -14,6 +14,7 @@
 #include "radiosity/base/error.h"
 #include "radiosity/operator/surface_factors.h"
 #include "radiosity/polygon/exchange_area.h"
+#include "radiosity/polygon/point_to_polygon.h"
 
 namespace apps::validation {
 namespace {
