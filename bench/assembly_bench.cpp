@@ -5,45 +5,36 @@
 
 #include <array>
 #include <map>
-#include <memory>
 #include <numeric>
 #include <vector>
 
 #include "io/scene/scene_file.h"
-#include "meshing/patches/patches.h"
 #include "radiosity/exchange/pair_kernel.h"
 #include "radiosity/exchange/visible_fraction.h"
 #include "radiosity/radiosity.h"
 #include "radiosity/visibility/embree.h"
+#include "study/study.h"
 
 namespace {
 
 using namespace radiosity;
+using study::Study;
 
-struct Box {
-  PatchMesh mesh;
-  std::unique_ptr<Visibility> visibility;
-  std::unique_ptr<Transport> transport;
-};
-
-const Box& cornell_box(long n_patches) {
-  static std::map<long, Box> boxes;
-  Box& box = boxes[n_patches];
-  if (!box.transport) {
-    const Scene scene = io::read_scene(RADIOSITY_SCENES "/cornell-box.json");
-    box.mesh = meshing::make_patches(scene, {.n_patches = n_patches});
-    box.visibility = std::make_unique<Visibility>(box.mesh);
-    box.transport = make_transport(box.mesh, *box.visibility);
+const Study& cornell_box(long n_patches) {
+  static std::map<long, Study> boxes;
+  if (!boxes.contains(n_patches)) {
+    boxes.emplace(n_patches, study::assemble(io::read_scene(RADIOSITY_SCENES "/cornell-box.json"),
+                                             {.patches = {.n_patches = n_patches}}));
   }
-  return box;
+  return boxes.at(n_patches);
 }
 
 void assembly(benchmark::State& state) {
-  const Box& box = cornell_box(state.range(0));
+  const Study& box = cornell_box(state.range(0));
   const auto n = static_cast<double>(box.mesh.size());
   std::int64_t rays = 0;
   for (auto _ : state) {
-    const auto transport = make_transport(box.mesh, *box.visibility);
+    const auto transport = make_transport(box.mesh, box.visibility);
     rays += transport->report().rays;
     benchmark::DoNotOptimize(transport.get());
   }
@@ -63,8 +54,8 @@ struct Packet {
 };
 
 /// The packets that the first undecided pairs of the box's rows are sampled with.
-const std::vector<Packet>& undecided_packets(const Box& box) {
-  static std::map<const Box*, std::vector<Packet>> all;
+const std::vector<Packet>& undecided_packets(const Study& box) {
+  static std::map<const Study*, std::vector<Packet>> all;
   std::vector<Packet>& packets = all[&box];
   const PreparedMesh prepared(box.mesh);
   const PairKernel kernel(prepared, 1e-9);
@@ -87,12 +78,12 @@ const std::vector<Packet>& undecided_packets(const Box& box) {
 }
 
 void ray_stage(benchmark::State& state) {
-  const Box& box = cornell_box(state.range(0));
+  const Study& box = cornell_box(state.range(0));
   const std::vector<Packet>& packets = undecided_packets(box);
   for (auto _ : state) {
     std::uint32_t sum = 0;
     for (const Packet& packet : packets) {
-      sum += box.visibility->blocked(packet.segments, packet.i, packet.j);
+      sum += box.visibility.blocked(packet.segments, packet.i, packet.j);
     }
     benchmark::DoNotOptimize(sum);
   }
@@ -147,12 +138,12 @@ RTCRay16 make_rays(const SegmentPacket& segments, const Eigen::Vector3f& center)
 }
 
 void embree_alone(benchmark::State& state) {
-  const Box& box = cornell_box(state.range(0));
+  const Study& box = cornell_box(state.range(0));
   RTCDevice device = rtcNewDevice(nullptr);
   RTCScene scene = make_embree_scene(device, box.mesh);
   std::vector<RTCRay16> prepared;
   for (const Packet& packet : undecided_packets(box))
-    prepared.push_back(make_rays(packet.segments, box.visibility->center().cast<float>()));
+    prepared.push_back(make_rays(packet.segments, box.visibility.center().cast<float>()));
   alignas(64) std::array<int, Visibility::kPacket> valid;
   valid.fill(-1);
   std::vector<RTCRay16> rays;
@@ -176,7 +167,7 @@ void embree_alone(benchmark::State& state) {
 BENCHMARK(embree_alone)->Arg(1000)->Arg(4000)->Unit(benchmark::kMillisecond);
 
 void product(benchmark::State& state) {
-  const Box& box = cornell_box(state.range(0));
+  const Study& box = cornell_box(state.range(0));
   const Eigen::MatrixXd x = Eigen::MatrixXd::Random(box.mesh.size(), state.range(1));
   for (auto _ : state) {
     const Eigen::MatrixXd y = box.transport->apply(x);
@@ -192,7 +183,7 @@ BENCHMARK(product)
     ->UseRealTime();
 
 void read_bandwidth(benchmark::State& state) {
-  const Box& box = cornell_box(state.range(0));
+  const Study& box = cornell_box(state.range(0));
   const std::vector<float> data(box.transport->bytes() / sizeof(float), 1.0F);
   constexpr std::ptrdiff_t kParts = 64;
   for (auto _ : state) {

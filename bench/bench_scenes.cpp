@@ -176,10 +176,7 @@ Rotation about_z(double angle) { return Rotation(Eigen::AngleAxisd(angle, Vec3::
 
 PatchMesh box_in_box(long n_cells) {
   const auto n = static_cast<int>(n_cells);
-  PatchMesh mesh;
-  radiosity::test::add_box(mesh, {0, 0, 0}, {1, 1, 1}, n, Facing::inwards);
-  radiosity::test::add_box(mesh, {.35, .3, .25}, {.65, .6, .75}, n / 2, Facing::outwards);
-  return halved(mesh);
+  return halved(radiosity::test::box_in_box(n, n / 2));
 }
 
 PatchMesh street_canyon(long n_facets) {

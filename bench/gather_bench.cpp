@@ -10,17 +10,16 @@
 #include <string>
 
 #include "io/scene/scene_file.h"
-#include "meshing/patches/patches.h"
 #include "radiosity/radiosity.h"
+#include "study/study.h"
 
 int main(int argc, char** argv) {
   using namespace radiosity;
   const bool has_scene = argc > 2 && argv[1][0] != '-';  // options are for other benchmarks
   const Scene scene = io::read_scene(std::string(RADIOSITY_SCENES "/") +
                                      (has_scene ? argv[1] : "cornell-box.json"));
-  const PatchMesh mesh =
-      meshing::make_patches(scene, {.n_patches = has_scene ? std::atol(argv[2]) : 2000});
-  const Visibility visibility(mesh);
+  const auto [mesh, visibility] =
+      study::divide(scene, {.patches = {.n_patches = has_scene ? std::atol(argv[2]) : 2000}});
   // How bright the patches are makes no difference, but dark ones are passed over.
   const Eigen::MatrixXd reflectance = radiosity::reflectance(scene, mesh);
   const Eigen::MatrixXd exitance = Eigen::MatrixXd::Ones(mesh.size(), scene.bands.count());

@@ -4,10 +4,11 @@
 
 #include <cstdlib>
 #include <ctime>
+#include <utility>
 
 #include "io/scene/scene_file.h"
-#include "meshing/adaptive/adaptive.h"
 #include "radiosity/radiosity.h"
+#include "study/study.h"
 
 namespace {
 
@@ -27,22 +28,21 @@ double seconds_to_solve(const Scene& scene, const PatchMesh& mesh, const Transpo
 void compare_bands(long n_patches) {
   const Scene rgb = io::read_scene(RADIOSITY_SCENES "/cornell-box.json");
   const Scene spectral = io::read_scene(RADIOSITY_SCENES "/cornell-box-spectral.json");
-  const PatchMesh mesh = meshing::make_patches(rgb, {.n_patches = n_patches});
-  const Visibility visibility(mesh);
-  const auto transport = make_transport(mesh, visibility);
-  fmt::print("{} patches\n", mesh.size());
-  const double three = seconds_to_solve(rgb, mesh, *transport);
-  const double many = seconds_to_solve(spectral, mesh, *transport);
+  const study::Study box = study::assemble(rgb, {.patches = {.n_patches = n_patches}});
+  fmt::print("{} patches\n", box.mesh.size());
+  const double three = seconds_to_solve(rgb, box.mesh, *box.transport);
+  const double many = seconds_to_solve(spectral, box.mesh, *box.transport);
   fmt::print("ratio {:.2f}\n", many / three);
 }
 
 void refine(double tolerance) {
-  const Scene scene = io::read_scene(RADIOSITY_SCENES "/cornell-box.json");
+  Scene scene = io::read_scene(RADIOSITY_SCENES "/cornell-box.json");
   const double start = processor_seconds();
-  const meshing::AdaptiveMesh adaptive =
-      meshing::make_adaptive_patches(scene, {.tolerance = tolerance});
+  const study::Study box = study::assemble(
+      std::move(scene),
+      {.patches = {.adaptive = true}, .tolerance = tolerance, .factor_tolerance = 1e-2});
   fmt::print("adaptive to {:g}: {} patches, {} rounds, error {:.2g}, {:.2f} s\n", tolerance,
-             adaptive.mesh.size(), adaptive.refinement.n_rounds, adaptive.refinement.error,
+             box.mesh.size(), box.refinement->n_rounds, box.refinement->error,
              processor_seconds() - start);
 }
 

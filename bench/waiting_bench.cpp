@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "io/scene/scene_file.h"
-#include "meshing/patches/patches.h"
 #include "radiosity/radiosity.h"
+#include "study/study.h"
 
 namespace radiosity {
 namespace {
@@ -17,14 +17,17 @@ constexpr double kPictureTolerance = 1e-3;
 struct Room {
   explicit Room(long n_patches)
       : scene(io::read_scene(RADIOSITY_SCENES "/cornell-box.json")),
-        mesh(meshing::make_patches(scene, {.n_patches = n_patches})),
-        visibility(mesh),
-        emitted(exitance(scene, mesh)),
-        rho(reflectance(scene, mesh)) {}
+        // A room by itself needs no memory for form factors.
+        options({.patches = {.n_patches = n_patches},
+                 .tolerance = 0.5,
+                 .storage = study::Storage::disk}),
+        patches(study::divide(scene, options)),
+        emitted(exitance(scene, patches.mesh)),
+        rho(reflectance(scene, patches.mesh)) {}
 
   Scene scene;
-  PatchMesh mesh;
-  Visibility visibility;
+  study::StudyOptions options;
+  study::Patches patches;
   Eigen::MatrixXd emitted;
   Eigen::MatrixXd rho;
 };
@@ -32,7 +35,9 @@ struct Room {
 /// The room asked for last and its operator, kept from one benchmark to the next.
 struct SolvedRoom : Room {
   explicit SolvedRoom(long n_patches)
-      : Room(n_patches), transport(make_transport(mesh, visibility, {.tolerance = 0.5})) {}
+      : Room(n_patches),
+        transport(
+            study::make_form_factors(scene, patches.mesh, patches.visibility, options).transport) {}
   std::unique_ptr<Transport> transport;
 };
 
@@ -48,7 +53,7 @@ const SolvedRoom& solved_room(long n_patches) {
 void product(benchmark::State& state) {
   const SolvedRoom& room = solved_room(state.range(0));
   for (auto _ : state) benchmark::DoNotOptimize(room.transport->apply(room.emitted));
-  state.counters["patches"] = static_cast<double>(room.mesh.size());
+  state.counters["patches"] = static_cast<double>(room.patches.mesh.size());
   state.counters["bytes"] = static_cast<double>(room.transport->bytes());
 }
 
@@ -57,7 +62,7 @@ void row(benchmark::State& state) {
   Index i = 0;
   for (auto _ : state) {
     benchmark::DoNotOptimize(rows_of(*room.transport).row(i));
-    i = (i + 7919) % room.mesh.size();
+    i = (i + 7919) % room.patches.mesh.size();
   }
 }
 
@@ -78,8 +83,9 @@ void solve_warm(benchmark::State& state) {
       solve(*room.transport, room.emitted, room.rho,
             {.tolerance = kPictureTolerance, .estimates_errors = false, .on_step = {}});
   Eigen::MatrixXd rho = room.rho;
-  for (Index i = 0; i < room.mesh.size(); ++i) {
-    if (room.mesh.surface_names[room.mesh.surface[i]] == "left") rho.row(i).array() += 0.1;
+  const PatchMesh& mesh = room.patches.mesh;
+  for (Index i = 0; i < mesh.size(); ++i) {
+    if (mesh.surface_names[mesh.surface[i]] == "left") rho.row(i).array() += 0.1;
   }
   Solution solution;
   for (auto _ : state) {
@@ -96,14 +102,14 @@ void solve_warm(benchmark::State& state) {
 void find_importance(benchmark::State& state) {
   const SolvedRoom& room = solved_room(state.range(0));
   for (auto _ : state) {
-    benchmark::DoNotOptimize(importance(*room.transport, room.rho, room.mesh.size() / 2,
+    benchmark::DoNotOptimize(importance(*room.transport, room.rho, room.patches.mesh.size() / 2,
                                         {.tolerance = kPictureTolerance, .on_step = {}}));
   }
 }
 
 void preview_shot(benchmark::State& state) {
   const Room room(state.range(0));
-  ShootingPreview preview(room.mesh, room.visibility, room.emitted, room.rho);
+  ShootingPreview preview(room.patches.mesh, room.patches.visibility, room.emitted, room.rho);
   for (auto _ : state) preview.shoot();
   state.counters["unshot"] = preview.unshot_share();
 }
@@ -114,7 +120,7 @@ void preview_until(benchmark::State& state) {
   const double share = static_cast<double>(state.range(1)) / 100;
   int n_shots = 0;
   for (auto _ : state) {
-    ShootingPreview preview(room.mesh, room.visibility, room.emitted, room.rho);
+    ShootingPreview preview(room.patches.mesh, room.patches.visibility, room.emitted, room.rho);
     while (preview.unshot_share() > share) preview.shoot();
     n_shots = preview.n_shots();
   }

@@ -5,6 +5,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "io/picture/round_numbers.h"
+
 namespace io {
 namespace {
 
@@ -31,24 +33,6 @@ constexpr std::array<std::array<double, 3>, 18> kViridis = {{{0.2670, 0.0049, 0.
                                                              {0.6889, 0.8654, 0.1827},
                                                              {0.8456, 0.8873, 0.0997},
                                                              {0.9932, 0.9062, 0.1439}}};
-
-/// The smallest of 1, 2, 5 times a power of ten that is at least `value` (> 0).
-double round_up(double value) {
-  const double power = std::pow(10, std::floor(std::log10(value) + kRounding));
-  for (const double digit : {1.0, 2.0, 5.0}) {
-    if (digit * power >= value * (1 - kRounding)) return digit * power;
-  }
-  return 10 * power;
-}
-
-/// The largest of 1, 2, 5 times a power of ten that is at most `value` (> 0).
-double round_down(double value) {
-  const double power = std::pow(10, std::floor(std::log10(value) + kRounding));
-  for (const double digit : {5.0, 2.0}) {
-    if (digit * power <= value * (1 + kRounding)) return digit * power;
-  }
-  return power;
-}
 
 /// The finite values, and of them only those above 0 if `logarithmic`, sorted.
 std::vector<double> shown_values(const Eigen::VectorXd& values, bool logarithmic) {
@@ -94,12 +78,7 @@ std::vector<double> logarithmic_ticks(const ColorScale& scale, int most, bool fi
 }
 
 std::vector<double> linear_ticks(const ColorScale& scale, int most) {
-  const double step = round_up((scale.high - scale.low) / (most - 1));
-  std::vector<double> ticks;
-  const double first = std::ceil(scale.low / step - kRounding);
-  const double last = std::floor(scale.high / step + kRounding);
-  for (double k = first; k <= last; ++k) ticks.push_back(k * step);
-  return ticks;
+  return multiples_within(scale.low, scale.high, round_up((scale.high - scale.low) / (most - 1)));
 }
 
 }  // namespace

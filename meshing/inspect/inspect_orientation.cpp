@@ -1,11 +1,11 @@
 #include <algorithm>
-#include <numeric>
 #include <optional>
 #include <utility>
 
 #include "meshing/base/text.h"
 #include "meshing/inspect/findings.h"
 #include "radiosity/base/box_tree.h"
+#include "radiosity/base/disjoint_sets.h"
 
 namespace meshing {
 namespace {
@@ -124,24 +124,18 @@ void OrientationFinder::find_disagreeing_neighbours() {
 
 void OrientationFinder::find_components() {
   const EdgeTable& edges = examined_.edges;
-  std::vector<std::int32_t> parent(examined_.polygons.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](std::int32_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
+  const auto n = static_cast<Index>(examined_.polygons.size());
+  radiosity::DisjointSets joined(n);
   for (Index e = 0; e < edges.size(); ++e) {
     const std::span<const std::int64_t> uses = edges.uses_of(e);
     for (const std::int64_t use : uses) {
-      const std::int32_t a = root(edges.polygon_of_corner[uses[0]]);
-      const std::int32_t b = root(edges.polygon_of_corner[use]);
-      parent[std::max(a, b)] = std::min(a, b);
+      joined.join(edges.polygon_of_corner[uses[0]], edges.polygon_of_corner[use]);
     }
   }
-  std::vector<std::int32_t> component_of_root(parent.size(), -1);
-  for (std::int32_t i = 0; i < static_cast<std::int32_t>(parent.size()); ++i) {
+  std::vector<std::int32_t> component_of_set(n, -1);
+  for (Index i = 0; i < n; ++i) {
     if (!examined_.is_usable(i)) continue;
-    std::int32_t& component = component_of_root[root(i)];
+    std::int32_t& component = component_of_set[joined.find(i)];
     if (component < 0) {
       component = static_cast<std::int32_t>(components_.size());
       components_.emplace_back();

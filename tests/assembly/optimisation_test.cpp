@@ -18,20 +18,19 @@ std::vector<double> numbers_printed_by(const char* program) {
 }
 
 TEST(Optimisation, ChangesFormFactorsByRoundingOnly) {
+  constexpr std::size_t kFactors = 120 * 120;  // a scene
+  // Segments are drawn in single precision and summed up by packets of 16. At the tolerance of the
+  // second scene there are none, and what closed forms and rules keep of double precision counts.
+  constexpr double kSampled = 16 * 0x1p-24;
+  constexpr double kUnsampled = 1e-10;
   const std::vector<double> optimised = numbers_printed_by(PRINT_OPTIMISED);
   const std::vector<double> plain = numbers_printed_by(PRINT_UNOPTIMISED);
-  ASSERT_EQ(optimised.size(), 3 * 120 * 120U);
+  ASSERT_EQ(optimised.size(), 3 * kFactors);
   ASSERT_EQ(plain.size(), optimised.size());
-  // Rounding may choose another rule or another order of cuts: within what these differ by.
-  constexpr double kRounding = 1e-9;
-  double sum = 0;
-  double difference = 0;
   for (std::size_t k = 0; k < plain.size(); ++k) {
-    sum += plain[k];
-    difference += std::abs(optimised[k] - plain[k]);
-    EXPECT_NEAR(optimised[k], plain[k], 1e-3 * plain[k] + kRounding) << "number " << k;
+    const double rounding = k / kFactors == 1 ? kUnsampled : kSampled;
+    EXPECT_NEAR(optimised[k], plain[k], rounding * plain[k]) << "number " << k;
   }
-  EXPECT_LE(difference, kRounding * sum);
 }
 
 }  // namespace

@@ -24,9 +24,7 @@ void print(const PatchMesh& mesh, double tolerance) {
 }  // namespace
 
 int main() {
-  PatchMesh boxes;
-  test::add_box(boxes, Vec3::Zero(), Vec3::Ones(), 4, test::Facing::inwards);
-  test::add_box(boxes, {.35, .3, .25}, {.65, .6, .75}, 2, test::Facing::outwards);
+  const PatchMesh boxes = test::box_in_box(4, 2);
   print(boxes, 1e-2);
   print(boxes, 1e-5);
   // Turned, so that no coordinate is a round number.

@@ -21,15 +21,8 @@ namespace {
 
 using test::add_box;
 using test::add_grid;
+using test::box_in_box;
 using test::Facing;
-
-/// Unit cube seen from inside, with the box [.35,.65] x [.3,.6] x [.25,.75] in it.
-PatchMesh box_in_box(int n) {
-  PatchMesh mesh;
-  add_box(mesh, Vec3::Zero(), Vec3::Ones(), n, Facing::inwards);
-  add_box(mesh, Vec3(0.35, 0.3, 0.25), Vec3(0.65, 0.6, 0.75), n, Facing::outwards);
-  return mesh;
-}
 
 /// Form factor between surfaces, area-weighted, with its standard error.
 struct SurfaceFactor {
@@ -83,7 +76,7 @@ TEST(Transport, ConvexRoomNeedsNoRaysAndCloses) {
 }
 
 TEST(Transport, ReciprocityIsExact) {
-  const PatchMesh mesh = box_in_box(3);
+  const PatchMesh mesh = box_in_box(3, 3);
   const Visibility visibility(mesh);
   const auto transport = make_transport(mesh, visibility);
   Eigen::MatrixXd exchange(mesh.size(), mesh.size());
@@ -122,7 +115,7 @@ TEST(Transport, SquareScreenBetweenSquares) {
         const SurfaceFactor factor = surface_factor(mesh, *transport, low, high);
         EXPECT_NEAR(factor.value, c.expected, tolerance * c.expected) << c.side << " " << n;
         EXPECT_GT(factor.error, 0);
-        EXPECT_LT(factor.error, 10 * tolerance * c.expected);
+        EXPECT_LE(factor.error, tolerance * c.expected);  // it is known to be as good as asked
         EXPECT_EQ(transport->report().rays, 0);
       }
     }
@@ -188,7 +181,7 @@ TEST(Transport, SinglePrecisionRoundsEntriesOnly) {
 }
 
 TEST(Transport, ClosureCorrectionClosesWithoutBreakingReciprocity) {
-  const PatchMesh mesh = box_in_box(5);
+  const PatchMesh mesh = box_in_box(5, 5);
   const Visibility visibility(mesh);
   const auto transport = make_transport(mesh, visibility, {.closed = Closed::yes});
   const auto raw = make_transport(mesh, visibility, {.closed = Closed::no});
@@ -215,7 +208,7 @@ TEST(Transport, OpenSceneIsNotTakenAsClosed) {
 }
 
 TEST(Transport, SameBitsAtAnyNumberOfThreads) {
-  const PatchMesh mesh = box_in_box(6);
+  const PatchMesh mesh = box_in_box(6, 6);
   const Visibility visibility(mesh);
   const Eigen::MatrixXd b = Eigen::MatrixXd::Random(mesh.size(), 3);
   Eigen::MatrixXd single;
@@ -231,7 +224,7 @@ TEST(Transport, SameBitsAtAnyNumberOfThreads) {
 
 TEST(Transport, CertificatesAgreeWithRays) {
   // Every pair that is proved hidden or visible is checked by rays.
-  const PatchMesh mesh = box_in_box(6);
+  const PatchMesh mesh = box_in_box(6, 6);
   const Visibility visibility(mesh);
   const auto transport = make_transport(mesh, visibility, {.closed = Closed::no});
   int n_checked = 0;
@@ -276,7 +269,7 @@ TEST(Transport, SinglePrecisionStorageKeepsRowSums) {
 }
 
 TEST(Transport, StopsWhenAskedTo) {
-  const PatchMesh mesh = box_in_box(4);
+  const PatchMesh mesh = box_in_box(4, 4);
   const Visibility visibility(mesh);
   std::stop_source source;
   source.request_stop();
@@ -285,7 +278,7 @@ TEST(Transport, StopsWhenAskedTo) {
 }
 
 TEST(Transport, RefusesWhatDoesNotFit) {
-  const PatchMesh mesh = box_in_box(4);
+  const PatchMesh mesh = box_in_box(4, 4);
   const Visibility visibility(mesh);
   try {
     make_transport(mesh, visibility, {.memory = 1000});
@@ -297,7 +290,7 @@ TEST(Transport, RefusesWhatDoesNotFit) {
 
 TEST(Transport, RefusesWhatTheMachineDoesNotHold) {
   if (usable_memory() == 0) GTEST_SKIP() << "this machine does not tell what it has";
-  const PatchMesh small = box_in_box(4);
+  const PatchMesh small = box_in_box(4, 4);
   const Visibility visibility(small);
   PatchMesh mesh = small;
   mesh.corners.resize(2'000'000);  // 10 TB, of which nothing may be touched

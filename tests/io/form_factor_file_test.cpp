@@ -41,9 +41,7 @@ struct Case {
 
 Case box_in_box() {
   Case result;
-  test::add_box(result.mesh, Vec3::Zero(), Vec3::Ones(), 3, test::Facing::inwards);
-  test::add_box(result.mesh, Vec3(0.35, 0.3, 0.25), Vec3(0.65, 0.6, 0.75), 2,
-                test::Facing::outwards);
+  result.mesh = test::box_in_box(3, 2);
   result.visibility = std::make_unique<Visibility>(result.mesh);
   result.transport = make_transport(result.mesh, *result.visibility);
   return result;

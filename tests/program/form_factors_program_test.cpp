@@ -3,19 +3,17 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <csignal>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <string>
-#include <thread>
 
 #include "tests/support/program.h"
+#include "tests/support/wait_until.h"
 
 namespace {
 
-using namespace std::chrono_literals;
 using namespace radiosity::test;
 using Json = nlohmann::json;
 using Names = std::vector<std::string>;
@@ -43,12 +41,9 @@ class FormFactorsProgram : public Program {
   Outcome stop_at(const std::string& output, std::uintmax_t size, int signal) const {
     const Running running = start(job(output, {"--resume"}));
     const fs::path work_file = result(output + ".partial");
-    const auto deadline = std::chrono::steady_clock::now() + 60s;
     std::error_code ignored;
-    while (std::chrono::steady_clock::now() < deadline &&
-           (!fs::exists(work_file) || fs::file_size(work_file, ignored) < size)) {
-      std::this_thread::sleep_for(1ms);
-    }
+    EXPECT_TRUE(wait_until(
+        [&] { return fs::exists(work_file) && fs::file_size(work_file, ignored) >= size; }));
     running.send(signal);
     return running.wait();
   }

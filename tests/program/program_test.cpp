@@ -517,14 +517,15 @@ TEST_F(Program, TellsWhenStandardOutputIsFull) {
   EXPECT_NE(outcome.err.find("standard output"), std::string::npos) << outcome.err;
 }
 
-/// Starts a job of at least half a minute, sends the signals, and expects it to end long before.
+/// Starts a job of at least half a minute, sends the signals as soon as the first of its many
+/// rounds is told, and expects it to end long before.
 class Interrupt : public Program {
  protected:
   void expect_interrupted_by(const std::vector<int>& signals) const {
     const std::string scene = RADIOSITY_TEST_DATA "/cornell-box/patches-8x8.obj";
-    const Running running =
-        start({"solve", scene, "--patches", "20000", "--tolerance", "1e-5", "-o", result("a.csv")});
-    std::this_thread::sleep_for(1s);
+    const Running running = start({"solve", scene, "--adaptive", "--patches", "20000",
+                                   "--tolerance", "1e-4", "-o", result("a.csv")});
+    EXPECT_TRUE(running.has_told("radiosity: form factors: "));
     const auto sent = std::chrono::steady_clock::now();
     for (const int signal : signals) running.send(signal);
     const Outcome outcome = running.wait();

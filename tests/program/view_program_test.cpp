@@ -8,6 +8,7 @@
 
 #include "tests/support/program.h"
 #include "tests/support/virtual_display.h"
+#include "tests/support/wait_until.h"
 
 namespace radiosity::test {
 namespace {
@@ -298,10 +299,10 @@ TEST_F(View, SaysWhatIsMissingAndOffersRender) {
 }
 
 TEST_F(View, EndsWhenInterrupted) {
-  const Running running =
-      start({"view", kBox, "--patches", "20000", "--script",
-             write_file("script.json", json({{{"load", kBox}}, {{"wait", 600}}}).dump())});
-  sleep(3);
+  const json actions = {{{"load", kBox}}, {{"report", result("loaded.json")}}, {{"wait", 600}}};
+  const Running running = start(
+      {"view", kBox, "--patches", "20000", "--script", write_file("script.json", actions.dump())});
+  EXPECT_TRUE(wait_until([&] { return fs::exists(result("loaded.json")); }));
   running.send(SIGINT);
   EXPECT_EQ(running.wait().exit_code, 130);
 }

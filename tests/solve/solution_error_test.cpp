@@ -54,12 +54,28 @@ INSTANTIATE_TEST_SUITE_P(SolutionError, FormFactorNoise,
                                            Perturbed{0.95, 0.03, 1}, Perturbed{0.5, 0.1, 4},
                                            Perturbed{0.9, 0.1, 4}, Perturbed{0.95, 1, 2}));
 
-// Perturbs G entry by entry many times, solves each time, and compares the spread of B with the
-// predicted standard error. The spread of 250 samples is good to 4.5 %, the prediction leaves out
-// terms of the order 1/n = 4 % of the variance and samples a minor part of it to 35 %.
+/// Variance of each B that independent errors `sigma` of G_ij = G_ji cause, exact to first order:
+/// ΔB = P ΔF B with P = (I - ρ F)^-1 ρ, so that ΔG_ij adds P_ki B_j / A_i + P_kj B_i / A_j to B_k.
+Eigen::VectorXd first_order_variance(const DenseTestTransport& transport,
+                                     const Eigen::MatrixXd& sigma, const Solution& solution) {
+  const Index n = transport.size();
+  const Eigen::MatrixXd rho = solution.reflectance.col(0).asDiagonal();
+  const Eigen::MatrixXd p =
+      (Eigen::MatrixXd::Identity(n, n) - rho * transport.form_factors()).lu().solve(rho);
+  const Eigen::MatrixXd p_by_area = p * transport.area().cwiseInverse().asDiagonal();
+  const Eigen::VectorXd& b = solution.radiosity;
+  Eigen::VectorXd variance = Eigen::VectorXd::Zero(n);
+  for (Index i = 0; i < n; ++i) {
+    variance += (sigma(i, i) * b[i] * p_by_area.col(i)).cwiseAbs2();
+    for (Index j = 0; j < i; ++j) {
+      variance += (sigma(i, j) * (b[j] * p_by_area.col(i) + b[i] * p_by_area.col(j))).cwiseAbs2();
+    }
+  }
+  return variance;
+}
+
 TEST_P(FormFactorNoise, SpreadsRadiosityAsPredicted) {
   constexpr Index kN = 24;
-  constexpr int kSamples = 250;
   std::mt19937_64 random(kSeed);
   const Index n_rooms = GetParam().n_rooms;
   const DenseTestTransport exact = test::chamber_ring(n_rooms, kN / n_rooms, 0.1, random);
@@ -75,32 +91,18 @@ TEST_P(FormFactorNoise, SpreadsRadiosityAsPredicted) {
   exitance.topRows(std::lround(kN * GetParam().light_fraction)).setOnes();
   const Solution solution = solve(transport, exitance, reflectance);
 
-  std::normal_distribution<double> normal;
-  Eigen::VectorXd squared = Eigen::VectorXd::Zero(kN);
-  double squared_norm = 0;
-  for (int sample = 0; sample < kSamples; ++sample) {
-    Eigen::MatrixXd exchange = exact.exchange();
-    for (Index i = 0; i < kN; ++i) {
-      for (Index j = 0; j <= i; ++j) {
-        exchange(i, j) += sigma(i, j) * normal(random);
-        exchange(j, i) = exchange(i, j);
-      }
-    }
-    const Eigen::MatrixXd form_factors = exact.area().cwiseInverse().asDiagonal() * exchange;
-    const Eigen::VectorXd difference =
-        solve_directly(form_factors, exitance, reflectance) - solution.radiosity;
-    squared += difference.cwiseAbs2() / kSamples;
-    squared_norm += exact.area().dot(difference.cwiseAbs2()) / kSamples;
-  }
-  const Eigen::ArrayXd ratios = solution.radiosity_error.col(0).array() / squared.array().sqrt();
+  const Eigen::VectorXd variance = first_order_variance(transport, sigma, solution);
+  const Eigen::ArrayXd ratios = solution.radiosity_error.col(0).array() / variance.array().sqrt();
   std::vector<double> ratio(ratios.begin(), ratios.end());
   std::sort(ratio.begin(), ratio.end());
   RecordProperty("median_ratio", std::to_string(ratio[kN / 2]));
-  EXPECT_GT(ratio[kN / 2], 0.8);
-  EXPECT_LT(ratio[kN / 2], 1.2);
-  EXPECT_GT(ratio[kN / 20], 0.6);
+  // What is promised of the median. Of no patch is it further off than the 35 % that a few random
+  // solutions tell their part to, which is never all of it.
+  EXPECT_NEAR(ratio[kN / 2], 1, 0.15);
+  EXPECT_GT(ratio.front(), 1 - 0.35);
+  EXPECT_LT(ratio.back(), 1 + 0.35);
   // One sigma of the norm stays below the one-sigma bound.
-  EXPECT_LE(std::sqrt(squared_norm),
+  EXPECT_LE(std::sqrt(exact.area().dot(variance)),
             solution.transport_error_bound * energy_norm(exact.area(), solution.radiosity.col(0)));
 }
 

@@ -14,6 +14,8 @@
 #include <sstream>
 #include <utility>
 
+#include "tests/support/wait_until.h"
+
 extern char** environ;
 
 namespace radiosity::test {
@@ -41,6 +43,13 @@ Running::Running(const Arguments& arguments, fs::path folder) : folder_(std::mov
 }
 
 void Running::send(int signal) const { kill(pid_, signal); }
+
+bool Running::has_told(const std::string& words) const {
+  return wait_until([&] {
+    return contents(folder_ / "stdout").find(words) != std::string::npos ||
+           contents(folder_ / "stderr").find(words) != std::string::npos;
+  });
+}
 
 Outcome Running::wait() const {
   int status = 0;

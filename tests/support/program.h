@@ -29,6 +29,9 @@ class Running {
   Running(const Arguments& arguments, fs::path folder);
 
   void send(int signal) const;
+  /// Waits until the program has printed `words`; whether it has within a minute. What it prints
+  /// tells that it listens to signals.
+  bool has_told(const std::string& words) const;
   Outcome wait() const;
 
  private:

@@ -43,6 +43,13 @@ void add_box(PatchMesh& mesh, const Vec3& low, const Vec3& high, int n, Facing f
   add(low + y, x, z);
 }
 
+PatchMesh box_in_box(int n_walls, int n_box) {
+  PatchMesh mesh;
+  add_box(mesh, Vec3::Zero(), Vec3::Ones(), n_walls, Facing::inwards);
+  add_box(mesh, {.35, .3, .25}, {.65, .6, .75}, n_box, Facing::outwards);
+  return mesh;
+}
+
 Vec3 random_unit(std::mt19937_64& random) {
   std::normal_distribution<double> normal;
   return Vec3(normal(random), normal(random), normal(random)).normalized();

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <fstream>
+#include <memory>
 #include <random>
 #include <thread>
 
@@ -13,6 +14,7 @@
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/radiometry.h"
 #include "tests/support/output_folder.h"
+#include "tests/support/wait_until.h"
 #include "viewer/desk/camera_control.h"
 #include "viewer/desk/desk.h"
 #include "viewer/desk/look.h"
@@ -28,6 +30,7 @@ using radiosity::Index;
 using radiosity::PatchMesh;
 using radiosity::Scene;
 using radiosity::Vec3;
+using radiosity::test::wait_until;
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 
@@ -226,32 +229,53 @@ TEST(Worker, DropsWhatACancelledTaskPosted) {
   EXPECT_FALSE(worker.take_error());
 }
 
-TEST(Worker, WaitsWhilePaused) {
-  viewer::Pause pause;
-  viewer::Worker worker(&pause);
+/// Counts to three, asking for leave before each, and tells where it is.
+struct Counting {
+  std::atomic<bool> has_begun = false;
   std::atomic<int> n_steps = 0;
-  pause.set(true);
-  worker.start([&](const viewer::Worker::Context& context) {
+  std::atomic<bool> has_ended = false;  ///< by itself or cancelled
+
+  void run(const viewer::Worker::Context& context) {
+    const std::shared_ptr<void> at_end(nullptr, [this](void*) { has_ended = true; });
+    has_begun = true;
     for (int k = 0; k < 3; ++k) {
       context.progress.report("counting", k, 3, "steps");
+      context.progress.check();
       ++n_steps;
     }
-  });
-  std::this_thread::sleep_for(50ms);
-  EXPECT_EQ(n_steps, 0);
-  pause.set(false);
-  while (worker.is_busy()) std::this_thread::sleep_for(1ms);
-  EXPECT_EQ(n_steps, 3);
-  // A task that is paused can still be cancelled.
+  }
+};
+
+/// Time for a thread that runs to do what it should not.
+constexpr auto kTemptation = 50ms;
+
+TEST(Worker, WaitsWhilePaused) {
+  Counting counting;
+  viewer::Pause pause;
+  viewer::Worker worker(&pause);
   pause.set(true);
-  worker.start([&](const viewer::Worker::Context& context) {
-    context.progress.report("counting", 0, 1, "steps");
-    context.progress.check();
-    ++n_steps;
-  });
+  worker.start([&](const viewer::Worker::Context& context) { counting.run(context); });
+  ASSERT_TRUE(wait_until([&] { return counting.has_begun.load(); }));
+  std::this_thread::sleep_for(kTemptation);
+  EXPECT_EQ(counting.n_steps, 0);
+  pause.set(false);
+  EXPECT_TRUE(wait_until([&] { return counting.has_ended.load(); }));
+  EXPECT_EQ(counting.n_steps, 3);
+}
+
+TEST(Worker, IsCancelledWhilePaused) {
+  Counting counting;
+  viewer::Pause pause;
+  viewer::Worker worker(&pause);
+  pause.set(true);
+  worker.start([&](const viewer::Worker::Context& context) { counting.run(context); });
+  ASSERT_TRUE(wait_until([&] { return counting.has_begun.load(); }));
+  std::this_thread::sleep_for(kTemptation);  // until it waits
   worker.cancel();
   EXPECT_FALSE(worker.is_busy());
-  EXPECT_EQ(n_steps, 3);
+  EXPECT_TRUE(wait_until([&] { return counting.has_ended.load(); }));
+  EXPECT_EQ(counting.n_steps, 0);
+  pause.set(false);  // or the worker would never end if this has failed
 }
 
 class Scripts : public OutputFolder {

@@ -69,7 +69,7 @@ PatchFacts patch_facts(const Session& session) {
   return facts;
 }
 
-std::string number_list(const Eigen::VectorXd& values) {
+std::string numbers_text(const Eigen::VectorXd& values) {
   std::string text;
   for (Index k = 0; k < std::min(values.size(), kMostNumbers); ++k) {
     text += fmt::format("{}{:.3g}", k > 0 ? "  " : "", values[k]);

@@ -45,6 +45,6 @@ struct PatchFacts {
 PatchFacts patch_facts(const Session& session);
 
 /// Values with a unit in few digits, for a person: "0.532 0.41 0.2".
-std::string number_list(const Eigen::VectorXd& values);
+std::string numbers_text(const Eigen::VectorXd& values);
 
 }  // namespace viewer

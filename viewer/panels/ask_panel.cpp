@@ -24,18 +24,18 @@ void row(const char* what, const std::string& value) {
 
 void draw_light(const Desk& desk, const PatchFacts& facts) {
   const std::string unit = radiosity::band_unit("W/m²", desk.session.model().bands);
-  row("radiosity B", number_list(facts.radiosity));
-  row("± (2 σ)", facts.error.size() > 0 ? number_list(2 * facts.error) : "not known (yet)");
-  row("irradiance H", number_list(facts.irradiance));
+  row("radiosity B", numbers_text(facts.radiosity));
+  row("± (2 σ)", facts.error.size() > 0 ? numbers_text(2 * facts.error) : "not known (yet)");
+  row("irradiance H", numbers_text(facts.irradiance));
   if (facts.direct.size() > 0) {
-    row("  direct", number_list(facts.direct));
+    row("  direct", numbers_text(facts.direct));
     const Eigen::VectorXd indirect = (facts.irradiance - facts.direct).cwiseMax(0);
-    row("  indirect", number_list(indirect));
+    row("  indirect", numbers_text(indirect));
   }
-  row("emitted M", number_list(facts.exitance));
-  row("net flux B − H", number_list(facts.radiosity - facts.irradiance));
+  row("emitted M", numbers_text(facts.exitance));
+  row("net flux B − H", numbers_text(facts.radiosity - facts.irradiance));
   row("in", unit);
-  row("reflectance ρ", number_list(facts.reflectance));
+  row("reflectance ρ", numbers_text(facts.reflectance));
   row("illuminance", fmt::format("{:.4g} lux", facts.illuminance));
   row("luminance", fmt::format("{:.4g} cd/m²", facts.luminance));
 }
@@ -118,7 +118,7 @@ void draw_path(Desk& desk) {
     ImGui::TableNextColumn();
     ImGui::Text("%.1f %%", 100 * share.share);
     ImGui::TableNextColumn();
-    ImGui::TextUnformatted(number_list(share.radiosity).c_str());
+    ImGui::TextUnformatted(numbers_text(share.radiosity).c_str());
   }
   ImGui::EndTable();
 }

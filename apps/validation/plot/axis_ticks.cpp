@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "io/picture/round_numbers.h"
+
 namespace apps::validation {
 namespace {
 
@@ -14,22 +16,8 @@ constexpr int kMostTicks = 6;
 /// Room between the outermost values and the ends of the axis, relative to what it spans.
 constexpr double kRoom = 0.04;
 
-/// 1, 2 or 5 times a power of ten, the nearest that is at least `step`.
-double nice_step(double step) {
-  const double power = std::pow(10, std::floor(std::log10(step)));
-  for (const double factor : {1., 2., 5.}) {
-    if (step <= factor * power * (1 + 1e-9)) return factor * power;
-  }
-  return 10 * power;
-}
-
 std::vector<double> linear_ticks(double low, double high) {
-  const double step = nice_step((high - low) / kMostTicks);
-  std::vector<double> ticks;
-  for (double k = std::ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k) {
-    ticks.push_back(k * step);
-  }
-  return ticks;
+  return io::multiples_within(low, high, io::round_up((high - low) / kMostTicks));
 }
 
 /// Ticks between two logarithms to base 10.
