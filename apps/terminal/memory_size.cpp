@@ -7,7 +7,7 @@
 namespace apps {
 namespace {
 
-constexpr std::string_view kPrefixes = "kmgt";
+constexpr std::string_view kSizePrefixes = "kmgt";
 constexpr double kMostBytes = 1e18;
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
@@ -17,7 +17,7 @@ std::optional<double> unit_factor(std::string unit) {
   for (char& c : unit) c = lower(c);
   if (!unit.empty() && unit.back() == 'b') unit.pop_back();
   if (unit.empty()) return 1;
-  const std::size_t prefix = kPrefixes.find(unit.front());
+  const std::size_t prefix = kSizePrefixes.find(unit.front());
   const bool is_binary = unit.substr(1) == "i";
   if (prefix == std::string_view::npos || (unit.size() > 1 && !is_binary)) return std::nullopt;
   return std::pow(is_binary ? 1024.0 : 1000.0, static_cast<double>(prefix + 1));

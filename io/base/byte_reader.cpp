@@ -9,7 +9,7 @@
 namespace io {
 namespace {
 
-constexpr std::size_t kBufferSize = 1 << 16;
+constexpr std::size_t kByteBufferSize = 1 << 16;
 
 }  // namespace
 
@@ -20,7 +20,7 @@ ByteReader::ByteReader(const std::filesystem::path& path, std::uint64_t offset,
       size_(input_size(path)),
       offset_(offset),
       file_(path, std::ios::binary),
-      buffer_(kBufferSize) {
+      buffer_(kByteBufferSize) {
   file_.seekg(static_cast<std::streamoff>(offset));
 }
 

@@ -11,7 +11,7 @@ namespace io {
 namespace {
 
 constexpr std::string_view kBlanks = " \t\r\v\f";
-constexpr std::size_t kBufferSize = 1 << 16;
+constexpr std::size_t kLineBufferSize = 1 << 16;
 constexpr long kLinesBetweenChecks = 1 << 16;
 constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 
@@ -69,7 +69,7 @@ LineReader::LineReader(const std::filesystem::path& path, const radiosity::Progr
       progress_(progress),
       continuation_(continuation),
       size_(input_size(path)),
-      buffer_(kBufferSize) {
+      buffer_(kLineBufferSize) {
   file_.rdbuf()->pubsetbuf(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
   file_.open(path, std::ios::binary);
 }

@@ -13,8 +13,6 @@
 namespace io {
 namespace {
 
-using Json = nlohmann::json;
-
 /// The text of the file, or of a .glb's first chunk: a header of 12 bytes, then length and type of
 /// the chunk, then its content.
 std::string json_text(const std::filesystem::path& path) {
@@ -47,12 +45,12 @@ std::string decoded(std::string_view uri) {
 }  // namespace
 
 std::vector<std::filesystem::path> gltf_files(const std::filesystem::path& path) {
-  const Json json = Json::parse(json_text(path), nullptr, false);
+  const nlohmann::json json = nlohmann::json::parse(json_text(path), nullptr, false);
   std::vector<std::filesystem::path> files;
   if (!json.is_object()) return files;
   for (const char* list : {"buffers", "images"}) {
     if (!json.contains(list) || !json[list].is_array()) continue;
-    for (const Json& item : json[list]) {
+    for (const nlohmann::json& item : json[list]) {
       if (!item.is_object() || !item.contains("uri") || !item["uri"].is_string()) continue;
       const auto uri = item["uri"].get<std::string>();
       if (!uri.starts_with("data:")) files.push_back(path.parent_path() / decoded(uri));

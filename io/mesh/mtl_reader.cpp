@@ -15,7 +15,7 @@
 namespace io {
 namespace {
 
-constexpr std::array<std::string_view, 22> kIgnored = {
+constexpr std::array<std::string_view, 22> kIgnoredByMtl = {
     "Ka",    "Ks",   "Ns",   "Ni", "d",  "Tr", "Tf", "illum", "sharpness", "bump",  "disp",
     "decal", "refl", "norm", "Pr", "Pm", "Ps", "Pc", "Pcr",   "Km",        "aniso", "anisor"};
 
@@ -40,7 +40,7 @@ bool is_picture(std::string_view keyword) {
 
 bool is_ignored(std::string_view keyword) {
   return keyword.starts_with("map_") ||
-         std::find(kIgnored.begin(), kIgnored.end(), keyword) != kIgnored.end();
+         std::find(kIgnoredByMtl.begin(), kIgnoredByMtl.end(), keyword) != kIgnoredByMtl.end();
 }
 
 /// `Kd r g b`, or `Kd r` for equal bands.

@@ -20,7 +20,7 @@ using radiosity::Progress;
 using radiosity::Scene;
 
 /// Statements without a meaning for us: texture, normals, smoothing, points, lines, display.
-constexpr std::array<std::string_view, 15> kIgnored = {
+constexpr std::array<std::string_view, 15> kIgnoredByObj = {
     "vt",       "vn",       "vp",  "s",          "l",         "p",      "mg",    "bevel",
     "c_interp", "d_interp", "lod", "shadow_obj", "trace_obj", "usemap", "maplib"};
 
@@ -64,7 +64,8 @@ class ObjReader {
       use_material(std::string(words.rest()));
     } else if (keyword == "mtllib") {
       read_libraries(words);
-    } else if (std::find(kIgnored.begin(), kIgnored.end(), keyword) == kIgnored.end()) {
+    } else if (std::find(kIgnoredByObj.begin(), kIgnoredByObj.end(), keyword) ==
+               kIgnoredByObj.end()) {
       warn_unknown(keyword);
     }
   }

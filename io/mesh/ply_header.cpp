@@ -10,9 +10,6 @@
 namespace io {
 namespace {
 
-using Role = PlyProperty::Role;
-using Kind = PlyElement::Kind;
-
 struct TypeName {
   std::string_view name;
   PlyType type;
@@ -65,8 +62,8 @@ PlyFormat read_format(const LineReader& lines, Words& words) {
 PlyElement read_element(const LineReader& lines, Words& words) {
   PlyElement element;
   element.name = words.next();
-  if (element.name == "vertex") element.kind = Kind::vertex;
-  if (element.name == "face") element.kind = Kind::face;
+  if (element.name == "vertex") element.kind = PlyElement::Kind::vertex;
+  if (element.name == "face") element.kind = PlyElement::Kind::face;
   element.count = lines.integer(words, "the number of elements");
   if (element.count < 0) {
     lines.fail(fmt::format("found {} elements, expected no negative number", element.count));
@@ -74,17 +71,17 @@ PlyElement read_element(const LineReader& lines, Words& words) {
   return element;
 }
 
-Role role(Kind kind, std::string_view name) {
-  if (kind == Kind::vertex && name == "x") return Role::x;
-  if (kind == Kind::vertex && name == "y") return Role::y;
-  if (kind == Kind::vertex && name == "z") return Role::z;
-  if (kind == Kind::face && (name == "vertex_indices" || name == "vertex_index")) {
-    return Role::indices;
+PlyProperty::Role role(PlyElement::Kind kind, std::string_view name) {
+  if (kind == PlyElement::Kind::vertex && name == "x") return PlyProperty::Role::x;
+  if (kind == PlyElement::Kind::vertex && name == "y") return PlyProperty::Role::y;
+  if (kind == PlyElement::Kind::vertex && name == "z") return PlyProperty::Role::z;
+  if (kind == PlyElement::Kind::face && (name == "vertex_indices" || name == "vertex_index")) {
+    return PlyProperty::Role::indices;
   }
-  return Role::skipped;
+  return PlyProperty::Role::skipped;
 }
 
-PlyProperty read_property(const LineReader& lines, Words words, Kind kind) {
+PlyProperty read_property(const LineReader& lines, Words words, PlyElement::Kind kind) {
   PlyProperty property;
   if (Words(words).next() == "list") {
     words.next();
@@ -94,8 +91,9 @@ PlyProperty read_property(const LineReader& lines, Words words, Kind kind) {
   property.type = read_type(lines, words);
   const auto name = words.next();
   property.role = role(kind, name);
-  const bool must_be_list = property.role == Role::indices;
-  if (property.role != Role::skipped && must_be_list != property.count_type.has_value()) {
+  const bool must_be_list = property.role == PlyProperty::Role::indices;
+  if (property.role != PlyProperty::Role::skipped &&
+      must_be_list != property.count_type.has_value()) {
     lines.fail(fmt::format("\"{}\" must {} a list", name, must_be_list ? "be" : "not be"));
   }
   if (must_be_list && !is_integer(property.type)) {
@@ -104,7 +102,7 @@ PlyProperty read_property(const LineReader& lines, Words words, Kind kind) {
   return property;
 }
 
-int count_role(const PlyElement& element, Role wanted) {
+int count_role(const PlyElement& element, PlyProperty::Role wanted) {
   return static_cast<int>(
       std::count_if(element.properties.begin(), element.properties.end(),
                     [&](const PlyProperty& property) { return property.role == wanted; }));
@@ -117,15 +115,17 @@ void check_elements(const LineReader& lines, PlyHeader& header) {
     if (element.properties.empty()) {
       lines.fail(fmt::format("element \"{}\" has no properties", element.name));
     }
-    if (element.kind == Kind::vertex) {
+    if (element.kind == PlyElement::Kind::vertex) {
       ++n_vertex_elements;
       header.n_vertices = element.count;
-      for (const Role axis : {Role::x, Role::y, Role::z}) {
+      for (const PlyProperty::Role axis :
+           {PlyProperty::Role::x, PlyProperty::Role::y, PlyProperty::Role::z}) {
         if (count_role(element, axis) != 1) lines.fail("vertices need one x, one y and one z each");
       }
-    } else if (element.kind == Kind::face) {
+    } else if (element.kind == PlyElement::Kind::face) {
       ++n_face_elements;
-      if (count_role(element, Role::indices) != 1) lines.fail("faces need one vertex_indices list");
+      if (count_role(element, PlyProperty::Role::indices) != 1)
+        lines.fail("faces need one vertex_indices list");
     }
   }
   if (n_vertex_elements != 1 || n_face_elements != 1) {

@@ -27,7 +27,7 @@ constexpr double kQuadSine = 0.4;
 /// What is narrower than this share of its length is not cut off.
 constexpr double kLeastWidth = 1e-5;
 /// Rounding of directions.
-constexpr double kRounding = 1e-9;
+constexpr double kCutRounding = 1e-9;
 
 class ContactCutter {
  public:
@@ -120,7 +120,8 @@ std::optional<Vec3> crossing(const Segment& a, const Segment& b) {
   const Vec3 v = b[1] - b[0];
   const Vec3 normal = u.cross(v);
   const double squared = normal.squaredNorm();
-  if (squared <= kRounding * kRounding * u.squaredNorm() * v.squaredNorm()) return std::nullopt;
+  if (squared <= kCutRounding * kCutRounding * u.squaredNorm() * v.squaredNorm())
+    return std::nullopt;
   const Vec3 between = b[0] - a[0];
   const double s = between.cross(v).dot(normal) / squared;
   const double t = between.cross(u).dot(normal) / squared;
@@ -132,7 +133,7 @@ void ContactCutter::cut_polygon(std::int32_t polygon) {
   // Long ones first: the lines on which short ones end.
   std::vector<Segment> segments = lines_[polygon];
   std::stable_sort(segments.begin(), segments.end(), [](const Segment& a, const Segment& b) {
-    return (a[1] - a[0]).squaredNorm() > (b[1] - b[0]).squaredNorm() * (1 + kRounding);
+    return (a[1] - a[0]).squaredNorm() > (b[1] - b[0]).squaredNorm() * (1 + kCutRounding);
   });
   std::vector<Box3> boxes;
   for (const Segment& segment : segments) boxes.push_back(box_of(segment, tolerance_));
@@ -187,7 +188,7 @@ void ContactCutter::cut_cell(std::int32_t cell, const Segment& segment) {
   const double length = (segment[1] - segment[0]).norm();
   // Parts of a polygon that is not flat lie in other planes.
   const double height = normal.dot(segment[0] - at(cells_[cell].loop[0]));
-  if (std::abs(height) > 8 * tolerance_ + kRounding * length) return;
+  if (std::abs(height) > 8 * tolerance_ + kCutRounding * length) return;
   while (true) {
     const Loop& loop = cells_[cell].loop;
     const std::size_t n = loop.size();
@@ -245,7 +246,7 @@ std::vector<Loop> ContactCutter::patches_of(const Cell& cell) const {
   const Loop& loop = cell.loop;
   const std::vector<double> sines = cells_.sines_in(loop, normal);
   const bool is_strict =
-      std::all_of(sines.begin(), sines.end(), [](double s) { return s > kRounding; });
+      std::all_of(sines.begin(), sines.end(), [](double s) { return s > kCutRounding; });
   if (loop.size() == 3 || (loop.size() == 4 && is_strict)) return {loop};
 
   std::vector<Vec3> points;

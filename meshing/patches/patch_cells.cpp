@@ -17,7 +17,7 @@ constexpr double kLeastArea = 0.3;
 /// ... and corners with this sine, or what they had.
 constexpr double kLeastSine = 0.25;
 /// Rounding of directions.
-constexpr double kRounding = 1e-9;
+constexpr double kCellRounding = 1e-9;
 
 std::pair<std::int32_t, std::int32_t> edge_of(std::int32_t a, std::int32_t b) {
   return {std::min(a, b), std::max(a, b)};
@@ -62,7 +62,7 @@ bool PatchCells::is_inside_polygon(const Edge& edge) const {
   const std::int32_t a = cells_[cells[0]].patch;
   const std::int32_t b = cells_[cells[1]].patch;
   return mesh_.polygon[a] == mesh_.polygon[b] &&
-         mesh_.normal[a].cross(mesh_.normal[b]).norm() <= kRounding;
+         mesh_.normal[a].cross(mesh_.normal[b]).norm() <= kCellRounding;
 }
 
 /// A corner within a polygon may go anywhere, one on an outline along it.
@@ -75,7 +75,8 @@ bool PatchCells::may_move(std::int32_t vertex, const Vec3& direction) const {
       if (loop[k] != vertex && next != vertex) continue;
       if (is_inside_polygon(edge_of(loop[k], next))) continue;
       const Vec3 along = at(next) - at(loop[k]);
-      if (along.cross(direction).norm() > kRounding * along.norm() * direction.norm()) return false;
+      if (along.cross(direction).norm() > kCellRounding * along.norm() * direction.norm())
+        return false;
     }
   }
   return true;
@@ -111,7 +112,7 @@ bool PatchCells::move(std::int32_t vertex, const Vec3& to) {
     const std::vector<double> after = sines_in(loop, normal);
     bool is_good = area_in(loop, normal) >= kLeastArea * area_before;
     for (std::size_t k = 0; k < loop.size(); ++k) {
-      is_good = is_good && after[k] >= std::min(kLeastSine, before[k] - kRounding);
+      is_good = is_good && after[k] >= std::min(kLeastSine, before[k] - kCellRounding);
     }
     vertices_[vertex] = from;
     if (!is_good) return false;

@@ -13,7 +13,7 @@ namespace {
 /// One sigma of an uncertain entry is at least so many times the kernel's error.
 constexpr double kKernelErrors = 10;
 /// Divisions of a pair at most.
-constexpr std::size_t kMostDivisions = 12;
+constexpr std::size_t kMostPairDivisions = 12;
 
 // The error that a pair may have. With n samples the error of a pair of exchange area G falls like
 // G n^-p, so that the sum of all errors is least for a given cost if each pair's error is in
@@ -27,7 +27,7 @@ constexpr double kRowShare = 0.22;
 /// So few blockers cost less to look at than a packet.
 constexpr std::size_t kFewCandidates = 4;
 /// Rays see nothing within a gap at their ends; pairs closer than so many gaps go without them.
-constexpr double kLeastGaps = 64;
+constexpr double kLeastGapsBetween = 64;
 /// The standard error of what shadows that cross hide at events that were passed over, as a share
 /// of what is aimed at.
 constexpr double kCrossingError = 0.1;
@@ -59,7 +59,7 @@ double OccludedPairEstimator::allowed_share(const PairView& view, double whole) 
 }
 
 bool OccludedPairEstimator::suits_rays(const PairView& view) const {
-  return view.distance >= kLeastGaps * visibility_.end_gap();
+  return view.distance >= kLeastGapsBetween * visibility_.end_gap();
 }
 
 PairEstimate OccludedPairEstimator::estimate(const SampledPair& pair,
@@ -102,7 +102,7 @@ PairEstimate OccludedPairEstimator::estimate_unproved(const SampledPair& pair, c
                                                       std::size_t depth) {
   PairBlockers& between = levels_[depth];
   const double error = allowed_share(view, whole);
-  const bool may_divide = depth < kMostDivisions;
+  const bool may_divide = depth < kMostPairDivisions;
   const PairMethod method = choose_method(view, between, error, suits_rays(view));
   const bool is_source_large = view.source->size() > kMostCorners;
   const bool is_large = is_source_large || view.target->size() > kMostCorners;

@@ -12,13 +12,13 @@
 namespace radiosity {
 namespace {
 
-constexpr double kRays = 2e5;
-constexpr double kFewestRays = 16;
-constexpr double kMostRays = 1024;
+constexpr double kRaysInAll = 2e5;
+constexpr double kFewestRaysOfPatch = 16;
+constexpr double kMostRaysOfPatch = 1024;
 constexpr double kLeastMissing = 1e-4;
 /// Of patches narrower than so many gaps, in which rays meet nothing at their start, too many pass
 /// by what stands beside them.
-constexpr double kLeastGaps = 256;
+constexpr double kLeastGapsAcross = 256;
 
 struct Count {
   std::int64_t backs = 0;
@@ -80,8 +80,8 @@ Eigen::VectorXd shares_on_backs(const PatchMesh& mesh, const Visibility& visibil
   }
   Eigen::VectorXd result = Eigen::VectorXd::Zero(mesh.size());
   if (asked.empty()) return result;
-  const auto n_rays = static_cast<int>(
-      std::clamp(kRays / static_cast<double>(asked.size()), kFewestRays, kMostRays));
+  const auto n_rays = static_cast<int>(std::clamp(kRaysInAll / static_cast<double>(asked.size()),
+                                                  kFewestRaysOfPatch, kMostRaysOfPatch));
   std::vector<Count> counts(asked.size());
   parallel_for(static_cast<std::ptrdiff_t>(asked.size()), [&](std::ptrdiff_t k) {
     counts[k] = count_rays(mesh, visibility, asked[k], n_rays, pair_seed(seed, asked[k], -1));
@@ -104,18 +104,18 @@ Eigen::VectorXd shares_on_backs(const PatchMesh& mesh, const Visibility& visibil
 bool is_enclosed(const PatchMesh& mesh, const Visibility& visibility, double tolerance,
                  std::uint64_t seed) {
   const Coverage coverage = find_coverage(mesh, plane_thickness(mesh));
-  const double least_width = kLeastGaps * visibility.end_gap();
+  const double least_width = kLeastGapsAcross * visibility.end_gap();
   std::vector<std::int32_t> asked;
-  const auto step =
-      static_cast<Index>(std::ceil(static_cast<double>(mesh.size()) * kFewestRays / kRays));
+  const auto step = static_cast<Index>(
+      std::ceil(static_cast<double>(mesh.size()) * kFewestRaysOfPatch / kRaysInAll));
   for (Index i = 0; i < mesh.size(); i += step) {
     const auto patch = static_cast<std::int32_t>(i);
     // What is covered in part has rays that start in the dark.
     if (coverage.share[i] == 0 && width(mesh, patch) >= least_width) asked.push_back(patch);
   }
   if (asked.empty()) return false;
-  const int n_rays = static_cast<int>(
-      std::clamp(kRays / static_cast<double>(asked.size()), kFewestRays, kMostRays));
+  const int n_rays = static_cast<int>(std::clamp(kRaysInAll / static_cast<double>(asked.size()),
+                                                 kFewestRaysOfPatch, kMostRaysOfPatch));
   // So many may miss by chance where `tolerance` of them does in the mean.
   constexpr double kSigmas = 3;
   const double expected = tolerance * n_rays;

@@ -14,7 +14,7 @@ namespace {
 /// all and one by one, and of what is aimed at, since these may be small by chance.
 constexpr double kRuleError = 0.3;
 constexpr double kQuarterError = 0.2;
-constexpr double kChanceError = 0.1;
+constexpr double kChanceOfQuarters = 0.1;
 /// Error of the kernel of parts that are proved visible or hidden, of what is asked of the pair.
 constexpr double kPartKernel = 1e-3;
 /// The standard error of what points miss as a share of it.
@@ -151,7 +151,7 @@ void PointSampler::add_parts(const PairView& view, const ConvexPolygon& piece, B
   variance += square(total.whole * missed_share(piece, view.source_normal, blockers));
   const bool is_good = coarse.has_quarters && variance <= square(goal);
   if (is_good || depth + 1 >= kMostQuarterings || points_left_ <= 0) {
-    total.variance += variance + square(kChanceError * goal);
+    total.variance += variance + square(kChanceOfQuarters * goal);
     sums.add(total);
     return;
   }

@@ -18,7 +18,7 @@ constexpr std::size_t kMostAdaptivePieces = 256;
 /// a piece.
 constexpr double kUnseen = 5e-3;
 /// Polygons with this many corners are halved or not cut further, to stay within their capacity.
-constexpr std::size_t kMostCorners = 9;
+constexpr std::size_t kMostPieceCorners = 9;
 /// Cuts closer to a corner than this share of the piece's size, or than what digits leave open, are
 /// left out.
 constexpr double kSliver = 1e-7;
@@ -40,9 +40,9 @@ constexpr double kLeastLowRule = 2e-4;
 /// One sigma of a converged rule's error as a share of its change from the rule before, and of what
 /// was aimed at: two rules may agree by chance.
 constexpr double kHighRuleError = 0.3;
-constexpr double kChanceError = 0.1;
+constexpr double kChanceOfRules = 0.1;
 /// Divisions of a piece at most.
-constexpr int kMostDivisions = 6;
+constexpr int kMostPieceDivisions = 6;
 /// Points for a pair at most at a tolerance of 1e-3, more in proportion to its inverse root: what
 /// does not settle by then has the error that it has.
 constexpr double kMostPoints = 4000;
@@ -81,7 +81,7 @@ VisibleShare ShadowedQuadrature::integrate(const ShadowedPair& pair, double tole
       const double whole = point_to_polygon(bounding_disc(piece.points()).center,
                                             pair.source_normal, pair.target.points()) *
                            area;
-      add_adaptively(pair, piece, tolerance * whole * std::sqrt(share), kMostDivisions, total);
+      add_adaptively(pair, piece, tolerance * whole * std::sqrt(share), kMostPieceDivisions, total);
       continue;
     }
     const bool is_small = share < kSmallPiece;
@@ -160,7 +160,7 @@ void ShadowedQuadrature::divide_pieces(const Vec3& normal, const Vec3& on_plane,
     const double least =
         length * std::max(kSliver * (piece[0] - piece[2]).norm(), kDigits * pair.thickness);
     if (low > -least || high < least) continue;
-    if (pieces_.size() >= most_pieces || piece.size() >= kMostCorners) {
+    if (pieces_.size() >= most_pieces || piece.size() >= kMostPieceCorners) {
       is_divided_ = false;
       continue;
     }
@@ -215,7 +215,7 @@ void ShadowedQuadrature::add_adaptively(const ShadowedPair& pair, const ConvexPo
     if (best.any_visible && best.any_hidden) {
       // Of rules that did not settle, the last two may be alike by chance.
       best.variance =
-          square(kHighRuleError * (is_settled ? error : most)) + square(kChanceError * goal);
+          square(kHighRuleError * (is_settled ? error : most)) + square(kChanceOfRules * goal);
     }
     if (!is_divided_) best.variance += square(kUnseen * best.whole);
     sums.add(best);

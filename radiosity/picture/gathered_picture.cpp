@@ -34,10 +34,10 @@ SurfacePoint middle_point(const Share& share, int n_rays) {
   return {nearest.patch, mean};
 }
 
-class Renderer {
+class GatherRenderer {
  public:
-  Renderer(const FinalGather& gather, const Visibility& visibility, const SurfaceLight& light,
-           const Camera& camera, const RenderOptions& options)
+  GatherRenderer(const FinalGather& gather, const Visibility& visibility, const SurfaceLight& light,
+                 const Camera& camera, const RenderOptions& options)
       : gather_(gather),
         light_(light),
         rays_(visibility, camera, options.width, options.height, options.samples) {}
@@ -101,7 +101,7 @@ Image render_gathered(const FinalGather& gather, const Visibility& visibility,
                       const SurfaceLight& light, const Camera& camera,
                       const RenderOptions& options) {
   assert(options.width > 0 && options.height > 0 && options.samples > 0);
-  const Renderer renderer(gather, visibility, light, camera, options);
+  const GatherRenderer renderer(gather, visibility, light, camera, options);
   Image image = blank_image(options.width, options.height, light.exitance.cols());
   RowCounter counter(options.progress, options.height);
   const int n_columns = (options.width + kTileSide - 1) / kTileSide;

@@ -68,10 +68,11 @@ Eigen::RowVectorXd interpolate(const PatchMesh& mesh, const Eigen::MatrixXd& cor
 }
 
 /// What a camera sees. Holds all that the pixels share.
-class Renderer {
+class CornerRenderer {
  public:
-  Renderer(const PatchMesh& mesh, const Visibility& visibility, const Eigen::MatrixXd& patch_values,
-           const Camera& camera, const RenderOptions& options)
+  CornerRenderer(const PatchMesh& mesh, const Visibility& visibility,
+                 const Eigen::MatrixXd& patch_values, const Camera& camera,
+                 const RenderOptions& options)
       : mesh_(mesh),
         corner_values_(corner_values(mesh, patch_values, options.crease_angle)),
         rays_(visibility, camera, options.width, options.height, options.samples) {}
@@ -120,7 +121,7 @@ Image render_values(const PatchMesh& mesh, const Visibility& visibility,
                     const Eigen::MatrixXd& patch_values, const Camera& camera,
                     const RenderOptions& options) {
   assert(options.width > 0 && options.height > 0 && options.samples > 0);
-  const Renderer renderer(mesh, visibility, patch_values, camera, options);
+  const CornerRenderer renderer(mesh, visibility, patch_values, camera, options);
   Image image = blank_image(options.width, options.height, renderer.n_bands());
   RowCounter counter(options.progress, options.height);
   parallel_for(options.height, [&](std::ptrdiff_t y) {

@@ -15,7 +15,7 @@ namespace {
 
 /// Solutions with random signs. The standard error that they estimate is good to 1 / sqrt(2 x 4) =
 /// 35 %, and only of the part that is neither local nor common to all patches, rarely a large one.
-constexpr int kProbes = 4;
+constexpr int kErrorProbes = 4;
 /// Tolerance of the solutions that errors are propagated with, well below the 35 %.
 constexpr double kProbeTolerance = 0.01;
 constexpr std::uint64_t kProbeSeed = 1;
@@ -93,10 +93,10 @@ Eigen::MatrixXd remaining_variance(const IrradianceSystem& system, const Eigen::
                                    const Progress& progress) {
   const Index k = sigma.cols();
   std::mt19937_64 random(kProbeSeed);
-  Eigen::MatrixXd errors = sigma.replicate(1, kProbes);
+  Eigen::MatrixXd errors = sigma.replicate(1, kErrorProbes);
   for (Index i = 0; i < errors.rows(); ++i) {
     const std::uint64_t bits = random();
-    for (int probe = 0; probe < kProbes; ++probe) {
+    for (int probe = 0; probe < kErrorProbes; ++probe) {
       if ((bits >> probe & 1) != 0) errors.row(i).segment(probe * k, k) *= -1;
     }
   }
@@ -107,7 +107,7 @@ Eigen::MatrixXd remaining_variance(const IrradianceSystem& system, const Eigen::
   for (Index p = 0; p < errors.cols(); ++p) {
     const double a = common.weight.col(p % k).dot(errors.col(p));
     variance.col(p % k) +=
-        (propagated.col(p) - a * common.response.col(p % k)).cwiseAbs2() / kProbes;
+        (propagated.col(p) - a * common.response.col(p % k)).cwiseAbs2() / kErrorProbes;
   }
   return variance;
 }

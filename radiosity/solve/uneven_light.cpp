@@ -16,8 +16,8 @@ namespace {
 /// The exchange varies by no more than this: from nothing to twice its mean.
 constexpr double kLargestVariation = 2;
 /// Solutions with random signs.
-constexpr Index kProbes = 4;
-constexpr std::uint64_t kSeed = 1;
+constexpr Index kLightProbes = 4;
+constexpr std::uint64_t kLightSeed = 1;
 constexpr Index kBlock = 16;  // rows worked on together, which stay in the cache
 
 /// Places and sizes of patches.
@@ -108,17 +108,18 @@ Variation find_variation(const Transport& transport, const Places& places, const
 /// What is received wrongly and reflected at once.
 struct Received {
   Eigen::MatrixXd local;   ///< s_i, W/m², n x k
-  Eigen::MatrixXd probes;  ///< the same with random signs, n x (k kProbes)
+  Eigen::MatrixXd probes;  ///< the same with random signs, n x (k kLightProbes)
 };
 
-/// D_j with a random sign in each of `kProbes` times k columns, which the patches of a group share.
+/// D_j with a random sign in each of `kLightProbes` times k columns, which the patches of a group
+/// share.
 Eigen::MatrixXd with_random_signs(const PatchGroups& groups, const Eigen::MatrixXd& light) {
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random(kLightSeed);
   std::vector<std::uint64_t> bits(groups.n_groups);
   for (std::uint64_t& word : bits) word = random();
-  Eigen::MatrixXd result = light.replicate(1, kProbes);
+  Eigen::MatrixXd result = light.replicate(1, kLightProbes);
   for (Index i = 0; i < result.rows(); ++i) {
-    for (Index probe = 0; probe < kProbes; ++probe) {
+    for (Index probe = 0; probe < kLightProbes; ++probe) {
       if ((bits[groups.group_of[i]] >> probe & 1) == 0) continue;
       result.row(i).segment(probe * light.cols(), light.cols()) *= -1;
     }
@@ -133,7 +134,7 @@ Received receive(const PatchMesh& mesh, const Transport& transport, const Places
   const Index n_bands = solution.reflectance.cols();
   const Eigen::MatrixXd squared_light = variation.light.cwiseAbs2();
   const Eigen::MatrixXd signed_light = with_random_signs(make_patch_groups(mesh), variation.light);
-  Received received{Eigen::MatrixXd(n, k), Eigen::MatrixXd(n, k * kProbes)};
+  Received received{Eigen::MatrixXd(n, k), Eigen::MatrixXd(n, k * kLightProbes)};
   for_rows(transport, places, progress, [&](const Rows& rows) {
     const Index size = rows.factors.cols();
     Eigen::MatrixXd weight(n, size);
@@ -167,7 +168,7 @@ Eigen::MatrixXd uneven_light_error(const PatchMesh& mesh, const Transport& trans
   Eigen::MatrixXd variance = received.local.cwiseAbs2();
   const Index k = variance.cols();
   for (Index c = 0; c < reflected.cols(); ++c) {
-    variance.col(c % k) += reflected.col(c).cwiseAbs2() / kProbes;
+    variance.col(c % k) += reflected.col(c).cwiseAbs2() / kLightProbes;
   }
   return variance.cwiseSqrt();
 }

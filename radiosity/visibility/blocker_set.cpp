@@ -44,9 +44,9 @@ Blocker polygon_blocker(const Occluder& occluder) {
   return result;
 }
 
-class Builder {
+class BlockerSetBuilder {
  public:
-  Builder(const PatchMesh& mesh, double thickness) : mesh_(mesh), thickness_(thickness) {}
+  BlockerSetBuilder(const PatchMesh& mesh, double thickness) : mesh_(mesh), thickness_(thickness) {}
 
   BlockerSet build() {
     std::vector<std::int32_t> one_sided;
@@ -142,7 +142,7 @@ class Builder {
 }  // namespace
 
 BlockerSet make_blockers(const PatchMesh& mesh, double thickness) {
-  return Builder(mesh, thickness).build();
+  return BlockerSetBuilder(mesh, thickness).build();
 }
 
 }  // namespace radiosity

@@ -13,13 +13,13 @@ namespace {
 /// How far apart opposite normals count, in units of the scene's longest side.
 constexpr double kNormalWeight = 2;
 /// Outlines with more corners are not worth their tests.
-constexpr std::size_t kMostCorners = 8;
+constexpr std::size_t kMostOutlineCorners = 8;
 
 using Point6 = std::array<double, 6>;
 
-class Builder {
+class ClusterTreeBuilder {
  public:
-  Builder(const PatchMesh& mesh, Index leaf_size, double thickness)
+  ClusterTreeBuilder(const PatchMesh& mesh, Index leaf_size, double thickness)
       : mesh_(mesh), leaf_size_(leaf_size), thickness_(thickness) {
     const Box3 box = bounds(mesh);
     const double scale = mesh.size() > 0 ? 1 / std::max(box.sizes().maxCoeff(), 1e-300) : 1;
@@ -84,7 +84,7 @@ class Builder {
     if (is_planar) {
       cluster.plane = plane;
       const std::vector<std::int32_t> hull = convex_hull(points, thickness_);
-      if (!hull.empty() && hull.size() <= kMostCorners) {
+      if (!hull.empty() && hull.size() <= kMostOutlineCorners) {
         for (const std::int32_t k : hull) cluster.outline.push_back(corners[k]);
         cluster.is_flat = true;
         return;
@@ -144,7 +144,7 @@ class Builder {
 }  // namespace
 
 ClusterTree make_cluster_tree(const PatchMesh& mesh, Index leaf_size, double thickness) {
-  return Builder(mesh, leaf_size, thickness).build();
+  return ClusterTreeBuilder(mesh, leaf_size, thickness).build();
 }
 
 }  // namespace radiosity

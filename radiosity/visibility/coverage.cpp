@@ -14,7 +14,7 @@ namespace radiosity {
 namespace {
 
 /// Shares closer to 0 or 1 are rounding.
-constexpr double kRounding = 1e-6;
+constexpr double kShareRounding = 1e-6;
 /// A solid is in a hollow if a point just off some facet is: of how many, how far off in shares of
 /// their size and in thicknesses.
 constexpr std::size_t kTriedFacets = 32;
@@ -231,9 +231,9 @@ class CoverFinder {
     double area = 0;
     for (const ConvexPolygon& part : open) area += vector_area(part.points()).norm();
     const double share = 1 - area / mesh_.area[i];
-    if (share <= kRounding) return;
+    if (share <= kShareRounding) return;
     const bool is_whole =
-        share >= 1 - kRounding ||
+        share >= 1 - kShareRounding ||
         (share >= kLeastCovered && std::all_of(open.begin(), open.end(), [&](const auto& part) {
            return is_sliver(part.points(), kSliver * thickness_);
          }));

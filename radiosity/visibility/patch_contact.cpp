@@ -8,7 +8,7 @@
 namespace radiosity {
 namespace {
 
-struct Interval {
+struct ContactInterval {
   double low;
   double high;
 };
@@ -69,10 +69,10 @@ bool PatchContact::overlap(std::int32_t i, std::int32_t j) const {
 std::optional<std::array<Vec3, 2>> PatchContact::meeting(std::int32_t i, std::int32_t j,
                                                          const Vec3& along) const {
   const Vec3 u = along.normalized();
-  std::optional<Interval> common;
+  std::optional<ContactInterval> common;
   for (const auto& [a, b] : {std::pair(i, j), std::pair(j, i)}) {
     const Vec3& normal = mesh_.normal[a];
-    std::optional<Interval> here;
+    std::optional<ContactInterval> here;
     const auto add = [&](const Vec3& point) {
       const double t = u.dot(point - mesh_.centroid[i]);
       if (!here) here = {t, t};

@@ -27,7 +27,7 @@ constexpr std::array<std::array<double, 3>, 4> kDirections{{{0.5377, 0.3188, 0.7
                                                             {0.2931, -0.8413, 0.4542},
                                                             {0.7213, 0.2479, -0.6468}}};
 
-struct Interval {
+struct EdgeInterval {
   double low;
   double high;
 };
@@ -38,7 +38,7 @@ struct Spoke {
   double angle;
   double slack;            ///< by which its angle may be off
   bool front_is_forwards;  ///< whether its front faces growing angles
-  Interval along;          ///< where it is at the edge, m
+  EdgeInterval along;      ///< where it is at the edge, m
 };
 
 class RegionFinder {
@@ -154,7 +154,7 @@ class RegionFinder {
           join_all(i, j, joints);
           continue;
         }
-        const Interval along{std::max(0.0, std::min(t, s)), std::min(length, std::max(t, s))};
+        const EdgeInterval along{std::max(0.0, std::min(t, s)), std::min(length, std::max(t, s))};
         spokes.push_back(spoke(j, m, u, contact_.inwards(i, k), along));
       }
     }
@@ -198,7 +198,7 @@ class RegionFinder {
   }
 
   [[nodiscard]] Spoke spoke(std::int32_t patch, int edge, const Vec3& u, const Vec3& zero,
-                            const Interval& along) const {
+                            const EdgeInterval& along) const {
     const Vec3 w = contact_.inwards(patch, edge);
     const double length = (contact_.corner(patch, edge + 1) - contact_.corner(patch, edge)).norm();
     return {patch, std::atan2(w.dot(u.cross(zero)), w.dot(zero)),

@@ -15,7 +15,7 @@ namespace {
 // Embree computes in float, on patches that were scaled for it.
 
 /// Roundings of a segment's end and of a corner in its plane, added up.
-constexpr double kRounding = 5e-7;
+constexpr double kEndRounding = 5e-7;
 
 /// Patches from which on packets of coherent rays gain, by 10 to 20 %; in tiny scenes they lose.
 constexpr Index kLarge = 512;
@@ -225,7 +225,7 @@ std::uint32_t Visibility::blocked(const SegmentPacket& segments, std::int32_t so
   };
   const Trim trim{static_cast<float>(implementation_->patches.scale()),
                   static_cast<float>(implementation_->patches.end_gap()),
-                  static_cast<float>(implementation_->patches.coplanar() + kRounding),
+                  static_cast<float>(implementation_->patches.coplanar() + kEndRounding),
                   normal_of(source), normal_of(target)};
   alignas(64) std::array<int, kPacket> valid;
   RTCRay16 rays;
@@ -309,7 +309,7 @@ std::optional<Hit> Visibility::first_hit(const Vec3& origin, const Vec3& directi
   // Of walls back to back, which are one to the digits, the ray meets the one that faces it.
   const double cosine = direction.normalized().dot(all.patches.plane(hit->patch).normal);
   const double gap =
-      2 * (all.patches.coplanar() + kRounding) / std::max(cosine, all.patches.end_gap());
+      2 * (all.patches.coplanar() + kEndRounding) / std::max(cosine, all.patches.end_gap());
   const double distance = hit->distance * all.patches.scale();
   const auto facing = all.first_hit(origin, direction, source, reject_own_ends_and_backs,
                                     std::max(start, distance - gap), distance + gap);

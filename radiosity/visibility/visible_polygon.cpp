@@ -9,7 +9,7 @@ namespace radiosity {
 namespace {
 
 /// Polygons with this many corners are halved, since each further cut may add one.
-constexpr std::size_t kMostCorners = 9;
+constexpr std::size_t kMostCornersUncut = 9;
 
 /// A polygon cut from corner to corner.
 std::array<ConvexPolygon, 2> halves(const ConvexPolygon& polygon) {
@@ -24,7 +24,7 @@ std::array<ConvexPolygon, 2> halves(const ConvexPolygon& polygon) {
 /// Appends a polygon, in halves if further cuts might exceed its capacity.
 void add_part(const ConvexPolygon& part, std::vector<ConvexPolygon>& parts) {
   if (part.size() < 3) return;
-  if (part.size() < kMostCorners) {
+  if (part.size() < kMostCornersUncut) {
     parts.push_back(part);
     return;
   }

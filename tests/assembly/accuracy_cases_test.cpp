@@ -36,9 +36,9 @@ namespace {
 
 using namespace radiosity;
 
-constexpr double kTolerance = 1e-3;
+constexpr double kCaseTolerance = 1e-3;
 /// Of what is proved.
-constexpr double kRounding = 1e-9;
+constexpr double kCaseRounding = 1e-9;
 
 /// How the scene of the file is changed before it is used.
 enum class Digits { as_given, all, six };
@@ -133,7 +133,7 @@ struct Case {
 Case make_case(Scene scene, const meshing::PatchOptions& options) {
   Case result{.scene = std::move(scene), .mesh = {}, .transport = nullptr};
   result.mesh = meshing::make_patches(result.scene, options);
-  TransportOptions transport{.tolerance = kTolerance};
+  TransportOptions transport{.tolerance = kCaseTolerance};
   if (result.scene.closed) {
     transport.closed = *result.scene.closed ? Closed::yes : Closed::no;
   }
@@ -146,7 +146,7 @@ Case make_case(const std::string& name, const Variation& variation) {
 }
 
 /// A surface factor that proofs make exact, but for the digits that coordinates have lost.
-double exact_to(const Case& made) { return std::max(kRounding, 20 * made.scene.precision); }
+double exact_to(const Case& made) { return std::max(kCaseRounding, 20 * made.scene.precision); }
 
 class AccuracyCase : public testing::TestWithParam<Variation> {};
 INSTANTIATE_TEST_SUITE_P(Variations, AccuracyCase, kVariations, variation_name);
@@ -156,7 +156,7 @@ TEST_P(AccuracyCase, StackedPlatesHideEachOther) {
   const Eigen::MatrixXd F = surface_form_factors(plates.mesh, *plates.transport);
   Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(4, 4);
   expected(0, 1) = expected(1, 0) = 0.19982489569838748;
-  EXPECT_LE((F - expected).cwiseAbs().maxCoeff(), 0.1 * kTolerance) << F;
+  EXPECT_LE((F - expected).cwiseAbs().maxCoeff(), 0.1 * kCaseTolerance) << F;
   EXPECT_LE(std::max({F(0, 2), F(0, 3), F(1, 2), F(1, 3), F(2, 3)}), exact_to(plates)) << F;
 }
 
@@ -164,10 +164,10 @@ TEST_P(AccuracyCase, ThreePlatesAreSeparatedByTheMiddleOne) {
   const Case plates = make_case("three-plates", GetParam());
   const Eigen::MatrixXd F = surface_form_factors(plates.mesh, *plates.transport);
   constexpr double kNeighbour = 0.415253268274;
-  EXPECT_NEAR(F(0, 1), kNeighbour, 0.1 * kTolerance);
-  EXPECT_NEAR(F(2, 1), kNeighbour, 0.1 * kTolerance);
-  EXPECT_NEAR(F(1, 0), kNeighbour / 2, 0.1 * kTolerance);  // of both sides
-  EXPECT_NEAR(F(1, 2), kNeighbour / 2, 0.1 * kTolerance);
+  EXPECT_NEAR(F(0, 1), kNeighbour, 0.1 * kCaseTolerance);
+  EXPECT_NEAR(F(2, 1), kNeighbour, 0.1 * kCaseTolerance);
+  EXPECT_NEAR(F(1, 0), kNeighbour / 2, 0.1 * kCaseTolerance);  // of both sides
+  EXPECT_NEAR(F(1, 2), kNeighbour / 2, 0.1 * kCaseTolerance);
   EXPECT_LE(F(0, 2), exact_to(plates));
 }
 
@@ -184,7 +184,7 @@ TEST_P(AccuracyCase, ALampBelowTheCeilingLightsTheFloor) {
   };
   const double area = 0.47 * 0.38;
   const double expected = exchange_area(polygon(2), polygon(0), 1e-8) / area;
-  EXPECT_NEAR(F(light, floor), expected, kTolerance * expected);
+  EXPECT_NEAR(F(light, floor), expected, kCaseTolerance * expected);
   // Four digits are given, and what the ceiling returns depends on the patches a little.
   const Eigen::VectorXd irradiance = room.light().irradiance;
   EXPECT_NEAR(room.mean(irradiance, floor), 0.0339, 0.01 * 0.0339);
@@ -212,7 +212,7 @@ TEST_P(AccuracyCase, TheCoveredEndOfABoardSeesNothing) {
     }
   }
   const double covered = 0.03 / 1.75;
-  EXPECT_NEAR(F.row(solids.surface("left1")).sum(), 1 - covered, 5 * kTolerance);
+  EXPECT_NEAR(F.row(solids.surface("left1")).sum(), 1 - covered, 5 * kCaseTolerance);
   // Neither is an opening.
   EXPECT_TRUE(solids.transport->report().closed);
   EXPECT_EQ(solids.transport->report().open_rows, 0);
@@ -285,8 +285,8 @@ TEST(AccuracyCases, APanelAboveAGroundOfTwoThousandKilometres) {
     const Index panel = yard.surface("panel");
     const Index ground = yard.surface("ground");
     constexpr double kExpected = 0.792373;
-    EXPECT_NEAR(F(panel, ground), kExpected, kTolerance + 3 * error(panel, ground));
-    EXPECT_LE(yard.transport->report().row_sums.maxCoeff(), 1 + kTolerance);
+    EXPECT_NEAR(F(panel, ground), kExpected, kCaseTolerance + 3 * error(panel, ground));
+    EXPECT_LE(yard.transport->report().row_sums.maxCoeff(), 1 + kCaseTolerance);
   }
 }
 
@@ -306,8 +306,8 @@ TEST(AccuracyCases, ConcentricCylinders) {
   const Case cylinders = make_case("concentric", {Digits::as_given, {}});
   const Solution solution = cylinders.light();
   const Eigen::VectorXd net = solution.radiosity - solution.irradiance;
-  EXPECT_NEAR(cylinders.mean(net, cylinders.surface("inner")), 9750.47, kTolerance * 9750.47);
-  EXPECT_NEAR(cylinders.mean(net, cylinders.surface("outer")), -4875.23, kTolerance * 4875.23);
+  EXPECT_NEAR(cylinders.mean(net, cylinders.surface("inner")), 9750.47, kCaseTolerance * 9750.47);
+  EXPECT_NEAR(cylinders.mean(net, cylinders.surface("outer")), -4875.23, kCaseTolerance * 4875.23);
 }
 
 TEST(AccuracyCases, Rods) {

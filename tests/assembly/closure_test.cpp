@@ -10,7 +10,7 @@ namespace radiosity {
 namespace {
 
 constexpr Index kRows = 40;
-constexpr double kTolerance = 1e-3;
+constexpr double kClosureTolerance = 1e-3;
 
 /// A closed operator with random exchange areas, of which some then get errors.
 struct Noisy {
@@ -78,7 +78,8 @@ TEST(Closure, RowsSumToTheirAreasAndCertainEntriesStay) {
     ExchangeTiles tiles = noisy.tiles();
     const Eigen::VectorXd sums = tiles.row_sums();
     ASSERT_GT((sums - noisy.areas).cwiseAbs().maxCoeff(), 1e-4);
-    const ClosedRows rows = close_rows(tiles, sums, noisy.areas, Closed::automatic, kTolerance);
+    const ClosedRows rows =
+        close_rows(tiles, sums, noisy.areas, Closed::automatic, kClosureTolerance);
     EXPECT_TRUE(rows.is_closed);
     EXPECT_TRUE(rows.open_rows.empty());
     const Eigen::MatrixXd after = matrix(tiles);
@@ -106,7 +107,7 @@ TEST(Closure, WhatIsNotClosedStaysAsItIs) {
   for (const Closed asked : {Closed::automatic, Closed::no}) {
     ExchangeTiles tiles = noisy.tiles();
     const Eigen::VectorXd sums = tiles.row_sums();
-    const ClosedRows rows = close_rows(tiles, sums, larger, asked, kTolerance);
+    const ClosedRows rows = close_rows(tiles, sums, larger, asked, kClosureTolerance);
     EXPECT_FALSE(rows.is_closed);
     EXPECT_EQ(matrix(tiles), noisy.values);
     EXPECT_EQ(rows.sums.present, sums);
@@ -120,8 +121,8 @@ TEST(Closure, AHoleIsCountedAndNotMended) {
   areas[7] *= 1.2;  // a fifth of what leaves it is lost
   ExchangeTiles tiles = noisy.tiles();
   const Eigen::VectorXd sums = tiles.row_sums();
-  EXPECT_FALSE(is_closed_within_errors(tiles, sums, areas, kTolerance));
-  const ClosedRows rows = close_rows(tiles, sums, areas, Closed::yes, kTolerance);
+  EXPECT_FALSE(is_closed_within_errors(tiles, sums, areas, kClosureTolerance));
+  const ClosedRows rows = close_rows(tiles, sums, areas, Closed::yes, kClosureTolerance);
   EXPECT_TRUE(rows.is_closed);
   EXPECT_EQ(rows.open_rows, std::vector<Index>{7});
   EXPECT_EQ(rows.sums.mask[7], 0);

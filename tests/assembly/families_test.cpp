@@ -18,7 +18,7 @@ namespace {
 using namespace radiosity;
 using namespace radiosity::test;
 
-constexpr std::uint64_t kSeed = 1;
+constexpr std::uint64_t kFamilySeed = 1;
 
 FamilyScene rectangles(const std::vector<std::vector<Vec3>>& polygons) {
   FamilyScene result;
@@ -48,7 +48,7 @@ TEST(Oracle, SeesParallelSquaresAsTheClosedFormDoes) {
   const FamilyScene scene =
       rectangles({square(0, true), square(1, false), square(2, false), square(-1, true)});
   const PatchMesh mesh = meshing::make_patches(scene.scene);
-  const RayCounts rays = Oracle(scene, mesh).shoot(0, kRays, kSeed);
+  const RayCounts rays = Oracle(scene, mesh).shoot(0, kRays, kFamilySeed);
   const double exact = 0.19982489569838748;
   const double sigma = std::sqrt(exact * (1 - exact) / kRays);
   EXPECT_NEAR(static_cast<double>(rays.fronts[1]) / kRays, exact, 4 * sigma);
@@ -113,7 +113,7 @@ TEST_P(Families, AgreeWithTheOracle) {
   constexpr std::array<long, 4> kPatches{0, 80, 0, 160};
   Findings found;
   for (int k = 0; k < kScenes; ++k) {
-    const std::uint64_t seed = kSeed + k;
+    const std::uint64_t seed = kFamilySeed + k;
     // Some stay parallel to the axes, where boxes around clusters touch the planes of others.
     const Variation variation = k % 4 == 1 ? Variation{.seed = seed} : random_variation(seed);
     const FamilyScene scene = vary(make_family_scene(GetParam(), seed), variation);
@@ -170,7 +170,7 @@ TEST_P(Families, HaveTheSameFactorsWithAnyDigits) {
   if (GetParam() == Family::crossing) GTEST_SKIP() << "digits deform needles";
   constexpr int kScenes = 3;
   constexpr double kTolerance = 1e-4;
-  for (std::uint64_t seed = kSeed; seed < kSeed + kScenes; ++seed) {
+  for (std::uint64_t seed = kFamilySeed; seed < kFamilySeed + kScenes; ++seed) {
     const FamilyScene scene = regular_scene(GetParam(), seed);
     const auto exact = surface_factors_of(scene, {}, kTolerance);
     ASSERT_TRUE(exact);
@@ -188,7 +188,7 @@ TEST_P(Families, HaveTheSameFactorsWithAnyDigits) {
 TEST_P(Families, HaveTheSameFactorsHoweverDivided) {
   constexpr int kScenes = 3;
   constexpr double kTolerance = 1e-3;
-  for (std::uint64_t seed = kSeed; seed < kSeed + kScenes; ++seed) {
+  for (std::uint64_t seed = kFamilySeed; seed < kFamilySeed + kScenes; ++seed) {
     const FamilyScene scene = regular_scene(GetParam(), seed);
     const auto whole = surface_factors_of(scene, {}, kTolerance);
     ASSERT_TRUE(whole);

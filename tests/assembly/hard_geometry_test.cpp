@@ -27,7 +27,7 @@ using test::add_grid;
 using test::Facing;
 
 /// Relative error asked of the form factors, and so of row sums.
-constexpr double kTolerance = 1e-3;
+constexpr double kHardTolerance = 1e-3;
 /// Beyond so many standard errors of sixteen means a right value is once in 10,000 times.
 constexpr double kSigmas = 5.5;
 /// Relative error of the kernel where visibility is proved, with room for sums.
@@ -40,8 +40,8 @@ struct Solved {
   explicit Solved(PatchMesh patches)
       : mesh(std::move(patches)),
         visibility(mesh),
-        transport(
-            make_transport(mesh, visibility, {.tolerance = kTolerance, .closed = Closed::no})) {}
+        transport(make_transport(mesh, visibility,
+                                 {.tolerance = kHardTolerance, .closed = Closed::no})) {}
 
   [[nodiscard]] Eigen::MatrixXd factors() const {
     Eigen::MatrixXd rows(mesh.size(), mesh.size());
@@ -72,14 +72,14 @@ void expect_sane(const Solved& solved) {
   EXPECT_GE(factors.minCoeff(), 0);
   EXPECT_LE((exchange - exchange.transpose()).cwiseAbs().maxCoeff(), 1e-15 * exchange.maxCoeff());
   for (Index i = 0; i < factors.rows(); ++i) {
-    EXPECT_LE(factors.row(i).sum(), 1 + kTolerance) << i;
+    EXPECT_LE(factors.row(i).sum(), 1 + kHardTolerance) << i;
   }
 }
 
 /// Row sums of 1, as in closed scenes.
 void expect_closed(const Solved& solved) {
   for (Index i = 0; i < solved.mesh.size(); ++i) {
-    EXPECT_NEAR(rows_of(*solved.transport).row(i).sum(), 1, kTolerance) << i;
+    EXPECT_NEAR(rows_of(*solved.transport).row(i).sum(), 1, kHardTolerance) << i;
   }
 }
 
@@ -230,7 +230,7 @@ TEST(HardGeometry, NeedlesAmongObstacles) {
 void expect_same_factors(const Solved& solved, const Solved& expected) {
   const Eigen::MatrixXd factors = expected.exchange() / expected.mesh.area[0];
   const Eigen::MatrixXd others = solved.exchange() / solved.mesh.area[0];
-  EXPECT_LE((others - factors).cwiseAbs().sum(), 0.1 * kTolerance * factors.sum());
+  EXPECT_LE((others - factors).cwiseAbs().sum(), 0.1 * kHardTolerance * factors.sum());
 }
 
 TEST(HardGeometry, PowersOfTwoScaleExactly) {
@@ -300,7 +300,8 @@ TEST(HardGeometry, TinyObstacleAboveHugeGround) {
       add_grid(mesh, Vec3(-r, -r, 0), Vec3(2 * r, 0, 0), Vec3(0, 2 * r, 0), n, n);
       const Solved solved(std::move(mesh));
       expect_sane(solved);
-      EXPECT_NEAR(surface_form_factors(solved.mesh, *solved.transport)(0, 2), kLeft, kTolerance);
+      EXPECT_NEAR(surface_form_factors(solved.mesh, *solved.transport)(0, 2), kLeft,
+                  kHardTolerance);
     }
   }
 }

@@ -18,7 +18,7 @@ namespace {
 using namespace radiosity;
 using test::random_unit;
 
-constexpr std::uint64_t kSeed = 20260;
+constexpr std::uint64_t kSceneSeed = 20260;
 
 /// Triangles and rectangles of all sizes, anywhere in the unit cube, some crossing, some in one
 /// plane.
@@ -94,7 +94,7 @@ TEST(RandomScenes, FactorsAreBoundedAndAgreeWithMonteCarlo) {
   constexpr int kScenes = 7;
   constexpr int kPatches = 40;
   constexpr int kRays = 100000;
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random(kSceneSeed);
   int n_pairs = 0;
   int n_beyond_three = 0;
   for (int scene = 0; scene < kScenes; ++scene) {
@@ -116,8 +116,8 @@ TEST(RandomScenes, FactorsAreBoundedAndAgreeWithMonteCarlo) {
         const double difference = std::abs(row[j] - sampled[j]);
         // One hit more or less is always possible.
         EXPECT_LE(difference, 5 * sigma + 3.0 / kRays)
-            << "seed " << kSeed << ", scene " << scene << ": " << i << " " << j << ", F " << row[j]
-            << " ± " << error[j] << ", rays " << sampled[j] << ", unobstructed " << whole;
+            << "seed " << kSceneSeed << ", scene " << scene << ": " << i << " " << j << ", F "
+            << row[j] << " ± " << error[j] << ", rays " << sampled[j] << ", unobstructed " << whole;
         n_beyond_three += difference > 3 * sigma + 1.0 / kRays ? 1 : 0;
         ++n_pairs;
       }

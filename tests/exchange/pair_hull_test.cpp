@@ -10,7 +10,7 @@ namespace {
 
 using namespace radiosity;
 
-constexpr std::uint64_t kSeed = 83;
+constexpr std::uint64_t kHullSeed = 83;
 
 class Random {
  public:
@@ -24,7 +24,7 @@ class Random {
   }
 
  private:
-  std::mt19937_64 engine_{kSeed};
+  std::mt19937_64 engine_{kHullSeed};
 };
 
 /// A parallelogram or, half as often, a triangle.
@@ -51,7 +51,7 @@ Vec3 random_point(const ConvexPolygon& polygon, Random& random) {
 // A box about a point of a segment is in the way: no plane may prove otherwise, wherever the
 // polygons lie and how far they reach past each other.
 TEST(PairHull, NeverMissesWhatASegmentMeets) {
-  SCOPED_TRACE(testing::Message() << "seed " << kSeed);
+  SCOPED_TRACE(testing::Message() << "seed " << kHullSeed);
   Random random;
   for (int pair = 0; pair < 300; ++pair) {
     const ConvexPolygon source = random_polygon(random);

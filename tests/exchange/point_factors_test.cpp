@@ -19,9 +19,9 @@ using test::add_grid;
 using test::Facing;
 using test::random_unit;
 
-constexpr std::uint64_t kSeed = 4711;
+constexpr std::uint64_t kPointSeed = 4711;
 /// Some hundred pieces, each with a few roundings of 1.1e-16.
-constexpr double kRounding = 1e-13;
+constexpr double kPointRounding = 1e-13;
 
 /// Factor from an element to a parallel rectangle a x b at distance c, one corner on the normal.
 double corner_factor(double a, double b, double c) {
@@ -71,7 +71,7 @@ TEST(PointFactors, RectangleWithCornerOnTheNormal) {
   const Destinations shares = from_origin(mesh);
   // tests/data/form-factors.json: differential element to parallel rectangle.
   EXPECT_NEAR(shares.surfaces[0], 0.138531605994892997, 1e-15);
-  EXPECT_NEAR(shares.sky, 1 - 0.138531605994892997, kRounding);
+  EXPECT_NEAR(shares.sky, 1 - 0.138531605994892997, kPointRounding);
   EXPECT_EQ(shares.backs, 0);
 }
 
@@ -82,10 +82,10 @@ TEST(PointFactors, DivisionDoesNotMatter) {
 }
 
 TEST(PointFactors, NothingToSeeIsSky) {
-  EXPECT_NEAR(from_origin(PatchMesh()).sky, 1, kRounding);
+  EXPECT_NEAR(from_origin(PatchMesh()).sky, 1, kPointRounding);
   PatchMesh below;
   add_floor(below, 1, -1);
-  EXPECT_NEAR(from_origin(below).sky, 1, kRounding);
+  EXPECT_NEAR(from_origin(below).sky, 1, kPointRounding);
 }
 
 TEST(PointFactors, OpenBoxShowsTheSkyThroughItsOpening) {
@@ -99,10 +99,10 @@ TEST(PointFactors, OpenBoxShowsTheSkyThroughItsOpening) {
     if (mesh.surface[i] != 1) open.add_patch(mesh.corners[i], mesh.surface[i], mesh.polygon[i]);
   }
   const Destinations shares = from_origin(open);
-  EXPECT_NEAR(shares.sky, square_factor(1, 1), kRounding);
+  EXPECT_NEAR(shares.sky, square_factor(1, 1), kPointRounding);
   EXPECT_EQ(shares.surfaces[0], 0);  // the floor that it lies on
   for (int wall = 2; wall < 6; ++wall) {
-    EXPECT_NEAR(shares.surfaces[wall], (1 - square_factor(1, 1)) / 4, kRounding);
+    EXPECT_NEAR(shares.surfaces[wall], (1 - square_factor(1, 1)) / 4, kPointRounding);
   }
 }
 
@@ -110,13 +110,13 @@ TEST(PointFactors, ClosedRoomHasNoSky) {
   PatchMesh mesh;
   add_box(mesh, Vec3::Zero(), Vec3(1, 2, 0.7), 7, Facing::inwards);
   add_box(mesh, Vec3(0.3, 0.4, 0.1), Vec3(0.6, 1.1, 0.5), 3, Facing::outwards);
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random(kPointSeed);
   for (int k = 0; k < 20; ++k) {
     const Vec3 point(0.2 + 0.01 * k, 0.2 + 0.08 * k, 0.05);
     const Destinations shares = point_factors(mesh, point, random_unit(random));
-    EXPECT_NEAR(shares.sky, 0, kRounding) << k;
-    EXPECT_NEAR(shares.backs, 0, kRounding) << k;
-    EXPECT_NEAR(shares.sum(), 1, 10 * kRounding) << k;
+    EXPECT_NEAR(shares.sky, 0, kPointRounding) << k;
+    EXPECT_NEAR(shares.backs, 0, kPointRounding) << k;
+    EXPECT_NEAR(shares.sum(), 1, 10 * kPointRounding) << k;
   }
 }
 
@@ -126,16 +126,16 @@ TEST(PointFactors, BacksBlockAndAbsorb) {
   add_ceiling(mesh, 4, 2);
   const Destinations shares = from_origin(mesh);
   EXPECT_EQ(shares.surfaces[0], 0);
-  EXPECT_NEAR(shares.backs, square_factor(1, 1), kRounding);
-  EXPECT_NEAR(shares.surfaces[1], square_factor(4, 2) - square_factor(1, 1), kRounding);
-  EXPECT_NEAR(shares.sky, 1 - square_factor(4, 2), kRounding);
+  EXPECT_NEAR(shares.backs, square_factor(1, 1), kPointRounding);
+  EXPECT_NEAR(shares.surfaces[1], square_factor(4, 2) - square_factor(1, 1), kPointRounding);
+  EXPECT_NEAR(shares.sky, 1 - square_factor(4, 2), kPointRounding);
 }
 
 TEST(PointFactors, TwoSidedSurfacesHaveNoBacks) {
   PatchMesh mesh;
   test::make_two_sided(mesh, add_floor(mesh, 1, 1));
   const Destinations shares = from_origin(mesh);
-  EXPECT_NEAR(shares.surfaces[0], square_factor(1, 1), kRounding);
+  EXPECT_NEAR(shares.surfaces[0], square_factor(1, 1), kPointRounding);
   EXPECT_EQ(shares.backs, 0);
 }
 
@@ -154,9 +154,9 @@ TEST(PointFactors, TwoFrontsInOnePlaneBothCount) {
   add_ceiling(mesh, 2, 1);
   add_ceiling(mesh, 1, 1);
   const Destinations shares = from_origin(mesh);
-  EXPECT_NEAR(shares.surfaces[0], square_factor(2, 1), kRounding);
-  EXPECT_NEAR(shares.surfaces[1], square_factor(1, 1), kRounding);
-  EXPECT_NEAR(shares.sum(), 1 + square_factor(1, 1), kRounding);
+  EXPECT_NEAR(shares.surfaces[0], square_factor(2, 1), kPointRounding);
+  EXPECT_NEAR(shares.surfaces[1], square_factor(1, 1), kPointRounding);
+  EXPECT_NEAR(shares.sum(), 1 + square_factor(1, 1), kPointRounding);
 }
 
 TEST(PointFactors, APlaneThroughThePointHidesNothing) {
@@ -168,7 +168,7 @@ TEST(PointFactors, APlaneThroughThePointHidesNothing) {
   const Destinations shares = from_origin(mesh);
   EXPECT_EQ(shares.surfaces[0], 0);
   EXPECT_EQ(shares.surfaces[2], 0);
-  EXPECT_NEAR(shares.surfaces[1], square_factor(2, 1), kRounding);
+  EXPECT_NEAR(shares.surfaces[1], square_factor(2, 1), kPointRounding);
 }
 
 TEST(PointFactors, SixDigitsPutAPointOnASurface) {
@@ -180,7 +180,7 @@ TEST(PointFactors, SixDigitsPutAPointOnASurface) {
       const auto own = add_grid(mesh, Vec3(0.1, 0.2, 0.3), u, normal.cross(u), 1, 1);
       if (is_two_sided) test::make_two_sided(mesh, own);
       const Vec3 point = mesh.centroid[0] + height * normal;
-      EXPECT_NEAR(point_factors(mesh, point, normal).sky, 1, kRounding);
+      EXPECT_NEAR(point_factors(mesh, point, normal).sky, 1, kPointRounding);
       // On the other side it is a two-sided surface's own, or sees the front of a one-sided one.
       const Destinations below = point_factors(mesh, point, -normal);
       EXPECT_NEAR(below.sky, is_two_sided || height < 0 ? 1 : 0, 1e-5);
@@ -196,11 +196,11 @@ TEST(PointFactors, PatchesThatCrossHideEachOtherInPart) {
   test::make_two_sided(mesh,
                        add_grid(mesh, Vec3(-0.5, -1, 1.2), Vec3(0, 2, 0), Vec3(1, 0, -0.4), 1, 1));
   const Destinations shares = from_origin(mesh);
-  EXPECT_NEAR(shares.surfaces[0], shares.surfaces[1], kRounding);
+  EXPECT_NEAR(shares.surfaces[0], shares.surfaces[1], kPointRounding);
   // Together they cover what their nearer halves do, a strip up to x/z = 0.5/0.8 each side.
   PatchMesh strip;
   add_grid(strip, Vec3(-0.5, -1, 0.8), Vec3(0, 2, 0), Vec3(0.5, 0, 0.2), 1, 1);
-  EXPECT_NEAR(shares.surfaces[0], from_origin(strip).surfaces[0], kRounding);
+  EXPECT_NEAR(shares.surfaces[0], from_origin(strip).surfaces[0], kPointRounding);
 }
 
 TEST(PointFactors, QuadsMayBeBentALittle) {
@@ -211,20 +211,20 @@ TEST(PointFactors, QuadsMayBeBentALittle) {
   mesh.vertices.back().z() += 1e-7;
   for (int k = 0; k < 10; ++k) {
     const Destinations shares = point_factors(mesh, Vec3(0.08 * k, 0.06 * k, 0), Vec3::UnitZ());
-    EXPECT_NEAR(shares.sky, 0, kRounding) << k;
-    EXPECT_NEAR(shares.sum(), 1, 10 * kRounding) << k;
+    EXPECT_NEAR(shares.sky, 0, kPointRounding) << k;
+    EXPECT_NEAR(shares.sum(), 1, 10 * kPointRounding) << k;
   }
 }
 
 TEST(PointFactors, RandomScenesAddUpAndAgreeWithRays) {
   constexpr int kRays = 20000;
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random(kPointSeed);
   std::uniform_real_distribution<double> uniform(0, 1);
   for (const int n_patches : {10, 100, 1000}) {
     const PatchMesh mesh = random_scene(random, n_patches);
     const Visibility visibility(mesh);
     for (int k = 0; k < 4; ++k) {
-      SCOPED_TRACE(testing::Message() << "seed " << kSeed << ", " << n_patches << ", " << k);
+      SCOPED_TRACE(testing::Message() << "seed " << kPointSeed << ", " << n_patches << ", " << k);
       const Vec3 point(uniform(random), uniform(random), uniform(random));
       const Vec3 normal = random_unit(random);
       const Destinations exact = point_factors(mesh, point, normal);
@@ -258,7 +258,7 @@ TEST(PointFactors, RandomScenesAddUpAndAgreeWithRays) {
 }
 
 TEST(PointFactors, SameBitsAtAnyNumberOfThreads) {
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random(kPointSeed);
   const PatchMesh mesh = random_scene(random, 300);
   const auto shares = [&](std::size_t n_threads) {
     const ThreadLimit limit(n_threads);

@@ -21,7 +21,7 @@ using test::Facing;
 
 /// Beyond so many standard errors of sixteen means a right value is once in 10,000 times.
 constexpr double kSigmas = 5.5;
-constexpr double kRounding = 1e-12;
+constexpr double kRowRounding = 1e-12;
 
 /// A room without its far wall, in it a box, a one-sided plate that faces up, and a two-sided one.
 PatchMesh make_room(int n) {
@@ -45,16 +45,16 @@ TEST(SampledDestinations, OpposedSquares) {
   EXPECT_LT(estimate.error.sky, 1e-3);
   EXPECT_NEAR(estimate.value.surfaces[1], 0.199824895698387383,
               kSigmas * estimate.error.surfaces[1]);
-  EXPECT_NEAR(estimate.value.sum(), 1, kRounding);
+  EXPECT_NEAR(estimate.value.sum(), 1, kRowRounding);
 }
 
 TEST(SampledDestinations, ClosedRoomIsCertain) {
   PatchMesh mesh;
   add_box(mesh, Vec3::Zero(), Vec3::Ones(), 1, Facing::inwards);
   const DestinationEstimate estimate = sampled_destinations(mesh, 3, {.n_points = 64});
-  EXPECT_NEAR(estimate.value.sky, 0, kRounding);
-  EXPECT_NEAR(estimate.error.sky, 0, kRounding);
-  EXPECT_NEAR(estimate.value.backs, 0, kRounding);
+  EXPECT_NEAR(estimate.value.sky, 0, kRowRounding);
+  EXPECT_NEAR(estimate.error.sky, 0, kRowRounding);
+  EXPECT_NEAR(estimate.value.backs, 0, kRowRounding);
 }
 
 TEST(SampledDestinations, AgreeWithTheFormFactorsOfAllPairs) {
@@ -67,7 +67,7 @@ TEST(SampledDestinations, AgreeWithTheFormFactorsOfAllPairs) {
   const Eigen::MatrixXd errors = surface_form_factor_errors(patches, *transport);
   for (std::int32_t s = 0; s < factors.rows(); ++s) {
     const DestinationEstimate estimate = sampled_destinations(polygons, s, {.n_points = 256});
-    EXPECT_NEAR(estimate.value.sum(), 1, kRounding);
+    EXPECT_NEAR(estimate.value.sum(), 1, kRowRounding);
     double variance = 0;
     for (Index t = 0; t < factors.cols(); ++t) {
       const double sigma = std::hypot(errors(s, t), estimate.error.surfaces[t]);

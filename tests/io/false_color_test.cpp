@@ -29,7 +29,7 @@ Rgb pixel(const RgbPicture& picture, int x, int y) {
   return {first[0], first[1], first[2]};
 }
 
-RgbPicture read_png(const std::filesystem::path& path) {
+RgbPicture read_picture(const std::filesystem::path& path) {
   png_image header = {};
   header.version = PNG_IMAGE_VERSION;
   EXPECT_NE(png_image_begin_read_from_file(&header, path.c_str()), 0) << header.message;
@@ -157,7 +157,7 @@ TEST_F(FalseColorTest, PngShowsEachValueByItsColor) {
   const Image image = ramp(20, 150);
   const io::ColorScale scale = {.low = 500, .high = 2500, .logarithmic = false};
   io::write_false_color(folder() / "a.png", image, {.title = {"ramp"}, .scale = scale});
-  const RgbPicture png = read_png(folder() / "a.png");
+  const RgbPicture png = read_picture(folder() / "a.png");
   ASSERT_EQ(png.height, 150);
   ASSERT_GT(png.width, 40);
   for (int i = 0; i < 2999; ++i) {

@@ -37,7 +37,7 @@ using test::file_bytes;
 using test::write_bytes;
 
 /// A two-sided sheet in a box, and a triangle below it.
-PatchMesh make_mesh() {
+PatchMesh boxed_sheet() {
   PatchMesh mesh;
   test::add_box(mesh, Vec3::Zero(), Vec3(1, 1. / 3, 1), 2, test::Facing::inwards);
   const auto sheet =
@@ -103,7 +103,7 @@ class FormFactorReader : public OutputFolder {
     });
   }
 
-  const PatchMesh mesh_ = make_mesh();
+  const PatchMesh mesh_ = boxed_sheet();
   const Visibility visibility_{mesh_};
   const std::unique_ptr<Transport> transport_ = make_transport(mesh_, visibility_);
   const std::filesystem::path path_ = folder() / "f.h5";

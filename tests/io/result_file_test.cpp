@@ -40,7 +40,7 @@ using radiosity::Solution;
 using radiosity::Vec3;
 
 /// A floor of two quads and a wall of one triangle.
-PatchMesh make_mesh() {
+PatchMesh floor_and_wall() {
   PatchMesh mesh;
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0},     {2, 0, 1},
                    {1, 0, 1}, {0, 0, 1}, {0, 1. / 3, 0}};
@@ -112,7 +112,7 @@ class ResultFileTest : public OutputFolder {};
 class AtomicFileTest : public OutputFolder {};
 
 TEST_F(ResultFileTest, CsvReadsBackAsTheSameNumbers) {
-  const PatchMesh mesh = make_mesh();
+  const PatchMesh mesh = floor_and_wall();
   const Solution solution = make_solution(mesh);
   io::write(folder() / "out.csv", mesh, solution);
   const std::string start =
@@ -151,7 +151,7 @@ vtkSmartPointer<vtkPolyData> read_vtp(const std::filesystem::path& path) {
 }
 
 TEST_F(ResultFileTest, VtpHoldsThePatchesInOrder) {
-  const PatchMesh mesh = make_mesh();
+  const PatchMesh mesh = floor_and_wall();
   io::write(folder() / "out.vtp", mesh, make_solution(mesh));
   const auto polydata = read_vtp(folder() / "out.vtp");
   ASSERT_EQ(polydata->GetNumberOfPolys(), 3);
@@ -169,7 +169,7 @@ TEST_F(ResultFileTest, VtpHoldsThePatchesInOrder) {
 }
 
 TEST_F(ResultFileTest, VtpHoldsTheArraysOfTheSolution) {
-  const PatchMesh mesh = make_mesh();
+  const PatchMesh mesh = floor_and_wall();
   const Solution solution = make_solution(mesh);
   io::write(folder() / "out.VTP", mesh, solution);
   const auto polydata = read_vtp(folder() / "out.VTP");
@@ -259,7 +259,7 @@ Ply read_ply(const std::filesystem::path& path) {
 }
 
 TEST_F(ResultFileTest, PlyHoldsThePatchesWithSmoothColors) {
-  const PatchMesh mesh = make_mesh();
+  const PatchMesh mesh = floor_and_wall();
   Solution solution = make_solution(mesh);
   solution.exitance.setZero();
   solution.radiosity.row(0) << 1, 1, 1;
@@ -291,7 +291,7 @@ TEST_F(ResultFileTest, PlyHoldsThePatchesWithSmoothColors) {
 }
 
 TEST_F(ResultFileTest, UnknownExtensionIsAnError) {
-  const PatchMesh mesh = make_mesh();
+  const PatchMesh mesh = floor_and_wall();
   const std::string message =
       error_of([&] { io::write(folder() / "out.xyz", mesh, make_solution(mesh)); });
   EXPECT_NE(message.find("out.xyz: cannot write a result as '.xyz'"), std::string::npos) << message;
@@ -299,7 +299,7 @@ TEST_F(ResultFileTest, UnknownExtensionIsAnError) {
 }
 
 TEST_F(ResultFileTest, MissingFolderIsAnError) {
-  const PatchMesh mesh = make_mesh();
+  const PatchMesh mesh = floor_and_wall();
   for (const char* name : {"out.csv", "out.vtp", "out.ply"}) {
     const auto path = folder() / "missing" / name;
     const std::string message = error_of([&] { io::write(path, mesh, make_solution(mesh)); });
@@ -311,7 +311,7 @@ TEST_F(ResultFileTest, MissingFolderIsAnError) {
 
 // Wherever the disk ends, there is an error, and neither half a file nor a temporary one.
 TEST_F(ResultFileTest, FullDiskLeavesTheOldFile) {
-  PatchMesh mesh = make_mesh();
+  PatchMesh mesh = floor_and_wall();
   for (int i = 0; i < 500; ++i) {
     const auto first = static_cast<std::int32_t>(mesh.vertices.size());
     for (const int corner : {0, 5, 4})

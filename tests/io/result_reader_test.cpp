@@ -34,7 +34,7 @@ using radiosity::test::file_bytes;
 using radiosity::test::write_bytes;
 
 /// A box, a triangle, and a two-sided sheet, at coordinates that no decimal fraction hits.
-PatchMesh make_mesh() {
+PatchMesh odd_box() {
   PatchMesh mesh;
   test::add_box(mesh, Vec3(1. / 3, 0.1, -7), Vec3(1, 2. / 7, 0.3), 2, test::Facing::inwards);
   const auto sheet =
@@ -95,7 +95,7 @@ class ResultReader : public OutputFolder {
   /// A file of a polydata that `change` has changed.
   [[nodiscard]] std::filesystem::path changed(
       const std::function<void(vtkPolyData&)>& change) const {
-    const PatchMesh mesh = make_mesh();
+    const PatchMesh mesh = odd_box();
     const auto polydata = io::make_polydata(mesh, make_solution(mesh, 3));
     change(*polydata);
     io::write_polydata(folder() / "changed.vtp", *polydata);
@@ -112,7 +112,7 @@ class ResultReader : public OutputFolder {
 };
 
 TEST_F(ResultReader, GivesBackWhatWasWritten) {
-  const PatchMesh mesh = make_mesh();
+  const PatchMesh mesh = odd_box();
   const std::vector<std::pair<Bands::Kind, std::vector<double>>> bands = {
       {Bands::Kind::grey, {}},
       {Bands::Kind::rgb, {}},
@@ -162,7 +162,7 @@ void remove_what_is_new(vtkPolyData& polydata) {
 
 TEST_F(ResultReader, OpensFilesWithoutVersion) {
   const io::StoredResult read = io::read_result(changed(remove_what_is_new));
-  PatchMesh mesh = make_mesh();
+  PatchMesh mesh = odd_box();
   mesh.family.assign(mesh.family.size(), -1);
   expect_equal(read.mesh, mesh);
   EXPECT_EQ(read.bands.kind, Bands::Kind::rgb);
@@ -175,7 +175,7 @@ TEST_F(ResultReader, OpensFilesWithoutVersion) {
 }
 
 TEST_F(ResultReader, TellsThatWavelengthsAreUnknown) {
-  const PatchMesh mesh = make_mesh();
+  const PatchMesh mesh = odd_box();
   io::write(folder() / "out.vtp", mesh, make_solution(mesh, 4));
   const io::StoredResult read = io::read_result(folder() / "out.vtp");
   EXPECT_EQ(read.bands.kind, Bands::Kind::wavelengths);
@@ -185,7 +185,7 @@ TEST_F(ResultReader, TellsThatWavelengthsAreUnknown) {
 }
 
 TEST_F(ResultReader, OpensWhatParaViewSavesAgain) {
-  const PatchMesh mesh = make_mesh();
+  const PatchMesh mesh = odd_box();
   const auto polydata = io::make_polydata(mesh, make_solution(mesh, 3));
   const Solution solution = make_solution(mesh, 3);
   for (unsigned k = 0; k < 4 * 3 * 2 * 2; ++k) {
@@ -225,7 +225,7 @@ TEST_F(ResultReader, RefusesDamageThatVtkDoesNotSurvive) {
 
 // All numbers that stand in the tags, and some that do not fit what follows.
 TEST_F(ResultReader, RefusesNumbersThatDoNotFit) {
-  const PatchMesh mesh = make_mesh();
+  const PatchMesh mesh = odd_box();
   io::write(folder() / "out.vtp", mesh, make_solution(mesh, 3));
   const std::string whole = file_bytes(folder() / "out.vtp");
   int n_changed = 0;
@@ -364,7 +364,7 @@ TEST_F(ResultReader, ExplainsCellsAndArraysThatDoNotFit) {
 
 /// Cut off anywhere, a file is refused in one line and nothing is printed.
 TEST_F(ResultReader, RefusesFilesThatWereCutOff) {
-  const PatchMesh mesh = make_mesh();
+  const PatchMesh mesh = odd_box();
   io::write(folder() / "out.vtp", mesh, make_solution(mesh, 3));
   const std::string whole = file_bytes(folder() / "out.vtp");
   [[maybe_unused]] const test::LeaksAllowed allowed;
@@ -378,7 +378,7 @@ TEST_F(ResultReader, RefusesFilesThatWereCutOff) {
 
 /// With a byte changed anywhere, a file opens or is refused in one line.
 TEST_F(ResultReader, SurvivesChangedBytes) {
-  const PatchMesh mesh = make_mesh();
+  const PatchMesh mesh = odd_box();
   io::write(folder() / "out.vtp", mesh, make_solution(mesh, 3));
   const std::string whole = file_bytes(folder() / "out.vtp");
   std::mt19937_64 random(1);

@@ -1,4 +1,5 @@
 #include "meshing/inspect/inspect.h"
+#include "tests/support/messages.h"
 
 #include <gtest/gtest.h>
 
@@ -14,6 +15,7 @@ using meshing::Inspection;
 using radiosity::Index;
 using radiosity::Scene;
 using radiosity::Vec3;
+using radiosity::test::expect_contains;
 using Kind = Finding::Kind;
 using Severity = Finding::Severity;
 using Polygon = std::vector<Vec3>;
@@ -96,10 +98,6 @@ Finding only(const Inspection& inspection, Kind kind) {
   }
   EXPECT_EQ(found.size(), 1U) << meshing::kind_name(kind);
   return found.empty() ? Finding{} : found.front();
-}
-
-void expect_contains(const std::string& text, const std::string& part) {
-  EXPECT_NE(text.find(part), std::string::npos) << "in: " << text;
 }
 
 std::string all_messages(const Inspection& inspection) {

@@ -14,6 +14,7 @@
 
 #include "radiosity/base/error.h"
 #include "radiosity/scene/patch_mesh.h"
+#include "tests/support/messages.h"
 
 namespace {
 
@@ -24,10 +25,11 @@ using radiosity::MeshError;
 using radiosity::PatchMesh;
 using radiosity::Scene;
 using radiosity::Vec3;
+using radiosity::test::expect_contains;
 using Polygon = std::vector<Vec3>;
 
 /// Each polygon with vertices of its own, so that only positions tell what is shared.
-void add(Scene& scene, const Polygon& polygon, std::int32_t surface = 0) {
+void add_polygon(Scene& scene, const Polygon& polygon, std::int32_t surface = 0) {
   std::vector<std::int32_t> corners;
   for (const Vec3& p : polygon) {
     corners.push_back(static_cast<std::int32_t>(scene.vertices.size()));
@@ -39,7 +41,7 @@ void add(Scene& scene, const Polygon& polygon, std::int32_t surface = 0) {
 Scene make_scene(const std::vector<Polygon>& polygons) {
   Scene scene;
   scene.surfaces.push_back({.name = "wall", .material = 0, .two_sided = false});
-  for (const Polygon& p : polygons) add(scene, p);
+  for (const Polygon& p : polygons) add_polygon(scene, p);
   return scene;
 }
 
@@ -169,10 +171,6 @@ std::string mesh_error(const Scene& scene, const meshing::PatchOptions& options 
     return e.what();
   }
   return "no error";
-}
-
-void expect_contains(const std::string& text, const std::string& part) {
-  EXPECT_NE(text.find(part), std::string::npos) << "in: " << text;
 }
 
 /// Vertices and faces of an OBJ file; nothing else of it.
@@ -469,7 +467,7 @@ TEST(TwoSided, TwinFollowsItsFront) {
                             {{1, 0, 0}, {2, 0, 0}, {1, 1, 0}}});
   scene.surfaces[0].two_sided = true;
   scene.surfaces.push_back({.name = "floor", .material = 0, .two_sided = false});
-  add(scene, {{0, 0, -1}, {1, 0, -1}, {0, 1, -1}}, 1);
+  add_polygon(scene, {{0, 0, -1}, {1, 0, -1}, {0, 1, -1}}, 1);
   const PatchMesh mesh = make_patches(scene, {.max_edge = 0.3});
   EXPECT_EQ(mesh.surface_two_sided, (std::vector<bool>{true, false}));
   Index n_pairs = 0;
@@ -536,7 +534,7 @@ TEST(Patches, NonManifoldEdgesAreKept) {
 
   Scene separate = make_scene({fan[0], fan[1]});
   separate.surfaces.push_back({.name = "partition", .material = 0, .two_sided = false});
-  add(separate, fan[2], 1);
+  add_polygon(separate, fan[2], 1);
   EXPECT_GT(make_patches(separate, {.max_edge = 0.3}).size(), 3);
   Scene two_sided = make_scene(fan);
   two_sided.surfaces[0].two_sided = true;

@@ -19,7 +19,7 @@ using radiosity::test::add_box;
 using radiosity::test::add_grid;
 using radiosity::test::Facing;
 
-double total_area(const PatchMesh& mesh) {
+double mesh_area(const PatchMesh& mesh) {
   return std::accumulate(mesh.area.begin(), mesh.area.end(), 0.0);
 }
 
@@ -80,7 +80,7 @@ TEST(RefinableMesh, CutsAlongTheFootOfABox) {
   for (const int n : {1, 3, 8}) {
     const PatchMesh whole = box_on_floor(n);
     const RefinableMesh cut(whole);
-    EXPECT_NEAR(total_area(cut.mesh()), total_area(whole), 1e-12);
+    EXPECT_NEAR(mesh_area(cut.mesh()), mesh_area(whole), 1e-12);
     double covered = 0;
     for (Index i = 0; i < cut.mesh().size(); ++i) {
       if (cut.mesh().surface[i] != 0) continue;
@@ -160,7 +160,7 @@ TEST(RefinableMesh, StaysBalanced) {
     for (const Index i : marked) {
       EXPECT_EQ(std::count(earlier.begin(), earlier.end(), i), 0) << "not divided";
     }
-    EXPECT_NEAR(total_area(after), total_area(mesh), 1e-12);
+    EXPECT_NEAR(mesh_area(after), mesh_area(mesh), 1e-12);
     EXPECT_LE(most_points_on_an_edge(after), 1);
   }
 }
@@ -173,7 +173,7 @@ TEST(RefinableMesh, DividesTwinsAlike) {
   refinable.refine(std::vector<Index>{0, 3});
   refinable.refine(std::vector<Index>{1});
   const PatchMesh& after = refinable.mesh();
-  EXPECT_NEAR(total_area(after), 2, 1e-12);
+  EXPECT_NEAR(mesh_area(after), 2, 1e-12);
   for (Index i = 0; i < after.size(); ++i) {
     ASSERT_GE(after.twin[i], 0);
     EXPECT_EQ(after.twin[after.twin[i]], i);

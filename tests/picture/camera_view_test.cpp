@@ -16,7 +16,7 @@ namespace {
 
 using test::Facing;
 
-PatchMesh room() {
+PatchMesh seen_room() {
   PatchMesh mesh;
   test::add_box(mesh, Vec3::Zero(), Vec3(4, 3, 5), 3, Facing::inwards);
   return mesh;
@@ -29,7 +29,7 @@ ViewContent content(const PatchMesh& mesh, const Vec3& position, const Vec3& dir
 }
 
 TEST(ViewContent, TellsFrontsFromBacks) {
-  const PatchMesh mesh = room();
+  const PatchMesh mesh = seen_room();
   const auto inside = content(mesh, Vec3(2, 1, 1), Vec3(0.2, 0.1, 1));
   EXPECT_TRUE(inside.fronts);
   EXPECT_FALSE(inside.backs);
@@ -88,7 +88,7 @@ TEST(ViewContent, AgreesWithThePicture) {
 }
 
 TEST(Surroundings, AreBacksInsideASolidOrAWall) {
-  PatchMesh mesh = room();
+  PatchMesh mesh = seen_room();
   test::add_box(mesh, Vec3(1, 0.1, 1), Vec3(2, 1, 2), 2, Facing::outwards);
   test::add_box(mesh, Vec3(-0.4, -0.4, -0.4), Vec3(4.4, 3.4, 5.4), 2, Facing::outwards);
   const Visibility visibility(mesh);
@@ -101,7 +101,7 @@ TEST(Surroundings, AreBacksInsideASolidOrAWall) {
 }
 
 TEST(Surroundings, AreHalfBacksJustOutsideARoom) {
-  const PatchMesh mesh = room();
+  const PatchMesh mesh = seen_room();
   const Visibility visibility(mesh);
   const double share = surroundings(visibility, Vec3(2, 1.5, -1e-3)).backs;
   EXPECT_GT(share, 0.49);

@@ -17,8 +17,8 @@ namespace {
 
 /// Appends a parallelogram of n x n quads that spans `a` and `b` from `origin`; its normal is a x
 /// b.
-void add_grid(PatchMesh& mesh, const Vec3& origin, const Vec3& a, const Vec3& b, int n,
-              std::int32_t surface = 0) {
+void add_welded_quads(PatchMesh& mesh, const Vec3& origin, const Vec3& a, const Vec3& b, int n,
+                      std::int32_t surface = 0) {
   const auto first = static_cast<std::int32_t>(mesh.vertices.size());
   for (int j = 0; j <= n; ++j) {
     for (int i = 0; i <= n; ++i) {
@@ -44,12 +44,12 @@ PatchMesh make_room(const Vec3& size, int n) {
   const Vec3 y(0, size[1], 0);
   const Vec3 z(0, 0, size[2]);
   const Vec3 o = Vec3::Zero();
-  add_grid(mesh, o, z, x, n, 0);  // y = 0
-  add_grid(mesh, y, x, z, n, 1);
-  add_grid(mesh, o, x, y, n, 2);  // z = 0
-  add_grid(mesh, z, y, x, n, 3);
-  add_grid(mesh, o, y, z, n, 4);  // x = 0
-  add_grid(mesh, x, z, y, n, 5);
+  add_welded_quads(mesh, o, z, x, n, 0);  // y = 0
+  add_welded_quads(mesh, y, x, z, n, 1);
+  add_welded_quads(mesh, o, x, y, n, 2);  // z = 0
+  add_welded_quads(mesh, z, y, x, n, 3);
+  add_welded_quads(mesh, o, y, z, n, 4);  // x = 0
+  add_welded_quads(mesh, x, z, y, n, 5);
   return mesh;
 }
 
@@ -75,7 +75,7 @@ double largest_corner_error(const PatchMesh& mesh, const Eigen::MatrixXd& corner
 PatchMesh make_irregular_square() {
   PatchMesh grid;
   constexpr int kN = 6;
-  add_grid(grid, Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), kN);
+  add_welded_quads(grid, Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), kN);
   std::mt19937 random(1);  // a fixed seed
   std::uniform_real_distribution<double> shift(-0.15 / kN, 0.15 / kN);
   for (Vec3& vertex : grid.vertices) {
@@ -120,7 +120,7 @@ TEST(CornerValues, ConvergeWithSecondOrder) {
   const auto field = [](const Vec3& x) { return 3 + std::sin(2 * x[0]) * std::cos(x[1]); };
   const auto error = [&](int n) {
     PatchMesh mesh;
-    add_grid(mesh, Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), n);
+    add_welded_quads(mesh, Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), n);
     return largest_corner_error(mesh, corner_values(mesh, values_at_centroids(mesh, field)), field);
   };
   // The error tends to c h²; halving h must come close to a quarter.
@@ -130,7 +130,7 @@ TEST(CornerValues, ConvergeWithSecondOrder) {
 
 TEST(CornerValues, StayWithinNeighborsAtAStep) {
   PatchMesh mesh;
-  add_grid(mesh, Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), 8);
+  add_welded_quads(mesh, Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), 8);
   const Eigen::MatrixXd values =
       values_at_centroids(mesh, [](const Vec3& x) { return x[0] + 0.3 * x[1] < 0.6 ? 0.0 : 2.0; });
   const Eigen::MatrixXd corners = corner_values(mesh, values);
@@ -148,9 +148,10 @@ TEST(CornerValues, StayWithinNeighborsAtAStep) {
 TEST(CornerValues, DoNotCrossSurfacesOrCreases) {
   PatchMesh mesh;
   const Vec3 edge = Vec3::UnitX();
-  add_grid(mesh, Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), 4, 0);
-  add_grid(mesh, edge, Vec3::UnitX(), Vec3::UnitY(), 4, 1);           // coplanar, another surface
-  add_grid(mesh, Vec3::UnitY(), Vec3::UnitX(), Vec3::UnitZ(), 4, 0);  // same surface, a crease
+  add_welded_quads(mesh, Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), 4, 0);
+  add_welded_quads(mesh, edge, Vec3::UnitX(), Vec3::UnitY(), 4, 1);  // coplanar, another surface
+  add_welded_quads(mesh, Vec3::UnitY(), Vec3::UnitX(), Vec3::UnitZ(), 4,
+                   0);  // same surface, a crease
   Eigen::MatrixXd values(mesh.size(), 1);
   values << Eigen::VectorXd::Constant(16, 1), Eigen::VectorXd::Constant(16, 10),
       Eigen::VectorXd::Constant(16, 100);
@@ -162,8 +163,8 @@ TEST(CornerValues, DoNotCrossSurfacesOrCreases) {
 
 TEST(CornerValues, JoinPatchesAcrossASlightBend) {
   PatchMesh mesh;
-  add_grid(mesh, Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), 1);
-  add_grid(mesh, Vec3::UnitX(), Vec3(1, 0, 0.2), Vec3::UnitY(), 1);
+  add_welded_quads(mesh, Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), 1);
+  add_welded_quads(mesh, Vec3::UnitX(), Vec3(1, 0, 0.2), Vec3::UnitY(), 1);
   Eigen::MatrixXd values(2, 1);
   values << 1, 1.2;
   const Eigen::MatrixXd smooth = corner_values(mesh, values, 0.35);
@@ -177,8 +178,8 @@ TEST(CornerValues, JoinPatchesAcrossASlightBend) {
 
 TEST(CornerValues, GiveTVerticesTheirEdgesValue) {
   PatchMesh mesh;
-  add_grid(mesh, Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), 1);   // one big patch
-  add_grid(mesh, Vec3::UnitX(), Vec3::UnitX(), Vec3::UnitY(), 3);  // and nine small ones
+  add_welded_quads(mesh, Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), 1);   // one big patch
+  add_welded_quads(mesh, Vec3::UnitX(), Vec3::UnitX(), Vec3::UnitY(), 3);  // and nine small ones
   const Eigen::MatrixXd values =
       values_at_centroids(mesh, [](const Vec3& x) { return 1 + x[0] * x[0] + x[1] * x[1]; });
   const Eigen::MatrixXd corners = corner_values(mesh, values);
@@ -202,11 +203,11 @@ TEST(CornerValues, ResolveAPinwheelOfTVertices) {
   PatchMesh mesh;
   const Vec3 x = Vec3::UnitX();
   const Vec3 y = Vec3::UnitY();
-  add_grid(mesh, Vec3(0, 0, 0), 2 * x, y, 1);
-  add_grid(mesh, Vec3(2, 0, 0), x, 2 * y, 1);
-  add_grid(mesh, Vec3(1, 2, 0), 2 * x, y, 1);
-  add_grid(mesh, Vec3(0, 1, 0), x, 2 * y, 1);
-  add_grid(mesh, Vec3(1, 1, 0), x, y, 1);
+  add_welded_quads(mesh, Vec3(0, 0, 0), 2 * x, y, 1);
+  add_welded_quads(mesh, Vec3(2, 0, 0), x, 2 * y, 1);
+  add_welded_quads(mesh, Vec3(1, 2, 0), 2 * x, y, 1);
+  add_welded_quads(mesh, Vec3(0, 1, 0), x, 2 * y, 1);
+  add_welded_quads(mesh, Vec3(1, 1, 0), x, y, 1);
   Eigen::MatrixXd values(5, 1);
   values << 1, 2, 3, 4, 9;
   const Eigen::MatrixXd corners = corner_values(mesh, values);
@@ -291,7 +292,7 @@ TEST(Render, DrawsTheTwinThatFacesTheCamera) {
 // A linear field on a wall seen head-on: pixel centres lie at known points of the wall.
 TEST(Render, PutsPixelsWhereTheCameraSeesThem) {
   PatchMesh mesh;
-  add_grid(mesh, Vec3(-2, -2, 0), Vec3(4, 0, 0), Vec3(0, 4, 0), 8);
+  add_welded_quads(mesh, Vec3(-2, -2, 0), Vec3(4, 0, 0), Vec3(0, 4, 0), 8);
   const Visibility visibility(mesh);
   const auto field = [](const Vec3& x) { return 10 + x[0] + 2 * x[1]; };
   const Eigen::MatrixXd radiosity = kPi * values_at_centroids(mesh, field);

@@ -14,7 +14,7 @@ namespace {
 constexpr double kRounding = 1e-12;
 
 /// A room with a box and a thin slab of two sides in it.
-PatchMesh room() {
+PatchMesh grouped_room() {
   PatchMesh mesh;
   test::add_box(mesh, {0, 0, 0}, {3, 2, 2}, 13, test::Facing::inwards);
   test::add_box(mesh, {1, .5, .5}, {1.5, 1, 1}, 5, test::Facing::outwards);
@@ -30,7 +30,7 @@ std::vector<bool> bright_first(const PatchMesh& mesh) {
 }
 
 TEST(SourceGroups, PartitionThePatches) {
-  const PatchMesh mesh = room();
+  const PatchMesh mesh = grouped_room();
   for (const Index largest : {1, 3, 20, 1000}) {
     const SourceGroups sources = make_source_groups(mesh, bright_first(mesh), largest);
     std::vector<int> count(mesh.size(), 0);
@@ -51,7 +51,7 @@ TEST(SourceGroups, PartitionThePatches) {
 }
 
 TEST(SourceGroups, NodesHoldTheirPatches) {
-  const PatchMesh mesh = room();
+  const PatchMesh mesh = grouped_room();
   const SourceGroups sources = make_source_groups(mesh, bright_first(mesh), 20);
   for (std::size_t k = 0; k < sources.nodes.size(); ++k) {
     const SourceGroups::Node& node = sources.nodes[k];
@@ -74,7 +74,7 @@ TEST(SourceGroups, NodesHoldTheirPatches) {
 }
 
 TEST(SourceGroups, PointsLieApartInTheGroup) {
-  const PatchMesh mesh = room();
+  const PatchMesh mesh = grouped_room();
   const SourceGroups sources = make_source_groups(mesh, bright_first(mesh), 20);
   for (const SourceGroups::Group& group : sources.groups) {
     const SourceGroups::Node& node = sources.nodes[group.node];

@@ -8,7 +8,7 @@
 namespace radiosity {
 namespace {
 
-constexpr double kThickness = 1e-9;
+constexpr double kHullThickness = 1e-9;
 
 /// How far on the left of the line from a to b.
 double height(const Point2& a, const Point2& b, const Point2& p) {
@@ -24,14 +24,14 @@ TEST(ConvexHull, HoldsAllPointsAndTurnsLeft) {
     for (int k = 0; k < n; ++k) points.emplace_back(normal(random), normal(random));
     // Some points twice.
     for (int k = 0; k < n; k += 3) points.push_back(points[k]);
-    const std::vector<std::int32_t> hull = convex_hull(points, kThickness);
+    const std::vector<std::int32_t> hull = convex_hull(points, kHullThickness);
     ASSERT_GE(hull.size(), 3U) << trial;
     for (std::size_t k = 0; k < hull.size(); ++k) {
       const Point2& a = points[hull[k]];
       const Point2& b = points[hull[(k + 1) % hull.size()]];
       const Point2& c = points[hull[(k + 2) % hull.size()]];
-      EXPECT_GT(height(a, b, c), kThickness) << trial;
-      for (const Point2& p : points) EXPECT_GE(height(a, b, p), -2 * kThickness) << trial;
+      EXPECT_GT(height(a, b, c), kHullThickness) << trial;
+      for (const Point2& p : points) EXPECT_GE(height(a, b, p), -2 * kHullThickness) << trial;
     }
   }
 }
@@ -39,21 +39,21 @@ TEST(ConvexHull, HoldsAllPointsAndTurnsLeft) {
 TEST(ConvexHull, LeavesOutWhatLiesOnEdges) {
   std::vector<Point2> points{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   for (const double t : {0.2, 0.5, 0.8}) {
-    points.emplace_back(t, 0.5 * kThickness);
-    points.emplace_back(1 - 0.5 * kThickness, t);
+    points.emplace_back(t, 0.5 * kHullThickness);
+    points.emplace_back(1 - 0.5 * kHullThickness, t);
     points.emplace_back(t, t);
   }
-  const std::vector<std::int32_t> hull = convex_hull(points, kThickness);
+  const std::vector<std::int32_t> hull = convex_hull(points, kHullThickness);
   ASSERT_EQ(hull.size(), 4U);
   for (const std::int32_t k : hull) EXPECT_LT(k, 4);
 }
 
 TEST(ConvexHull, PointsInALineHaveNone) {
-  EXPECT_TRUE(convex_hull({}, kThickness).empty());
-  EXPECT_TRUE(convex_hull({{1, 2}}, kThickness).empty());
-  EXPECT_TRUE(convex_hull({{1, 2}, {3, 4}}, kThickness).empty());
-  EXPECT_TRUE(convex_hull({{0, 0}, {1, 1}, {2, 2}, {3, 3 + 1e-10}}, kThickness).empty());
-  EXPECT_EQ(convex_hull({{0, 0}, {1, 1}, {2, 2}, {3, 3.1}}, kThickness).size(), 3U);
+  EXPECT_TRUE(convex_hull({}, kHullThickness).empty());
+  EXPECT_TRUE(convex_hull({{1, 2}}, kHullThickness).empty());
+  EXPECT_TRUE(convex_hull({{1, 2}, {3, 4}}, kHullThickness).empty());
+  EXPECT_TRUE(convex_hull({{0, 0}, {1, 1}, {2, 2}, {3, 3 + 1e-10}}, kHullThickness).empty());
+  EXPECT_EQ(convex_hull({{0, 0}, {1, 1}, {2, 2}, {3, 3.1}}, kHullThickness).size(), 3U);
 }
 
 }  // namespace

@@ -22,11 +22,11 @@ using test::DenseTestTransport;
 using test::energy_norm;
 using test::random_matrix;
 
-constexpr std::uint64_t kSeed = 20250313;
-constexpr double kTolerance = 1e-8;
-constexpr double kRounding = 1e-12;
+constexpr std::uint64_t kImportanceSeed = 20250313;
+constexpr double kImportanceTolerance = 1e-8;
+constexpr double kImportanceRounding = 1e-12;
 
-/// Energy norms of the adjoint solutions X, whose relative error is at most kTolerance.
+/// Energy norms of the adjoint solutions X, whose relative error is at most kImportanceTolerance.
 double adjoint_norm(const DenseTestTransport& transport, const Eigen::VectorXd& rho, Index patch) {
   Eigen::MatrixXd exitance = Eigen::MatrixXd::Zero(transport.size(), 1);
   exitance(patch) = rho[patch] / transport.area()[patch];
@@ -35,15 +35,15 @@ double adjoint_norm(const DenseTestTransport& transport, const Eigen::VectorXd& 
 }
 
 TEST(Importance, IsARowOfTheInverse) {
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random(kImportanceSeed);
   for (int trial = 0; trial < 6; ++trial) {
     const DenseTestTransport transport =
         trial % 2 == 0 ? test::random_open(25, random) : test::random_closed(25, random);
     Eigen::MatrixXd reflectance = random_matrix(25, 2, -0.2, 0.95, random).cwiseMax(0);
     reflectance(4, 0) = 0;
     for (const Index patch : {Index{0}, Index{4}, Index{24}}) {
-      const Eigen::MatrixXd y =
-          importance(transport, reflectance, patch, {.tolerance = kTolerance, .on_step = {}});
+      const Eigen::MatrixXd y = importance(transport, reflectance, patch,
+                                           {.tolerance = kImportanceTolerance, .on_step = {}});
       ASSERT_EQ(y.rows(), 25);
       ASSERT_EQ(y.cols(), 2);
       EXPECT_GE(y.minCoeff(), 0);
@@ -55,14 +55,15 @@ TEST(Importance, IsARowOfTheInverse) {
         const Eigen::VectorXd error = transport.area().cwiseSqrt().cwiseInverse().cwiseProduct(
             y.col(c) - inverse.row(patch).transpose());
         EXPECT_LE(error.norm(),
-                  kTolerance * adjoint_norm(transport, reflectance.col(c), patch) + kRounding);
+                  kImportanceTolerance * adjoint_norm(transport, reflectance.col(c), patch) +
+                      kImportanceRounding);
       }
     }
   }
 }
 
 TEST(Importance, OfABlackPatchIsItsOwnLight) {
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random(kImportanceSeed);
   const DenseTestTransport transport = test::random_closed(10, random);
   Eigen::MatrixXd reflectance = Eigen::MatrixXd::Constant(10, 1, 0.5);
   reflectance(3) = 0;
@@ -70,7 +71,7 @@ TEST(Importance, OfABlackPatchIsItsOwnLight) {
 }
 
 TEST(Importance, IsReciprocal) {
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random(kImportanceSeed);
   const DenseTestTransport transport = test::random_closed(12, random);
   const Eigen::MatrixXd rho = random_matrix(12, 1, 0.1, 0.9, random);
   const Eigen::MatrixXd to_2 = importance(transport, rho, 2);
@@ -88,18 +89,18 @@ TEST(Importance, WeighsTheLightsOfARoom) {
   const Eigen::MatrixXd emitted = exitance(scene, mesh);
   const Eigen::MatrixXd rho = reflectance(scene, mesh);
   const Solution solution =
-      solve(*transport, emitted, rho, {.tolerance = kTolerance, .on_step = {}});
+      solve(*transport, emitted, rho, {.tolerance = kImportanceTolerance, .on_step = {}});
   const Eigen::VectorXd& area = transport->area();
   for (Index patch = 0; patch < mesh.size(); patch += 37) {
     const Eigen::MatrixXd y =
-        importance(*transport, rho, patch, {.tolerance = kTolerance, .on_step = {}});
+        importance(*transport, rho, patch, {.tolerance = kImportanceTolerance, .on_step = {}});
     Eigen::MatrixXd own = Eigen::MatrixXd::Zero(mesh.size(), 3);
     own.row(patch) = rho.row(patch) / area[patch];
     const Solution adjoint = solve(*transport, own, rho);
     for (Index c = 0; c < 3; ++c) {
       // <M, F ΔX> <= ‖M‖ ‖ΔX‖ and the solution's own bound.
       const double allowed =
-          kTolerance *
+          kImportanceTolerance *
           (energy_norm(area, emitted.col(c)) * energy_norm(area, adjoint.radiosity.col(c)) +
            energy_norm(area, solution.radiosity.col(c)) / std::sqrt(area[patch]));
       EXPECT_NEAR(y.col(c).dot(emitted.col(c)), solution.radiosity(patch, c), allowed);
@@ -109,7 +110,7 @@ TEST(Importance, WeighsTheLightsOfARoom) {
 }
 
 TEST(Importance, KnowsItsPatches) {
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random(kImportanceSeed);
   const DenseTestTransport transport = test::random_closed(10, random);
   const Eigen::MatrixXd reflectance = Eigen::MatrixXd::Constant(10, 1, 0.5);
   for (const Index patch : {Index{-1}, Index{10}}) {

@@ -21,10 +21,10 @@ using test::random_matrix;
 using test::solve_directly;
 using test::with_method;
 
-constexpr std::uint64_t kSeed = 20240607;
+constexpr std::uint64_t kErrorSeed = 20240607;
 
 TEST(SolutionError, ExactFormFactorsLeaveTheIterationOnly) {
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random(kErrorSeed);
   const DenseTestTransport transport = test::random_closed(20, random);
   const Eigen::MatrixXd reflectance = random_matrix(20, 1, 0.5, 0.9, random);
   const Eigen::MatrixXd exitance = random_matrix(20, 1, 0, 1, random);
@@ -76,7 +76,7 @@ Eigen::VectorXd first_order_variance(const DenseTestTransport& transport,
 
 TEST_P(FormFactorNoise, SpreadsRadiosityAsPredicted) {
   constexpr Index kN = 24;
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random(kErrorSeed);
   const Index n_rooms = GetParam().n_rooms;
   const DenseTestTransport exact = test::chamber_ring(n_rooms, kN / n_rooms, 0.1, random);
   // Between certified (0) and 4 % wrong.
@@ -107,7 +107,7 @@ TEST_P(FormFactorNoise, SpreadsRadiosityAsPredicted) {
 }
 
 TEST(SolutionError, NoiseIsDeterministic) {
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random(kErrorSeed);
   const DenseTestTransport exact = test::random_closed(20, random);
   const DenseTestTransport transport(exact.exchange(), exact.area(), 0.01 * exact.exchange());
   const Eigen::MatrixXd half = Eigen::MatrixXd::Constant(20, 1, 0.5);

@@ -15,10 +15,10 @@ using test::DenseTestTransport;
 using test::random_matrix;
 using test::relative_error;
 
-constexpr std::uint64_t kSeed = 20250312;
-constexpr Index kSize = 30;
+constexpr std::uint64_t kStepSeed = 20250312;
+constexpr Index kStepPatches = 30;
 /// n products of sums of n terms leave about n roundings.
-constexpr double kRounding = 1e-13;
+constexpr double kStepRounding = 1e-13;
 
 /// A step with its fields worked out.
 struct Seen {
@@ -44,10 +44,10 @@ class SolveSteps : public ::testing::TestWithParam<Method> {
     return (transport_.area().transpose() * b).sum();
   }
 
-  std::mt19937_64 random_{kSeed};
-  DenseTestTransport transport_ = test::random_closed(kSize, random_);
-  Eigen::MatrixXd exitance_ = random_matrix(kSize, 3, -3, 1, random_).cwiseMax(0);
-  Eigen::MatrixXd reflectance_ = random_matrix(kSize, 3, -0.2, 0.9, random_).cwiseMax(0);
+  std::mt19937_64 random_{kStepSeed};
+  DenseTestTransport transport_ = test::random_closed(kStepPatches, random_);
+  Eigen::MatrixXd exitance_ = random_matrix(kStepPatches, 3, -3, 1, random_).cwiseMax(0);
+  Eigen::MatrixXd reflectance_ = random_matrix(kStepPatches, 3, -0.2, 0.9, random_).cwiseMax(0);
   std::vector<Seen> seen_;
 };
 
@@ -65,7 +65,7 @@ TEST_P(SolveSteps, LeadFromTheExitanceToTheSolution) {
 }
 
 TEST_P(SolveSteps, CountWhatIsUnshot) {
-  const Eigen::MatrixXd starts[] = {{}, random_matrix(kSize, 3, 0, 2, random_)};
+  const Eigen::MatrixXd starts[] = {{}, random_matrix(kStepPatches, 3, 0, 2, random_)};
   for (const Eigen::MatrixXd& start : starts) {
     watch(GetParam(), start);
     for (const Seen& seen : seen_) {
@@ -73,7 +73,7 @@ TEST_P(SolveSteps, CountWhatIsUnshot) {
       const Eigen::MatrixXd expected = GetParam() == Method::southwell
                                            ? Eigen::MatrixXd(exitance_ + bounced(b - seen.unshot))
                                            : Eigen::MatrixXd(exitance_ + bounced(b) - seen.unshot);
-      EXPECT_LE((b - expected).norm(), kRounding * b.norm()) << "step " << seen.step.iteration;
+      EXPECT_LE((b - expected).norm(), kStepRounding * b.norm()) << "step " << seen.step.iteration;
     }
   }
 }
@@ -81,13 +81,13 @@ TEST_P(SolveSteps, CountWhatIsUnshot) {
 TEST_P(SolveSteps, HaveValidBounds) {
   const Eigen::MatrixXd expected =
       test::solve_directly(transport_.form_factors(), exitance_, reflectance_);
-  const Eigen::MatrixXd starts[] = {{}, random_matrix(kSize, 3, 0, 2, random_)};
+  const Eigen::MatrixXd starts[] = {{}, random_matrix(kStepPatches, 3, 0, 2, random_)};
   for (const Eigen::MatrixXd& start : starts) {
     watch(GetParam(), start);
     for (const Seen& seen : seen_) {
       // The reference has rounding errors too.
       EXPECT_LE(relative_error(transport_.area(), seen.radiosity, expected),
-                seen.step.error_bound + kRounding)
+                seen.step.error_bound + kStepRounding)
           << "step " << seen.step.iteration;
     }
   }
@@ -108,10 +108,10 @@ TEST_F(SolveSteps, OfJacobiAreBounces) {
   Eigen::MatrixXd sum = exitance_;
   Eigen::MatrixXd bounce = exitance_;
   for (const Seen& seen : seen_) {
-    EXPECT_LE((seen.radiosity - sum).norm(), kRounding * sum.norm());
+    EXPECT_LE((seen.radiosity - sum).norm(), kStepRounding * sum.norm());
     bounce = bounced(bounce);
     // What has arrived and is not passed on is the next bounce: a difference of sums.
-    EXPECT_LE((seen.unshot - bounce).norm(), kRounding * sum.norm());
+    EXPECT_LE((seen.unshot - bounce).norm(), kStepRounding * sum.norm());
     sum += bounce;
   }
 }
@@ -127,15 +127,15 @@ TEST_F(SolveSteps, OfSouthwellShootOnePatchEach) {
     EXPECT_EQ(now.step.iteration, static_cast<int>(k));
     EXPECT_GE(now.unshot.minCoeff(), 0);
     // Walls absorb in a closed room what is shot and not reflected.
-    EXPECT_LE(power(now.unshot), power(before.unshot) * (1 + kRounding));
-    EXPECT_GE((now.radiosity - before.radiosity).minCoeff(), -kRounding * now.radiosity.norm());
+    EXPECT_LE(power(now.unshot), power(before.unshot) * (1 + kStepRounding));
+    EXPECT_GE((now.radiosity - before.radiosity).minCoeff(), -kStepRounding * now.radiosity.norm());
     const Eigen::MatrixXd arrived = transport_.form_factors() * (now.radiosity - now.unshot);
     EXPECT_NEAR(power(absorptance.cwiseProduct(arrived)) + power(now.unshot), emitted,
-                kRounding * emitted * kSize);
+                kStepRounding * emitted * kStepPatches);
     // The brightest patch is the only one to lose unshot light.
     Index source = 0;
     (transport_.area().asDiagonal() * before.unshot).rowwise().sum().maxCoeff(&source);
-    for (Index i = 0; i < kSize; ++i) {
+    for (Index i = 0; i < kStepPatches; ++i) {
       if (i == source) continue;
       EXPECT_GE((now.unshot - before.unshot).row(i).minCoeff(), 0);
     }

@@ -25,7 +25,7 @@ using test::relative_error;
 using test::solve_directly;
 using test::with_method;
 
-constexpr std::uint64_t kSeed = 20240607;
+constexpr std::uint64_t kSolveSeed = 20240607;
 
 nlohmann::json known_case(const std::string& name_part) {
   std::ifstream file(RADIOSITY_TEST_DATA "/form-factors.json");
@@ -52,7 +52,7 @@ TEST(Solve, MethodsHaveTheirNames) {
 }
 
 TEST_P(EveryMethod, FurnaceIsUniform) {
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random(kSolveSeed);
   const DenseTestTransport transport = test::random_closed(16, random);
   const Eigen::MatrixXd exitance = Eigen::MatrixXd::Constant(16, 4, 2.5);
   Eigen::MatrixXd reflectance(16, 4);
@@ -71,7 +71,7 @@ TEST_P(EveryMethod, FurnaceIsUniform) {
 }
 
 TEST_P(EveryMethod, AgreesWithDenseLuWithinItsBound) {
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random(kSolveSeed);
   for (const double tolerance : {1e-1, 1e-4, 1e-8}) {
     for (int trial = 0; trial < 8; ++trial) {
       const DenseTestTransport transport =
@@ -99,7 +99,7 @@ TEST_P(EveryMethod, AgreesWithDenseLuWithinItsBound) {
 }
 
 TEST_P(EveryMethod, StoppedEarlyStillTellsAValidBound) {
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random(kSolveSeed);
   const DenseTestTransport transport = test::chamber_ring(5, 8, 0.1, random);
   const Eigen::MatrixXd reflectance = random_matrix(40, 1, 0.8, 0.95, random);
   Eigen::MatrixXd exitance = Eigen::MatrixXd::Zero(40, 1);
@@ -116,7 +116,7 @@ TEST_P(EveryMethod, StoppedEarlyStillTellsAValidBound) {
 }
 
 TEST_P(EveryMethod, SharedSolveEqualsSeparateSolves) {
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random(kSolveSeed);
   const DenseTestTransport transport = test::random_open(25, random);
   const Eigen::MatrixXd reflectance = random_matrix(25, 2, 0, 0.9, random);
   const Eigen::MatrixXd exitance = random_matrix(25, 6, 0, 1, random);
@@ -134,7 +134,7 @@ TEST_P(EveryMethod, SharedSolveEqualsSeparateSolves) {
 }
 
 TEST_P(EveryMethod, EnergyIsBalanced) {
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random(kSolveSeed);
   const DenseTestTransport transport = test::random_open(30, random);
   const Eigen::MatrixXd reflectance = random_matrix(30, 2, -0.2, 0.9, random).cwiseMax(0);
   const Eigen::MatrixXd exitance = random_matrix(30, 2, 0, 1, random);
@@ -158,7 +158,7 @@ TEST_P(EveryMethod, EnergyIsBalanced) {
 }
 
 TEST_P(EveryMethod, BlackPatchesShowTheirOwnLightOnly) {
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random(kSolveSeed);
   const DenseTestTransport transport = test::random_closed(20, random);
   Eigen::MatrixXd reflectance = Eigen::MatrixXd::Constant(20, 1, 0.8);
   reflectance.topRows(8).setZero();
@@ -175,7 +175,7 @@ TEST_P(EveryMethod, BlackPatchesShowTheirOwnLightOnly) {
 }
 
 TEST_P(EveryMethod, HiddenPatchStaysExactlyDark) {
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random(kSolveSeed);
   DenseTestTransport room = test::random_closed(10, random);
   Eigen::MatrixXd exchange = Eigen::MatrixXd::Zero(11, 11);
   exchange.topLeftCorner(10, 10) = room.exchange();
@@ -190,7 +190,7 @@ TEST_P(EveryMethod, HiddenPatchStaysExactlyDark) {
 }
 
 TEST_P(EveryMethod, NoLightIsSolvedAtOnce) {
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random(kSolveSeed);
   const DenseTestTransport transport = test::random_closed(10, random);
   for (const double rho : {0.5, 1.0}) {
     const Solution solution = solve(transport, Eigen::MatrixXd::Zero(10, 3),
@@ -204,7 +204,7 @@ TEST_P(EveryMethod, NoLightIsSolvedAtOnce) {
 }
 
 TEST_P(EveryMethod, WhitePatchesInOpenSceneAreSolved) {
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random(kSolveSeed);
   const DenseTestTransport transport = test::random_open(20, random);
   const Eigen::MatrixXd white = Eigen::MatrixXd::Ones(20, 1);
   const Eigen::MatrixXd exitance = random_matrix(20, 1, 0, 1, random);
@@ -215,7 +215,7 @@ TEST_P(EveryMethod, WhitePatchesInOpenSceneAreSolved) {
 }
 
 TEST_P(EveryMethod, ReportsAndStops) {
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random(kSolveSeed);
   const DenseTestTransport transport = test::random_closed(20, random);
   const Eigen::MatrixXd exitance = random_matrix(20, 1, 0, 1, random);
   const Eigen::MatrixXd reflectance = random_matrix(20, 1, 0.5, 0.9, random);
@@ -248,7 +248,7 @@ TEST_P(EveryMethod, ReportsAndStops) {
 }
 
 TEST_P(EveryMethod, GivesUpAtTheRoundingErrors) {
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random(kSolveSeed);
   const DenseTestTransport transport = test::random_closed(15, random);
   SolveOptions options = with_method(GetParam());
   options.tolerance = 1e-30;
@@ -260,7 +260,7 @@ TEST_P(EveryMethod, GivesUpAtTheRoundingErrors) {
 }
 
 TEST_P(EveryMethod, SphereHasItsClosedForm) {
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random(kSolveSeed);
   const Eigen::VectorXd area = random_matrix(25, 1, 0.1, 2, random).col(0);
   const DenseTestTransport transport = test::sphere(area, area.sum());
   const Eigen::VectorXd exitance = random_matrix(25, 1, 0, 3, random).col(0);
@@ -274,7 +274,7 @@ TEST_P(EveryMethod, OpenSphereHasItsClosedForm) {
   const auto entry = known_case("spherical cavity with circular opening");
   const double fraction = number(entry.at("params").at("fraction"));
   const double rho = number(entry.at("params").at("rho"));
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random(kSolveSeed);
   const Eigen::VectorXd area = random_matrix(20, 1, 0.1, 2, random).col(0);
   const DenseTestTransport transport = test::sphere(area, area.sum() / (1 - fraction));
   const Solution solution = solve(transport, Eigen::MatrixXd::Ones(20, 1),
@@ -309,7 +309,7 @@ TEST_P(EveryMethod, CubeOfSixPatchesHasItsClosedForm) {
 }
 
 TEST(Solve, ConjugateGradientsNeedFewProducts) {
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random(kSolveSeed);
   const DenseTestTransport transports[] = {test::chamber_ring(10, 20, 0.02, random),
                                            test::rough_box({1, 1, 4}, 0.25)};
   for (const DenseTestTransport& transport : transports) {
@@ -325,7 +325,7 @@ TEST(Solve, ConjugateGradientsNeedFewProducts) {
 }
 
 TEST(Solve, ConvergedColumnsCostNothing) {
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random(kSolveSeed);
   const DenseTestTransport transport = test::chamber_ring(5, 8, 0.02, random);
   Eigen::MatrixXd exitance = Eigen::MatrixXd::Zero(40, 2);
   exitance.topRows(4).setOnes();
@@ -344,7 +344,7 @@ TEST(Solve, ConvergedColumnsCostNothing) {
 }
 
 TEST(Solve, OneVeryWhitePatchDoesNotSpoilTheBound) {
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random(kSolveSeed);
   const DenseTestTransport transport = test::random_closed(30, random);
   Eigen::MatrixXd reflectance = Eigen::MatrixXd::Constant(30, 1, 0.5);
   reflectance(3) = 1;  // closed, so row sums alone prove nothing; but light leaves to grey patches
@@ -356,7 +356,7 @@ TEST(Solve, OneVeryWhitePatchDoesNotSpoilTheBound) {
 }
 
 TEST(Solve, WhiteChambersWithAFarExitAreProvedToConverge) {
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random(kSolveSeed);
   const DenseTestTransport transport = test::chamber_ring(6, 6, 0.3, random);
   Eigen::MatrixXd reflectance = Eigen::MatrixXd::Ones(36, 1);
   reflectance.topRows(6).setConstant(0.3);  // three chambers away from the farthest white ones
@@ -369,7 +369,7 @@ TEST(Solve, WhiteChambersWithAFarExitAreProvedToConverge) {
 
 /// Two closed rooms that do not see each other, 8 patches each.
 DenseTestTransport two_rooms() {
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random(kSolveSeed);
   Eigen::MatrixXd exchange = Eigen::MatrixXd::Zero(16, 16);
   exchange.topLeftCorner(8, 8) = test::random_closed(8, random).exchange();
   exchange.bottomRightCorner(8, 8) = test::random_closed(8, random).exchange();
@@ -377,7 +377,7 @@ DenseTestTransport two_rooms() {
 }
 
 TEST(Solve, TrappedLightHasNoSolution) {
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random(kSolveSeed);
   const DenseTestTransport room = test::random_closed(12, random);
   const Eigen::MatrixXd ones = Eigen::MatrixXd::Ones(12, 1);
   for (const Method method : test::kMethods) {

@@ -17,8 +17,8 @@ using test::random_matrix;
 using test::relative_error;
 using test::solve_directly;
 
-constexpr std::uint64_t kSeed = 20250311;
-constexpr Index kSize = 40;
+constexpr std::uint64_t kWarmSeed = 20250311;
+constexpr Index kWarmPatches = 40;
 
 class WarmStart : public ::testing::TestWithParam<Method> {
  protected:
@@ -30,10 +30,10 @@ class WarmStart : public ::testing::TestWithParam<Method> {
     return solve_directly(transport_.form_factors(), exitance_, reflectance_);
   }
 
-  std::mt19937_64 random_{kSeed};
-  DenseTestTransport transport_ = test::chamber_ring(5, kSize / 5, 0.1, random_);
-  Eigen::MatrixXd exitance_ = random_matrix(kSize, 3, -3, 1, random_).cwiseMax(0);
-  Eigen::MatrixXd reflectance_ = random_matrix(kSize, 3, -0.2, 0.9, random_).cwiseMax(0);
+  std::mt19937_64 random_{kWarmSeed};
+  DenseTestTransport transport_ = test::chamber_ring(5, kWarmPatches / 5, 0.1, random_);
+  Eigen::MatrixXd exitance_ = random_matrix(kWarmPatches, 3, -3, 1, random_).cwiseMax(0);
+  Eigen::MatrixXd reflectance_ = random_matrix(kWarmPatches, 3, -0.2, 0.9, random_).cwiseMax(0);
 };
 
 INSTANTIATE_TEST_SUITE_P(Solve, WarmStart, ::testing::ValuesIn(test::kMethods),
@@ -43,7 +43,8 @@ TEST_P(WarmStart, LeadsToTheSolutionWithinItsBound) {
   const Eigen::MatrixXd b = expected();
   for (const double tolerance : {1e-1, 1e-4, 1e-8}) {
     for (const double low : {0., -3.}) {  // irradiance cannot be negative, but a start may
-      const Solution solution = solve_from(random_matrix(kSize, 3, low, 3, random_), tolerance);
+      const Solution solution =
+          solve_from(random_matrix(kWarmPatches, 3, low, 3, random_), tolerance);
       SCOPED_TRACE("tolerance " + std::to_string(tolerance) + ", from " + std::to_string(low));
       EXPECT_TRUE(solution.converged);
       EXPECT_LE(solution.error_bound, tolerance);
@@ -66,7 +67,7 @@ TEST_P(WarmStart, AtTheSolutionThereIsNothingToDo) {
 
 TEST_P(WarmStart, SavesProductsAfterASmallChange) {
   const Solution before = solve_from({});
-  reflectance_.topRows(kSize / 5) *= 0.99;
+  reflectance_.topRows(kWarmPatches / 5) *= 0.99;
   const Solution warm = solve_from(before.irradiance, 1e-4);
   const Solution cold = solve_from({}, 1e-4);
   EXPECT_TRUE(warm.converged);
@@ -75,7 +76,7 @@ TEST_P(WarmStart, SavesProductsAfterASmallChange) {
 
 TEST_P(WarmStart, StoppedEarlyStillTellsAValidBound) {
   const Eigen::MatrixXd b = expected();
-  const Eigen::MatrixXd start = random_matrix(kSize, 3, 0, 3, random_);
+  const Eigen::MatrixXd start = random_matrix(kWarmPatches, 3, 0, 3, random_);
   for (int products = 1; products < 8; ++products) {
     const Solution solution =
         solve(transport_, exitance_, reflectance_,
@@ -88,16 +89,16 @@ TEST_P(WarmStart, StoppedEarlyStillTellsAValidBound) {
 
 TEST_P(WarmStart, LeavesUnlitColumnsExactlyDark) {
   exitance_.col(1).setZero();
-  const Solution solution = solve_from(Eigen::MatrixXd::Ones(kSize, 3));
+  const Solution solution = solve_from(Eigen::MatrixXd::Ones(kWarmPatches, 3));
   EXPECT_TRUE(solution.converged);
   EXPECT_EQ(solution.radiosity.col(1).norm(), 0);
   exitance_.setZero();
-  EXPECT_EQ(solve_from(Eigen::MatrixXd::Ones(kSize, 3)).radiosity.norm(), 0);
+  EXPECT_EQ(solve_from(Eigen::MatrixXd::Ones(kWarmPatches, 3)).radiosity.norm(), 0);
 }
 
 TEST_P(WarmStart, OfBlackPatchesIsForgotten) {
   reflectance_.setZero();
-  const Solution solution = solve_from(Eigen::MatrixXd::Ones(kSize, 3));
+  const Solution solution = solve_from(Eigen::MatrixXd::Ones(kWarmPatches, 3));
   EXPECT_TRUE(solution.converged);
   EXPECT_EQ(solution.radiosity, exitance_);
   EXPECT_LE((solution.irradiance - transport_.form_factors() * exitance_).norm(), 1e-13);

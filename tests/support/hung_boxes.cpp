@@ -68,9 +68,9 @@ Eigen::Matrix3d random_axes(Random& random) {
   }
 }
 
-class RoomMaker {
+class HungBoxMaker {
  public:
-  explicit RoomMaker(std::uint64_t seed) : random_(seed) {
+  explicit HungBoxMaker(std::uint64_t seed) : random_(seed) {
     scene_.source = "hung boxes " + std::to_string(seed);
     scene_.bands.kind = Bands::Kind::grey;
     scene_.closed = true;
@@ -171,7 +171,7 @@ class RoomMaker {
 
 }  // namespace
 
-Scene make_hung_boxes(std::uint64_t seed) { return RoomMaker(seed).run(); }
+Scene make_hung_boxes(std::uint64_t seed) { return HungBoxMaker(seed).run(); }
 
 PatchMesh divided_into_four(const PatchMesh& mesh) {
   PatchMesh result;

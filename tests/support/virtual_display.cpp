@@ -26,7 +26,7 @@ VirtualDisplay::VirtualDisplay() {
   const int error =
       posix_spawnp(&pid_, "Xvfb", &actions, nullptr, const_cast<char**>(arguments.data()), environ);
   posix_spawn_file_actions_destroy(&actions);
-  close(channel[1]);
+  ::close(channel[1]);
   if (error == 0) {
     for (char letter = 0; read(channel[0], &letter, 1) == 1 && letter != '\n';) name_ += letter;
     if (!name_.empty()) {
@@ -36,7 +36,7 @@ VirtualDisplay::VirtualDisplay() {
   } else {
     pid_ = -1;
   }
-  close(channel[0]);
+  ::close(channel[0]);
 }
 
 VirtualDisplay::~VirtualDisplay() {

@@ -11,9 +11,9 @@ namespace {
 
 constexpr double kReach = 4;  // half the floor, m
 
-class RoomMaker {
+class WalledRoomMaker {
  public:
-  RoomMaker(std::uint64_t seed, Hut hut) : seed_(seed), hut_(hut), random_(seed) {}
+  WalledRoomMaker(std::uint64_t seed, Hut hut) : seed_(seed), hut_(hut), random_(seed) {}
 
   WalledRoom run() {
     Scene& scene = room_.scene;
@@ -155,6 +155,8 @@ bool WalledRoom::looks_inside(const PatchMesh& mesh, Index patch) const {
   return true;
 }
 
-WalledRoom make_walled_room(std::uint64_t seed, Hut hut) { return RoomMaker(seed, hut).run(); }
+WalledRoom make_walled_room(std::uint64_t seed, Hut hut) {
+  return WalledRoomMaker(seed, hut).run();
+}
 
 }  // namespace radiosity::test

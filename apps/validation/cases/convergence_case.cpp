@@ -17,7 +17,7 @@ namespace {
 using namespace radiosity;
 
 /// A scene and how fine its patches get.
-struct Room {
+struct MeshedRoom {
   const char* file;
   const char* name;
   std::vector<double> edges;   ///< longest patch edges, m
@@ -29,9 +29,10 @@ struct Room {
 
 constexpr const char* kAdaptive = "adaptive";
 constexpr double kUnreached = 1e-9;  // relative error at which refinement would end by itself
-constexpr double kTolerance = 1e-3;  // of the form factors: well below what discretisation leaves
+constexpr double kCurveTolerance =
+    1e-3;  // of the form factors: well below what discretisation leaves
 
-std::vector<Room> rooms() {
+std::vector<MeshedRoom> rooms() {
   // All lengths of the L-room are whole metres, so that these patches are nested; none is larger
   // than the lamp.
   return {{"l-room.json",
@@ -69,9 +70,10 @@ Run run(const Scene& scene, const study::StudyOptions& options, const Context& c
 }
 
 Run run_uniform(const Scene& scene, double max_edge, const Context& context) {
-  return run(scene,
-             {.patches = {.max_edge = max_edge}, .tolerance = kTolerance, .seed = context.seed},
-             context);
+  return run(
+      scene,
+      {.patches = {.max_edge = max_edge}, .tolerance = kCurveTolerance, .seed = context.seed},
+      context);
 }
 
 /// The same with patches that fit the light, about so many.
@@ -79,7 +81,7 @@ Run run_adaptive(const Scene& scene, long n_patches, const Context& context) {
   return run(scene,
              {.patches = {.n_patches = n_patches, .adaptive = true},
               .tolerance = kUnreached,
-              .factor_tolerance = kTolerance,
+              .factor_tolerance = kCurveTolerance,
               .seed = context.seed},
              context);
 }
@@ -146,7 +148,7 @@ Distance distance(const Run& coarse, const Run& fine) {
 /// Order p of the error C h^p whose square, less that of the reference, was measured:
 /// d(h)² = C² (h^2p - h_ref^2p), as the field's means on nested patches are its best approximation.
 /// Found by repeating the fit with the errors that it implies.
-double order_beside_reference(const Room& room, const std::vector<double>& distances) {
+double order_beside_reference(const MeshedRoom& room, const std::vector<double>& distances) {
   double p = 1;
   for (int step = 0; step < 50; ++step) {
     std::vector<double> errors;
@@ -190,7 +192,7 @@ void add_run(Curves& curves, Table& table, const std::string& name, const std::s
 
 std::string edge_text(double edge) { return fmt::format("{:.4g} mm", 1000 * edge); }
 
-std::vector<Curves> measure(const Room& room, CaseResult& result, Table& table,
+std::vector<Curves> measure(const MeshedRoom& room, CaseResult& result, Table& table,
                             const Context& context) {
   const std::string name = room.name;
   const Scene scene = io::read_scene(context.scenes / room.file);
@@ -235,7 +237,7 @@ CaseResult run_convergence(const Context& context) {
              {"seconds", Axis::Scale::logarithmic},
              {"relative error, by area", Axis::Scale::logarithmic},
              {}};
-  for (const Room& room : rooms()) {
+  for (const MeshedRoom& room : rooms()) {
     Plot errors{fmt::format("{}: distance from the reference and number of patches", room.name),
                 {"patches", Axis::Scale::logarithmic},
                 {"relative error, by area", Axis::Scale::logarithmic},

@@ -19,9 +19,9 @@ namespace {
 
 using namespace radiosity;
 
-constexpr double kTolerance = 1e-2;        // the program's default
-constexpr double kLargestNorm = 0.01;      // promised of ‖ΔB‖/‖B‖
-constexpr double kLargestOfPolygon = 0.1;  // and of |ΔB|/B anywhere
+constexpr double kDefaultTolerance = 1e-2;  // the program's default
+constexpr double kLargestNorm = 0.01;       // promised of ‖ΔB‖/‖B‖
+constexpr double kLargestOfPolygon = 0.1;   // and of |ΔB|/B anywhere
 constexpr const char* kBands[] = {"red", "green", "blue"};
 constexpr double kSigmas = 2;
 constexpr double kCoverage = 0.95;
@@ -72,7 +72,7 @@ Comparison compare(const Context& context) {
         fmt::format("the reference has {} polygons, patches-8x8.obj {}", n, scene.n_polygons()));
   }
   const study::Study solved = study::run(
-      scene, {.patches = {.adaptive = true}, .tolerance = kTolerance, .seed = context.seed},
+      scene, {.patches = {.adaptive = true}, .tolerance = kDefaultTolerance, .seed = context.seed},
       {.progress = quiet});
   c.computed = polygon_means(solved.mesh, solved.solution.radiosity, n);
   // Patches of one polygon err alike: the error of their mean is the mean of their errors.
@@ -219,7 +219,7 @@ CaseResult run_cornell_box(const Context& context) {
       .compared = fmt::format("Radiosity of the Cornell box, {} adaptive patches (tolerance {}), "
                               "averaged over the {} polygons of the reference; and whether the "
                               "program's own error intervals hold.",
-                              c.n_patches, kTolerance, c.reference.size()),
+                              c.n_patches, kDefaultTolerance, c.reference.size()),
       .reference =
           "Path tracing (Mitsuba 3.9.1, unlimited depth), mean outgoing radiance of each "
           "polygon with its standard error, at most 0.3 %: "

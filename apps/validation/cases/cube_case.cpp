@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "apps/validation/cases/asked.h"
 #include "apps/validation/cases/cases.h"
 #include "apps/validation/reference/built_scenes.h"
 #include "apps/validation/reference/known_factors.h"
@@ -13,9 +14,6 @@ namespace apps::validation {
 namespace {
 
 using namespace radiosity;
-
-constexpr double kAskedOfSolver = 1e-8;   // SolveOptions::tolerance
-constexpr double kAskedOfFactors = 1e-9;  // unobstructed pairs
 
 Scene cube(double rho) {
   Scene scene = empty_scene("unit cube");

@@ -1,4 +1,5 @@
 #include "apps/validation/cases/curved_factors.h"
+#include "apps/validation/cases/asked.h"
 
 #include <fmt/format.h>
 
@@ -19,7 +20,6 @@ using Facets = std::vector<Polygon>;
 using Shape = std::function<Facets(int n)>;
 
 constexpr int kCoarsest = 8;
-constexpr double kAskedOfFactors = 1e-9;  // unobstructed pairs
 
 /// F from one set of facets to another.
 double factor(const Facets& from, const Facets& to) {

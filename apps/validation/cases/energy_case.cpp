@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "apps/validation/cases/asked.h"
 #include "apps/validation/cases/cases.h"
 #include "apps/validation/reference/own_light.h"
 #include "io/scene/scene_file.h"
@@ -15,9 +16,8 @@ namespace {
 
 using namespace radiosity;
 
-constexpr long kPatches = 600;
-constexpr double kTolerance = 1e-2;        // asked of the form factors, the default
-constexpr double kAskedOfRowSums = 1e-10;  // docs/command-line.md: rows of closed scenes
+constexpr long kPatchesOfScene = 600;
+constexpr double kFactorTolerance = 1e-2;  // asked of the form factors, the default
 
 std::vector<std::filesystem::path> scene_files(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
@@ -65,7 +65,7 @@ void check_closed(CaseResult& result, const std::string& name, const study::Stud
   Check check{fmt::format("{}: escaped / Σ A B, a closed room", name), share.abs().maxCoeff(),
               kAskedOfRowSums, "Row sums of closed scenes are 1 within 1e-10, as promised."};
   if (open_rows > 0) {
-    check.tolerance = kTolerance;
+    check.tolerance = kFactorTolerance;
     check.derivation = fmt::format(
         "The relative error asked of the form factors, 1e-2, since {} of {} patches are reported "
         "as open: their errors are larger than sampling explains, and they are not corrected.",
@@ -95,9 +95,9 @@ CaseResult run_energy(const Context& context) {
     const Progress quiet{.report = {}, .stop = context.progress.stop};
     Scene scene = io::read_scene(file);
     meshing::PatchChoice patches{.as_is = true};
-    if (scene.n_polygons() < kPatches / 2) patches = {.n_patches = kPatches};
+    if (scene.n_polygons() < kPatchesOfScene / 2) patches = {.n_patches = kPatchesOfScene};
     const study::Study assembly = study::assemble(
-        std::move(scene), {.patches = patches, .tolerance = kTolerance, .seed = context.seed},
+        std::move(scene), {.patches = patches, .tolerance = kFactorTolerance, .seed = context.seed},
         {.progress = quiet});
     const Solution solution = solve_own_light(assembly, {.progress = quiet});
     const Imbalance imbalance = worst_imbalance(solution, areas(assembly.mesh));

@@ -1,4 +1,5 @@
 #include "apps/validation/cases/factor_comparisons.h"
+#include "apps/validation/cases/asked.h"
 
 #include <fmt/format.h>
 
@@ -20,8 +21,6 @@ namespace apps::validation {
 namespace {
 
 using namespace radiosity;
-
-constexpr double kAskedOfFactors = 1e-9;  // unobstructed pairs
 
 using Comparisons = std::vector<FactorComparison>;
 using Compare = Comparisons (*)(const KnownFactor&, const Context&);
@@ -159,10 +158,10 @@ Comparisons compare_nested_spheres(const KnownFactor& known, const Context& cont
   const Eigen::MatrixXd factors = surface_form_factors(assembly.mesh, *assembly.transport);
   const Eigen::MatrixXd errors = surface_form_factor_errors(assembly.mesh, *assembly.transport);
   const auto compare = [&](const char* key, Index from, Index to) {
-    constexpr double kSigmas = 4;
+    constexpr double kSigmasOfBody = 4;
     FactorComparison comparison = occluded(known, key, factors(from, to));
     comparison.kind = FactorKind::body;
-    comparison.tolerance = kSigmas * errors(from, to) / comparison.expected + kAskedOfFactors;
+    comparison.tolerance = kSigmasOfBody * errors(from, to) / comparison.expected + kAskedOfFactors;
     return comparison;
   };
   return {compare("F_in_out", 0, 1), compare("F_out_in", 1, 0), compare("F_out_out", 1, 1)};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "apps/validation/cases/asked.h"
 #include "apps/validation/cases/cases.h"
 #include "apps/validation/reference/own_light.h"
 #include "io/scene/scene_file.h"
@@ -14,11 +15,9 @@ namespace {
 
 using namespace radiosity;
 
-constexpr double kAskedOfSolver = 1e-8;    // SolveOptions::tolerance
-constexpr double kAskedOfRowSums = 1e-10;  // docs/command-line.md: rows of closed scenes
-constexpr double kReflectances[] = {0, 0.2, 0.5, 0.8, 0.9, 0.95, 0.99};
+constexpr double kFurnaceReflectances[] = {0, 0.2, 0.5, 0.8, 0.9, 0.95, 0.99};
 
-struct Room {
+struct Furnace {
   const char* file;
   const char* name;
   meshing::PatchChoice patches;
@@ -54,15 +53,15 @@ CaseResult run_furnace(const Context& context) {
             {"reflectance ρ"},
             {"relative error", Axis::Scale::logarithmic},
             {}};
-  for (const Room& room : {Room{"furnace-cube.json", "cube", {.max_edge = 0.1}},
-                           Room{"l-room.json", "L-shaped room", {.n_patches = 800}}}) {
+  for (const Furnace& room : {Furnace{"furnace-cube.json", "cube", {.max_edge = 0.1}},
+                              Furnace{"l-room.json", "L-shaped room", {.n_patches = 800}}}) {
     context.progress.check();
     const study::Study assembly = study::assemble(
         io::read_scene(context.scenes / room.file), {.patches = room.patches, .seed = context.seed},
         {.progress = {.report = {}, .stop = context.progress.stop}});
     Series measured{fmt::format("{}, {} patches", room.name, assembly.mesh.size())};
     Series limit{fmt::format("{}: asked", room.name), Series::Style::dashed};
-    for (const double rho : kReflectances) {
+    for (const double rho : kFurnaceReflectances) {
       const double error = deviation(assembly, rho, context.progress);
       const double tolerance = asked(assembly, rho);
       measured.x.push_back(rho);

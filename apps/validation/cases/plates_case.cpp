@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "apps/validation/cases/asked.h"
 #include "apps/validation/cases/cases.h"
 #include "apps/validation/reference/built_scenes.h"
 #include "apps/validation/reference/known_factors.h"
@@ -14,8 +15,6 @@ namespace {
 
 using namespace radiosity;
 
-constexpr double kAskedOfSolver = 1e-8;   // SolveOptions::tolerance
-constexpr double kAskedOfFactors = 1e-9;  // unobstructed pairs
 constexpr const char* kBound =
     "The solver's guaranteed bound 1e-8 on ‖ΔB‖/‖B‖, which puts one patch off by 1e-8 ‖B‖/√A at "
     "most, and form factors that are off by 1e-9, amplified by 1/(1-ρ).";

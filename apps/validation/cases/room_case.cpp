@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "apps/validation/cases/asked.h"
 #include "apps/validation/cases/cases.h"
 #include "apps/validation/reference/built_scenes.h"
 #include "apps/validation/reference/own_light.h"
@@ -16,9 +17,7 @@ namespace {
 
 using namespace radiosity;
 
-constexpr double kAskedOfSolver = 1e-8;    // SolveOptions::tolerance
-constexpr double kAskedOfRowSums = 1e-10;  // docs/command-line.md: rows of closed scenes
-constexpr double kReflectances[] = {0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.95};
+constexpr double kRoomReflectances[] = {0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.95};
 
 /// A room of 5 x 4 x 3 m; one quarter metre of the ceiling is the lamp.
 Scene box_room() {
@@ -53,11 +52,11 @@ void check_room(CaseResult& result, Plot& plot, const std::string& name,
                 const std::string& lamp_name, const study::Study& room, const Progress& progress) {
   const Eigen::VectorXd area = areas(room.mesh);
   const double surface = area.sum();
-  const auto n_columns = static_cast<Index>(std::size(kReflectances));
+  const auto n_columns = static_cast<Index>(std::size(kRoomReflectances));
   const Eigen::VectorXd exitance = lamp_exitance(room, lamp_name);
   const double power = area.dot(exitance);
   Eigen::MatrixXd reflectance(room.mesh.size(), n_columns);
-  for (Index c = 0; c < n_columns; ++c) reflectance.col(c).setConstant(kReflectances[c]);
+  for (Index c = 0; c < n_columns; ++c) reflectance.col(c).setConstant(kRoomReflectances[c]);
   const Solution solution =
       solve(*room.transport, exitance.replicate(1, n_columns), reflectance,
             {.tolerance = kAskedOfSolver, .on_step = {}, .progress = progress});
@@ -67,7 +66,7 @@ void check_room(CaseResult& result, Plot& plot, const std::string& name,
   Series least{name + ": least", Series::Style::dashed};
   double worst = 0;
   for (Index c = 0; c < n_columns; ++c) {
-    const double rho = kReflectances[c];
+    const double rho = kRoomReflectances[c];
     const Eigen::VectorXd indirect = solution.irradiance.col(c) - direct;
     const double expected = power * rho / (surface * (1 - rho));
     const double computed = area.dot(indirect) / surface;

@@ -16,9 +16,9 @@ namespace {
 
 using namespace radiosity;
 
-constexpr long kPatches = 600;
+constexpr long kPatchesOfBox = 600;
 /// Two solves, each this good in the energy norm, differ by at most 1e-10.
-constexpr double kAskedOfSolver = 4e-11;
+constexpr double kAskedOfBands = 4e-11;
 constexpr double kSingles[] = {500, 600, 700};  // nm
 constexpr const char* kShown[] = {"floor", "left", "right", "short_top"};
 
@@ -31,7 +31,7 @@ void check_single(CaseResult& result, const study::Study& box, const Solution& a
   }
   const Index c = found - wavelengths.begin();
   const Solution alone = solve(*box.transport, all.exitance.col(c), all.reflectance.col(c),
-                               {.tolerance = kAskedOfSolver, .on_step = {}, .progress = progress});
+                               {.tolerance = kAskedOfBands, .on_step = {}, .progress = progress});
   const Eigen::VectorXd root = areas(box.mesh).cwiseSqrt();
   const double difference =
       (all.radiosity.col(c) - alone.radiosity.col(0)).cwiseProduct(root).norm() /
@@ -88,13 +88,13 @@ CaseResult run_spectral(const Context& context) {
   }
   const Progress quiet{.report = {}, .stop = context.progress.stop};
   const study::Study box = study::assemble(
-      io::read_scene(path), {.patches = {.n_patches = kPatches}, .seed = context.seed},
+      io::read_scene(path), {.patches = {.n_patches = kPatchesOfBox}, .seed = context.seed},
       {.progress = quiet});
   if (box.scene.bands.kind != Bands::Kind::wavelengths) {
     throw SceneError(fmt::format("{}: expected bands by wavelength", path.string()));
   }
   const Solution all =
-      solve_own_light(box, {.tolerance = kAskedOfSolver, .on_step = {}, .progress = quiet});
+      solve_own_light(box, {.tolerance = kAskedOfBands, .on_step = {}, .progress = quiet});
   CaseResult result{.compared = fmt::format(
                         "The Cornell box with its measured spectra, {} bands solved together, "
                         "{} patches.",

@@ -37,13 +37,13 @@ Eigen::VectorXd smooth_exitance(const PatchMesh& mesh) {
 }
 
 /// How far the facets are from a unit sphere.
-struct Facets {
+struct FacetSize {
   double edge = 0;  ///< longest, m
   double tilt = 0;  ///< largest angle between a normal and the radius to the centroid
 };
 
-Facets measure_facets(const PatchMesh& mesh) {
-  Facets facets;
+FacetSize measure_facets(const PatchMesh& mesh) {
+  FacetSize facets;
   for (Index i = 0; i < mesh.size(); ++i) {
     const Vec3 radius = -mesh.centroid[i].normalized();
     facets.tilt = std::max(facets.tilt, radius.cross(mesh.normal[i]).norm());
@@ -57,7 +57,7 @@ Facets measure_facets(const PatchMesh& mesh) {
 
 struct Facetted {
   double n = 0;  ///< facets
-  Facets facets;
+  FacetSize facets;
   double largest = 0;  ///< error of B over the mean of B
   double rms = 0;      ///< the same, root mean square by area
 };
@@ -106,7 +106,7 @@ void check_open_sphere(CaseResult& result, const KnownFactor& known, const Conte
   const Solution solution = solve_own_light(bowl, {.on_step = {}, .progress = quiet});
   // The opening is as large as the facets that are gone, not quite the share in the file.
   const double expected = 1 / (1 - rho * left / all);
-  const Facets facets = measure_facets(bowl.mesh);
+  const FacetSize facets = measure_facets(bowl.mesh);
   result.checks.push_back(
       {fmt::format("sphere with an opening of {:.2f} % of it: largest error of B / B",
                    100 * (1 - left / all)),
