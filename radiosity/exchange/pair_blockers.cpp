@@ -11,7 +11,7 @@ namespace {
 /// How near a body is beside the source, in sizes of that: its faces then divide it for points.
 constexpr double kBeside = 0.1;
 /// So few blockers cost less to test than what would prove of most that they are in nobody's way.
-constexpr std::size_t kFewCandidates = 2;
+constexpr std::size_t kTooFewForHull = 2;
 
 /// Whether a blocker that divides the source or the target blocks nothing of any half.
 bool misses_halves(const ConvexPolygon& source, const ConvexPolygon& target, const Blocker& blocker,
@@ -50,7 +50,7 @@ Blocking PairBlockers::find(const ConvexPolygon& source, const ConvexPolygon& ta
   for (const Vec3& corner : source) source_box.extend(corner);
   const double source_size = source_box.diagonal().norm();
   std::optional<PairHull> hull;
-  if (candidates.size() > kFewCandidates) hull.emplace(source, target, thickness);
+  if (candidates.size() > kTooFewForHull) hull.emplace(source, target, thickness);
   std::optional<SegmentBundle> bundle;
   for (const Blocker* candidate : candidates) {
     if (hull && hull->misses(candidate->box)) continue;
