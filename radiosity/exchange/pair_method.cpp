@@ -81,7 +81,10 @@ PairMethod choose_method(const PairView& view, const PairBlockers& between, doub
   }
   const double n_points =
       kPointsOfFirst * std::max({1.0, kFirstPoints / error, square(PointSampler::kUnseen / error)});
-  const double points = n_points <= PointSampler::kMostPoints ? n_points * point_cost : kNever;
+  // Beside a body the light ends so suddenly that points and their quarters may agree by chance.
+  const bool may_trust_points = !between.any_beside || cuts == kNever;
+  const double points =
+      may_trust_points && n_points <= PointSampler::kMostPoints ? n_points * point_cost : kNever;
   const double least = std::min({rays, cuts, points});
   // Where nothing gets as far as asked, rays get farthest.
   if (least == kNever) return takes_rays ? PairMethod::rays : PairMethod::points;
