@@ -19,9 +19,8 @@ enum class Facing { inwards, outwards };
 /// Appends the six faces of a box, n x n quads each: -z, +z, -x, +x, -y, +y.
 void add_box(PatchMesh& mesh, const Vec3& low, const Vec3& high, int n, Facing facing);
 
-/// The unit cube seen from inside, n_walls x n_walls quads a face, and the box [.35,.65] x [.3,.6]
-/// x
-/// [.25,.75] in it, n_box x n_box quads a face.
+/// The unit cube seen from inside, n_walls x n_walls quads a face, and in it the box
+/// [.35,.65] x [.3,.6] x [.25,.75], n_box x n_box quads a face.
 PatchMesh box_in_box(int n_walls, int n_box);
 
 /// A direction, all alike.

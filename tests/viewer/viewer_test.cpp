@@ -249,28 +249,29 @@ struct Counting {
 /// Time for a thread that runs to do what it should not.
 constexpr auto kTemptation = 50ms;
 
-TEST(Worker, WaitsWhilePaused) {
+/// A worker that has begun to count while paused.
+class PausedWorker : public testing::Test {
+ protected:
+  void SetUp() override {
+    pause.set(true);
+    worker.start([this](const viewer::Worker::Context& context) { counting.run(context); });
+    ASSERT_TRUE(wait_until([&] { return counting.has_begun.load(); }));
+    std::this_thread::sleep_for(kTemptation);  // until it waits, or goes on
+  }
+
   Counting counting;
   viewer::Pause pause;
-  viewer::Worker worker(&pause);
-  pause.set(true);
-  worker.start([&](const viewer::Worker::Context& context) { counting.run(context); });
-  ASSERT_TRUE(wait_until([&] { return counting.has_begun.load(); }));
-  std::this_thread::sleep_for(kTemptation);
+  viewer::Worker worker{&pause};
+};
+
+TEST_F(PausedWorker, Waits) {
   EXPECT_EQ(counting.n_steps, 0);
   pause.set(false);
   EXPECT_TRUE(wait_until([&] { return counting.has_ended.load(); }));
   EXPECT_EQ(counting.n_steps, 3);
 }
 
-TEST(Worker, IsCancelledWhilePaused) {
-  Counting counting;
-  viewer::Pause pause;
-  viewer::Worker worker(&pause);
-  pause.set(true);
-  worker.start([&](const viewer::Worker::Context& context) { counting.run(context); });
-  ASSERT_TRUE(wait_until([&] { return counting.has_begun.load(); }));
-  std::this_thread::sleep_for(kTemptation);  // until it waits
+TEST_F(PausedWorker, IsCancelled) {
   worker.cancel();
   EXPECT_FALSE(worker.is_busy());
   EXPECT_TRUE(wait_until([&] { return counting.has_ended.load(); }));
