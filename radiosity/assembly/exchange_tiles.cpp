@@ -190,7 +190,7 @@ Eigen::VectorXd ExchangeTiles::row(Index i) const {
   return result;
 }
 
-PairFactor ExchangeTiles::entry(Index i, Index j) const {
+ExchangeArea ExchangeTiles::entry(Index i, Index j) const {
   Index row_strip = strips_.of_row(i);
   Index column_strip = strips_.of_row(j);
   if (row_strip > column_strip) {
@@ -201,9 +201,9 @@ PairFactor ExchangeTiles::entry(Index i, Index j) const {
   const Index row = i - strips_.begin(row_strip);
   const Index column = j - strips_.begin(column_strip);
   const Index place = row + column * strips_.rows(row_strip);
-  PairFactor result;
-  if (tile.single) result.exchange_area = tile.single[place];
-  if (tile.twice) result.exchange_area = tile.twice[place];
+  ExchangeArea result;
+  if (tile.single) result.value = tile.single[place];
+  if (tile.twice) result.value = tile.twice[place];
   const UncertainEntry wanted{static_cast<std::uint16_t>(row), static_cast<std::uint16_t>(column),
                               0};
   const auto found =

@@ -44,7 +44,7 @@ class ExchangeTiles final : public UncertainExchange {
   /// Row i of G as stored, without what keeps the row sums exact, n.
   [[nodiscard]] Eigen::VectorXd row(Index i) const;
   /// Entry (i, j) as stored.
-  [[nodiscard]] PairFactor entry(Index i, Index j) const;
+  [[nodiscard]] ExchangeArea entry(Index i, Index j) const;
   /// Row i of the standard errors, n.
   [[nodiscard]] Eigen::VectorXd row_error(Index i) const;
   [[nodiscard]] std::size_t bytes() const;

@@ -45,7 +45,7 @@ class DenseTransport final : public Transport, public FactorRows {
     return from_tree(tiles_.row_error(place_[i])) / area_[i];
   }
 
-  [[nodiscard]] PairFactor pair(Index i, Index j) const override {
+  [[nodiscard]] ExchangeArea pair(Index i, Index j) const override {
     return tiles_.entry(place_[i], place_[j]);
   }
 

@@ -62,11 +62,11 @@ class ExchangeEvaluator {
 
   /// The exchange area of two patches, whichever comes first, given what is known of them or of the
   /// leaves that hold them.
-  [[nodiscard]] PairFactor entry(std::int32_t i, std::int32_t j, const Between& between,
-                                 Worker& worker) const;
+  [[nodiscard]] ExchangeArea entry(std::int32_t i, std::int32_t j, const Between& between,
+                                   Worker& worker) const;
 
   /// Takes the exchange area of two places in the tree's order.
-  using Visit = std::function<void(Index row, Index column, const PairFactor& entry)>;
+  using Visit = std::function<void(Index row, Index column, const ExchangeArea& entry)>;
   /// Visits the entries between two clusters that are not proved to be 0; of a cluster and itself,
   /// those above the diagonal. Descends to the tree's leaves, narrowing on the way.
   void visit_block(std::int32_t a, std::int32_t b, const Between& between, Worker& worker,
@@ -80,15 +80,15 @@ class ExchangeEvaluator {
                                  const Candidates& candidates) const;
   [[nodiscard]] bool are_apart(std::int32_t a, std::int32_t b) const;
   [[nodiscard]] double trial_error(std::int32_t i, std::int32_t j) const;
-  [[nodiscard]] std::optional<PairFactor> known_entry(std::int32_t i, std::int32_t j) const;
+  [[nodiscard]] std::optional<ExchangeArea> known_entry(std::int32_t i, std::int32_t j) const;
   void find_blockers(std::int32_t i, std::int32_t j, const Candidates& candidates,
                      Worker& worker) const;
-  [[nodiscard]] PairFactor occluded_entry(std::int32_t i, std::int32_t j, Blocking front_i,
-                                          Blocking front_j, const Candidates& candidates,
-                                          Worker& worker) const;
+  [[nodiscard]] ExchangeArea occluded_entry(std::int32_t i, std::int32_t j, Blocking front_i,
+                                            Blocking front_j, const Candidates& candidates,
+                                            Worker& worker) const;
   [[nodiscard]] std::vector<ConvexPolygon> open_parts(std::int32_t i, std::int32_t j) const;
-  [[nodiscard]] PairFactor entry_in_parts(std::int32_t i, std::int32_t j,
-                                          const Candidates& candidates, Worker& worker) const;
+  [[nodiscard]] ExchangeArea entry_in_parts(std::int32_t i, std::int32_t j,
+                                            const Candidates& candidates, Worker& worker) const;
 
   const Visibility& visibility_;
   const Coverage& coverage_;

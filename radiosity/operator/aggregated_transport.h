@@ -21,7 +21,9 @@ class AggregatedTransport final : public Transport, public FactorRows {
   [[nodiscard]] Eigen::VectorXd row_error(Index) const override {
     return Eigen::VectorXd::Zero(size());
   }
-  [[nodiscard]] PairFactor pair(Index i, Index j) const override { return {area_[i] * row(i)[j]}; }
+  [[nodiscard]] ExchangeArea pair(Index i, Index j) const override {
+    return {area_[i] * row(i)[j]};
+  }
   [[nodiscard]] const FactorRows* rows() const override {
     return finer_.rows() != nullptr ? this : nullptr;
   }
