@@ -73,7 +73,7 @@ class DenseTransport final : public Transport, public FactorRows {
 
   std::vector<std::int32_t> order_;  // patch of each row of the tiles
   std::vector<std::int32_t> place_;  // row of each patch
-  ExchangeTiles tiles_;
+  ExchangeMatrix tiles_;
   Eigen::VectorXd area_;
   AssemblyReport report_;
   double error_ = 0;

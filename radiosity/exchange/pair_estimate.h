@@ -1,6 +1,6 @@
 #pragma once
 
-#include "radiosity/visibility/shaft.h"
+#include "radiosity/visibility/blocking.h"
 
 namespace radiosity {
 

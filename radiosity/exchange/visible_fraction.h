@@ -6,7 +6,7 @@
 
 #include "radiosity/exchange/pair_estimate.h"
 #include "radiosity/polygon/convex_polygon.h"
-#include "radiosity/visibility/shaft.h"
+#include "radiosity/visibility/half_space.h"
 #include "radiosity/visibility/visibility.h"
 
 namespace radiosity {

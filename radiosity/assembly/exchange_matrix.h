@@ -16,9 +16,9 @@ namespace radiosity {
 /// are in an order that makes tiles of neighbouring patches; blocks that are wholly 0 are not kept.
 /// Entries are float64 up to a few hundred patches, else float32 (relative rounding 6e-8); a
 /// float64 diagonal then keeps the row sums exact.
-class ExchangeTiles final : public UncertainExchange {
+class ExchangeMatrix final : public UncertainExchange {
  public:
-  explicit ExchangeTiles(const Strips& strips);
+  explicit ExchangeMatrix(const Strips& strips);
 
   [[nodiscard]] Index size() const override { return strips_.n_rows(); }
 
