@@ -169,7 +169,7 @@ void ShadowedQuadrature::divide_pieces(const Vec3& normal, const Vec3& on_plane,
     }
     ConvexPolygon above;
     ConvexPolygon below;
-    split(piece, on_plane, normal, above, below);
+    split(piece, on_plane, normal, 0, above, below);
     pieces_[k] = above;
     pieces_.push_back(below);
   }
