@@ -27,7 +27,9 @@ class BoxTree {
     std::int32_t right;       // the left child follows its parent; -1 in a leaf
   };
 
-  void build(std::int32_t begin, std::int32_t end);
+  /// Appends the node of order_[begin..end) and all below it, as numbered in `nodes`.
+  void build(std::int32_t begin, std::int32_t end, std::vector<Node>& nodes);
+  void halve(std::int32_t begin, std::int32_t middle, std::int32_t end, const Box3& centers);
 
   template <typename Visit>
   void descend(std::int32_t n, const Box3& box, const Visit& visit) const {

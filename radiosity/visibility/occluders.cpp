@@ -161,8 +161,8 @@ class Merger {
       for (const Group* part : parts) add_outline(part->outline);
     }
     if (group.patches.size() == 1) return corners;  // collinear corners or not, its own outline
-    const std::vector<std::int32_t> hull = convex_hull(points, thickness_);
-    if (hull.empty() || hull.size() > kMaxCorners) return {};
+    const std::vector<std::int32_t> hull = convex_hull(points, thickness_, kMaxCorners);
+    if (hull.empty()) return {};
     double area = 0;
     double perimeter = 0;
     for (std::size_t k = 0; k < hull.size(); ++k) {

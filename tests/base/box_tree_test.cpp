@@ -1,0 +1,53 @@
+#include "radiosity/base/box_tree.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <vector>
+
+#include "radiosity/base/parallel.h"
+
+namespace radiosity {
+namespace {
+
+std::vector<Box3> random_boxes(int n, std::uint64_t seed) {
+  std::mt19937_64 random(seed);  // NOLINT: fixed seed
+  std::uniform_real_distribution<double> uniform(0, 1);
+  std::vector<Box3> boxes;
+  for (int k = 0; k < n; ++k) {
+    const Vec3 low(uniform(random), uniform(random), uniform(random));
+    const Vec3 size(uniform(random), uniform(random), uniform(random));
+    boxes.emplace_back(low, low + 0.05 * size);
+  }
+  return boxes;
+}
+
+std::vector<std::int32_t> found(const BoxTree& tree, const Box3& box) {
+  std::vector<std::int32_t> result;
+  tree.for_each_meeting(box, [&](std::int32_t k) { result.push_back(k); });
+  return result;
+}
+
+TEST(BoxTree, FindsWhatMeetsABoxInTheSameOrderAtAnyNumberOfThreads) {
+  for (const int n : {0, 1, 5, 300, 30000}) {
+    const std::vector<Box3> boxes = random_boxes(n, 1);
+    const ThreadLimit three(3);
+    const BoxTree tree(boxes);
+    const ThreadLimit one(1);
+    const BoxTree serial(boxes);
+    for (const Box3& asked : random_boxes(100, 2)) {
+      std::vector<std::int32_t> meeting = found(tree, asked);
+      EXPECT_EQ(meeting, found(serial, asked)) << n;
+      std::sort(meeting.begin(), meeting.end());
+      std::vector<std::int32_t> expected;
+      for (std::int32_t k = 0; k < n; ++k) {
+        if (boxes[k].intersects(asked)) expected.push_back(k);
+      }
+      EXPECT_EQ(meeting, expected) << n;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace radiosity
