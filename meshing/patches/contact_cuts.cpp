@@ -29,6 +29,74 @@ constexpr double kLeastWidth = 1e-5;
 /// Rounding of directions.
 constexpr double kCutRounding = 1e-9;
 
+Box3 box_of(const Segment& segment, double margin) {
+  Box3 box;
+  for (const Vec3& end : segment) box.extend(end);
+  return radiosity::grown(box, margin);
+}
+
+/// Finds the patches of polygons with lines.
+class PatchFinder {
+ public:
+  PatchFinder(const PatchMesh& mesh, std::span<const std::vector<Segment>> lines, double tolerance)
+      : mesh_(mesh), tree_(boxes(lines, tolerance)) {}
+
+  /// Patches of a polygon that meet a box or do once their corners have moved, in increasing order;
+  /// of two back to back the front.
+  [[nodiscard]] std::vector<std::int32_t> near(const Box3& box, std::int32_t polygon) const {
+    std::vector<std::int32_t> patches;
+    tree_.for_each_meeting(box, [&](std::int32_t k) {
+      if (mesh_.polygon[patch_[k]] == polygon) patches.push_back(patch_[k]);
+    });
+    std::sort(patches.begin(), patches.end());
+    return patches;
+  }
+
+ private:
+  std::vector<Box3> boxes(std::span<const std::vector<Segment>> lines, double tolerance) {
+    std::vector<Box3> boxes;
+    for (Index i = 0; i < mesh_.size(); ++i) {
+      if (mesh_.twin[i] >= 0 && mesh_.twin[i] < i) continue;
+      if (lines[mesh_.polygon[i]].empty()) continue;
+      const Box3 box = patch_box(mesh_, i);
+      boxes.push_back(radiosity::grown(box, tolerance + kLongestMove * box.diagonal().norm()));
+      patch_.push_back(static_cast<std::int32_t>(i));
+    }
+    return boxes;
+  }
+
+  const PatchMesh& mesh_;
+  std::vector<std::int32_t> patch_;  // what the boxes belong to
+  BoxTree tree_;
+};
+
+/// The patches that some line may cut or move a corner of, and those that share a corner with one:
+/// what is done to a corner or an edge concerns all that have it.
+std::vector<std::int32_t> patches_concerned(const PatchMesh& mesh, const PatchFinder& finder,
+                                            std::span<const std::vector<Segment>> lines,
+                                            double tolerance) {
+  std::vector<bool> has_corner(mesh.vertices.size(), false);
+  for (std::size_t p = 0; p < lines.size(); ++p) {
+    for (const Segment& segment : lines[p]) {
+      // Twice the tolerance: crossings of lines are off them by rounding.
+      const Box3 box = box_of(segment, 2 * tolerance);
+      for (const std::int32_t patch : finder.near(box, static_cast<std::int32_t>(p))) {
+        for (int k = 0; k < mesh.n_corners(patch); ++k) has_corner[mesh.corners[patch][k]] = true;
+      }
+    }
+  }
+  std::vector<std::int32_t> patches;
+  for (std::int32_t i = 0; i < mesh.size(); ++i) {
+    if (mesh.twin[i] >= 0 && mesh.twin[i] < i) continue;
+    const auto& corners = mesh.corners[i];
+    if (std::any_of(corners.begin(), corners.begin() + mesh.n_corners(i),
+                    [&](std::int32_t corner) { return has_corner[corner]; })) {
+      patches.push_back(i);
+    }
+  }
+  return patches;
+}
+
 class ContactCutter {
  public:
   ContactCutter(const PatchMesh& mesh, std::span<const std::vector<Segment>> lines, Index n_fixed,
@@ -36,20 +104,19 @@ class ContactCutter {
       : mesh_(mesh),
         lines_(lines),
         progress_(progress),
-        cells_(mesh, n_fixed),
-        tolerance_(radiosity::plane_thickness(mesh)) {}
+        tolerance_(radiosity::plane_thickness(mesh)),
+        finder_(mesh, lines, tolerance_),
+        cells_(mesh, n_fixed, patches_concerned(mesh, finder_, lines, tolerance_)) {}
 
   PatchMesh run();
 
  private:
-  void find_patches();
   void cut_polygon(std::int32_t polygon);
   void catch_point(const Vec3& point, std::int32_t polygon);
   void cut_cell(std::int32_t cell, const Segment& segment);
 
-  [[nodiscard]] std::vector<std::int32_t> patches_near(const Box3& box, std::int32_t polygon) const;
-
   [[nodiscard]] std::vector<Loop> patches_of(const Cell& cell) const;
+  void append_patches(const Cell& cell, PatchMesh& result) const;
   void append(PatchMesh& result, const Loop& loop, std::int32_t patch) const;
 
   [[nodiscard]] const Vec3& at(std::int32_t vertex) const { return cells_.at(vertex); }
@@ -57,14 +124,12 @@ class ContactCutter {
   const PatchMesh& mesh_;
   std::span<const std::vector<Segment>> lines_;
   const radiosity::Progress& progress_;
-  PatchCells cells_;
-  std::optional<BoxTree> tree_;           // of patches that may be cut
-  std::vector<std::int32_t> tree_patch_;  // what its boxes belong to
   double tolerance_;
+  PatchFinder finder_;
+  PatchCells cells_;
 };
 
 PatchMesh ContactCutter::run() {
-  find_patches();
   for (std::size_t p = 0; p < lines_.size(); ++p) {
     if (lines_[p].empty()) continue;
     progress_.check();
@@ -77,41 +142,14 @@ PatchMesh ContactCutter::run() {
   result.precision = mesh_.precision;
   result.polygon_corners = mesh_.polygon_corners;
   result.first_polygon_corner = mesh_.first_polygon_corner;
-  for (Index i = 0; i < mesh_.size(); ++i) {
-    const auto patch = static_cast<std::int32_t>(i);
-    for (const std::int32_t cell : cells_.of_patch(patch)) {
-      for (const Loop& loop : patches_of(cells_[cell])) append(result, loop, patch);
-    }
+  result.reserve(mesh_.size());
+  for (std::int32_t i = 0; i < mesh_.size(); ++i) {
+    if (mesh_.twin[i] >= 0 && mesh_.twin[i] < i) continue;
+    const std::vector<std::int32_t>& cells = cells_.of_patch(i);
+    for (const std::int32_t cell : cells) append_patches(cells_[cell], result);
+    if (cells.empty()) append_patches(cells_.whole(i), result);
   }
   return result;
-}
-
-void ContactCutter::find_patches() {
-  std::vector<Box3> boxes;
-  for (Index i = 0; i < mesh_.size(); ++i) {
-    if (mesh_.twin[i] >= 0 && mesh_.twin[i] < i) continue;
-    if (lines_[mesh_.polygon[i]].empty()) continue;
-    const Box3 box = patch_box(mesh_, i);
-    // Corners may move.
-    boxes.push_back(radiosity::grown(box, tolerance_ + kLongestMove * box.diagonal().norm()));
-    tree_patch_.push_back(static_cast<std::int32_t>(i));
-  }
-  tree_.emplace(std::move(boxes));
-}
-
-std::vector<std::int32_t> ContactCutter::patches_near(const Box3& box, std::int32_t polygon) const {
-  std::vector<std::int32_t> patches;
-  tree_->for_each_meeting(box, [&](std::int32_t k) {
-    if (mesh_.polygon[tree_patch_[k]] == polygon) patches.push_back(tree_patch_[k]);
-  });
-  std::sort(patches.begin(), patches.end());
-  return patches;
-}
-
-Box3 box_of(const Segment& segment, double margin) {
-  Box3 box;
-  for (const Vec3& end : segment) box.extend(end);
-  return radiosity::grown(box, margin);
 }
 
 /// Where two segments in one plane cross, if they do.
@@ -151,7 +189,7 @@ void ContactCutter::cut_polygon(std::int32_t polygon) {
   for (int round = 0; round < kMostRounds && n_cells != cells_.size(); ++round) {
     n_cells = cells_.size();
     for (std::size_t k = 0; k < segments.size(); ++k) {
-      for (const std::int32_t patch : patches_near(boxes[k], polygon)) {
+      for (const std::int32_t patch : finder_.near(boxes[k], polygon)) {
         const std::vector<std::int32_t> cells = cells_.of_patch(patch);
         for (const std::int32_t cell : cells) cut_cell(cell, segments[k]);
       }
@@ -163,7 +201,7 @@ void ContactCutter::cut_polygon(std::int32_t polygon) {
 void ContactCutter::catch_point(const Vec3& point, std::int32_t polygon) {
   std::int32_t nearest = -1;
   double distance = std::numeric_limits<double>::infinity();
-  for (const std::int32_t patch : patches_near(Box3(point, point), polygon)) {
+  for (const std::int32_t patch : finder_.near(Box3(point, point), polygon)) {
     for (const std::int32_t cell : cells_.of_patch(patch)) {
       for (const std::int32_t v : cells_[cell].loop) {
         const double d = (at(v) - point).norm();
@@ -292,6 +330,10 @@ std::vector<Loop> ContactCutter::patches_of(const Cell& cell) const {
     parts[first] = std::move(quad);
     parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(second));
   }
+}
+
+void ContactCutter::append_patches(const Cell& cell, PatchMesh& result) const {
+  for (const Loop& loop : patches_of(cell)) append(result, loop, cell.patch);
 }
 
 void ContactCutter::append(PatchMesh& result, const Loop& loop, std::int32_t patch) const {

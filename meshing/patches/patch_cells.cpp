@@ -25,21 +25,23 @@ std::pair<std::int32_t, std::int32_t> edge_of(std::int32_t a, std::int32_t b) {
 
 }  // namespace
 
-PatchCells::PatchCells(const PatchMesh& mesh, Index n_fixed)
+PatchCells::PatchCells(const PatchMesh& mesh, Index n_fixed, std::span<const std::int32_t> patches)
     : mesh_(mesh),
       vertices_(mesh.vertices),
       is_locked_(mesh.vertices.size(), false),
       cells_at_(mesh.vertices.size()),
       cells_of_(mesh.size()) {
   std::fill(is_locked_.begin(), is_locked_.begin() + n_fixed, true);
-  for (Index i = 0; i < mesh_.size(); ++i) {
-    if (mesh_.twin[i] >= 0 && mesh_.twin[i] < i) continue;
-    const auto& corners = mesh_.corners[i];
-    cells_of_[i].push_back(static_cast<std::int32_t>(cells_.size()));
-    cells_.push_back({Loop(corners.begin(), corners.begin() + mesh_.n_corners(i)),
-                      static_cast<std::int32_t>(i)});
-    enter(cells_of_[i].back());
+  for (const std::int32_t patch : patches) {
+    cells_of_[patch].push_back(static_cast<std::int32_t>(cells_.size()));
+    cells_.push_back(whole(patch));
+    enter(cells_of_[patch].back());
   }
+}
+
+Cell PatchCells::whole(std::int32_t patch) const {
+  const auto& corners = mesh_.corners[patch];
+  return {Loop(corners.begin(), corners.begin() + mesh_.n_corners(patch)), patch};
 }
 
 double PatchCells::shortest_edge(std::int32_t vertex) const {

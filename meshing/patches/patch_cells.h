@@ -20,16 +20,20 @@ struct Cell {
   std::int32_t patch;
 };
 
-/// The patches of a mesh, which it refers to, on their way to being cut: each starts as one cell.
-/// What is done to an edge is done to all cells that have it, so that no T-vertices come up. Of two
+/// Patches of a mesh, which it refers to, on their way to being cut: each starts as one cell. What
+/// is done to an edge is done to all cells that have it, so that no T-vertices come up. Of two
 /// patches back to back the front has the cells.
 class PatchCells {
  public:
-  /// The first `n_fixed` vertices are locked.
-  PatchCells(const radiosity::PatchMesh& mesh, radiosity::Index n_fixed);
+  /// Has cells of `patches` only, among which must be all that have a corner in common with one
+  /// that is cut or moved. The first `n_fixed` vertices are locked.
+  PatchCells(const radiosity::PatchMesh& mesh, radiosity::Index n_fixed,
+             std::span<const std::int32_t> patches);
 
   [[nodiscard]] std::size_t size() const { return cells_.size(); }
   [[nodiscard]] const Cell& operator[](std::int32_t cell) const { return cells_[cell]; }
+  /// A patch as it is in the mesh.
+  [[nodiscard]] Cell whole(std::int32_t patch) const;
   /// The cells of a patch, in the order that they were made in.
   [[nodiscard]] const std::vector<std::int32_t>& of_patch(std::int32_t patch) const {
     return cells_of_[patch];
