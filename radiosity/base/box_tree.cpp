@@ -63,4 +63,17 @@ void BoxTree::halve(std::int32_t begin, std::int32_t middle, std::int32_t end,
   for (std::int32_t k = begin; k < end; ++k) order_[k] = places[k - begin].second;
 }
 
+std::vector<BoxTree::Group> BoxTree::groups(std::int32_t most) const {
+  std::vector<Group> result;
+  std::int32_t grouped = 0;  // boxes, in their order, as are the nodes that are wanted
+  for (std::size_t n = 0; n < nodes_.size(); ++n) {
+    const Node& node = nodes_[n];
+    const bool is_small = node.right < 0 || node.end - node.begin <= most;
+    if (node.begin < grouped || !is_small) continue;
+    result.push_back(static_cast<Group>(n));
+    grouped = node.end;
+  }
+  return result;
+}
+
 }  // namespace radiosity

@@ -101,18 +101,19 @@ class RegionFinder {
   }
 
   void join_around_edges() {
-    constexpr Index kChunk = 256;
-    const Index n_chunks = (mesh_.size() + kChunk - 1) / kChunk;
-    std::vector<Joints> joints(n_chunks);
-    parallel_for(n_chunks, [&](Index chunk) {
-      Around around;
-      const Index end = std::min(mesh_.size(), (chunk + 1) * kChunk);
-      for (Index i = chunk * kChunk; i < end; ++i) {
-        if (!is_second(i)) join_around(static_cast<std::int32_t>(i), around, joints[chunk]);
-      }
-    });
-    for (const Joints& of_chunk : joints) {
-      for (const auto& [a, b] : of_chunk) sides_.join(a, b);
+    constexpr std::int32_t kMostInGroup = 32;
+    constexpr Index kGrain = 8;
+    const std::vector<BoxTree::Group> groups = tree_.groups(kMostInGroup);
+    std::vector<Joints> joints(groups.size());
+    parallel_ranges(static_cast<std::ptrdiff_t>(groups.size()), kGrain,
+                    [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+                      Around around;
+                      for (std::ptrdiff_t g = begin; g < end; ++g) {
+                        join_around(groups[g], around, joints[g]);
+                      }
+                    });
+    for (const Joints& of_group : joints) {
+      for (const auto& [a, b] : of_group) sides_.join(a, b);
     }
   }
 
@@ -126,22 +127,34 @@ class RegionFinder {
 
   /// What is looked at about one patch; kept for the next one, to spare memory's time.
   struct Around {
-    std::vector<Near> near;
+    std::vector<Near> near_group;  // near one of a group of patches
+    std::vector<const Near*> near;
     std::vector<Spoke> spokes;
     std::vector<double> ends;
     std::vector<const Spoke*> here;
   };
 
-  void join_around(std::int32_t i, Around& around, Joints& joints) const {
-    around.near.clear();
-    tree_.for_each_meeting(boxes_[i], [&](std::int32_t j) {
-      if (j == i || is_second(j)) return;
-      Near& near = around.near.emplace_back(Near{j, boxes_[j], mesh_.n_corners(j), {}});
+  /// Joins the sides about the patches of a group.
+  void join_around(BoxTree::Group group, Around& around, Joints& joints) const {
+    around.near_group.clear();
+    tree_.for_each_meeting(tree_.box(group), [&](std::int32_t j) {
+      if (is_second(j)) return;
+      Near& near = around.near_group.emplace_back(Near{j, boxes_[j], mesh_.n_corners(j), {}});
       for (int m = 0; m < near.n_corners; ++m) near.corners[m] = mesh_.corner(j, m);
     });
+    for (const std::int32_t i : tree_.members(group)) {
+      if (!is_second(i)) join_around_patch(i, around, joints);
+    }
+  }
+
+  void join_around_patch(std::int32_t i, Around& around, Joints& joints) const {
+    around.near.clear();
+    for (const Near& near : around.near_group) {
+      if (near.patch != i && near.box.intersects(boxes_[i])) around.near.push_back(&near);
+    }
     const PatchContact::Inwards inwards = contact_.all_inwards(i);
-    for (const Near& near : around.near) {
-      const std::int32_t j = near.patch;
+    for (const Near* near : around.near) {
+      const std::int32_t j = near->patch;
       if (j > i && contact_.cross_or_cover(i, j, inwards)) join_all(i, j, joints);
     }
     for (int k = 0; k < mesh_.n_corners(i); ++k) {
@@ -157,8 +170,8 @@ class RegionFinder {
     box.extend(contact_.corner(i, k + 1));
     if (length <= 2 * reach_) {
       // Too short to tell what is beside it.
-      for (const Near& near : around.near) {
-        if (near.box.intersects(box)) join_all(i, near.patch, joints);
+      for (const Near* near : around.near) {
+        if (near->box.intersects(box)) join_all(i, near->patch, joints);
       }
       return;
     }
@@ -168,8 +181,9 @@ class RegionFinder {
     // Twice the reach, since the others' boxes are grown, too: whatever is rounded, nothing that
     // touches the edge is outside.
     const Box3 box_of_edge = grown(box, reach_);
-    for (const Near& near : around.near) {
-      if (near.box.intersects(box_of_edge)) add_spokes(i, near, a, u, length, zero, around, joints);
+    for (const Near* near : around.near) {
+      if (near->box.intersects(box_of_edge))
+        add_spokes(i, *near, a, u, length, zero, around, joints);
     }
     join_along_edge(length, around, joints);
   }

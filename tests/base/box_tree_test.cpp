@@ -49,5 +49,25 @@ TEST(BoxTree, FindsWhatMeetsABoxInTheSameOrderAtAnyNumberOfThreads) {
   }
 }
 
+TEST(BoxTree, FindsAroundGroupsWhatItFindsAroundEachOfThem) {
+  const std::vector<Box3> boxes = random_boxes(3000, 3);
+  const BoxTree tree(boxes);
+  constexpr std::int32_t kMost = 32;
+  std::vector<int> n_seen(boxes.size(), 0);
+  for (const BoxTree::Group group : tree.groups(kMost)) {
+    EXPECT_LE(tree.members(group).size(), static_cast<std::size_t>(kMost));
+    const std::vector<std::int32_t> near = found(tree, tree.box(group));
+    for (const std::int32_t k : tree.members(group)) {
+      ++n_seen[k];
+      std::vector<std::int32_t> meeting;
+      for (const std::int32_t other : near) {
+        if (boxes[other].intersects(boxes[k])) meeting.push_back(other);
+      }
+      EXPECT_EQ(meeting, found(tree, boxes[k]));
+    }
+  }
+  EXPECT_EQ(n_seen, std::vector<int>(boxes.size(), 1));
+}
+
 }  // namespace
 }  // namespace radiosity
