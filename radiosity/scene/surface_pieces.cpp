@@ -204,8 +204,8 @@ class Joiner {
         split_point.push_back(point_[corner]);
       };
       add(h);
-      const std::vector<PointWithin>& of_chunk = within[h / kChunk];
-      if (h % kChunk == 0) next = 0;
+      const std::vector<PointWithin>& of_chunk = within[f / kChunk];
+      if (h == result_.first_corner[f] && f % kChunk == 0) next = 0;
       for (; next < of_chunk.size() && of_chunk[next].half_edge == h; ++next) {
         add(of_chunk[next].point);
       }
@@ -225,10 +225,10 @@ class Joiner {
     std::int32_t point;
     auto operator<=>(const PointWithin&) const = default;
   };
-  /// Half-edges that are looked at one after the other.
-  static constexpr std::int32_t kChunk = 1024;
+  /// Facets that are looked at one after the other.
+  static constexpr std::int32_t kChunk = 256;
 
-  /// The points on half-edges, for each chunk of these, by the half-edge and along it.
+  /// The points on half-edges, for each chunk of facets, by the half-edge and along it.
   [[nodiscard]] std::vector<std::vector<PointWithin>> points_within_edges() const {
     const auto n = static_cast<std::int32_t>(point_.size());
     std::vector<std::int32_t> points;
@@ -239,19 +239,28 @@ class Joiner {
       boxes.emplace_back(result_.corners[k], result_.corners[k]);
     }
     const BoxTree tree(std::move(boxes));
-    std::vector<std::vector<PointWithin>> within((n + kChunk - 1) / kChunk);
+    const auto n_facets = static_cast<std::int32_t>(result_.normal.size());
+    std::vector<std::vector<PointWithin>> within((n_facets + kChunk - 1) / kChunk);
     parallel_for(static_cast<std::ptrdiff_t>(within.size()), [&](std::ptrdiff_t chunk) {
       const auto begin = static_cast<std::int32_t>(chunk) * kChunk;
-      for (std::int32_t h = begin; h < std::min(n, begin + kChunk); ++h) {
-        add_points_within(h, points, tree, within[chunk]);
+      std::vector<std::int32_t> near;
+      for (std::int32_t f = begin; f < std::min(n_facets, begin + kChunk); ++f) {
+        Box3 box;
+        for (const Vec3& corner : result_.outline(f)) box.extend(corner);
+        near.clear();
+        tree.for_each_meeting(grown(box, thickness_),
+                              [&](std::int32_t k) { near.push_back(points[k]); });
+        for (std::int32_t h = result_.first_corner[f]; h < result_.first_corner[f + 1]; ++h) {
+          add_points_within(h, near, within[chunk]);
+        }
       }
       std::sort(within[chunk].begin(), within[chunk].end());
     });
     return within;
   }
 
-  void add_points_within(std::int32_t h, const std::vector<std::int32_t>& points,
-                         const BoxTree& tree, std::vector<PointWithin>& within) const {
+  void add_points_within(std::int32_t h, const std::vector<std::int32_t>& near,
+                         std::vector<PointWithin>& within) const {
     const Vec3& start = result_.corners[h];
     const Vec3& end = result_.corners[result_.next(h)];
     const Vec3 way = end - start;
@@ -259,14 +268,15 @@ class Joiner {
     if (length <= 2 * thickness_) return;
     Box3 box(start, start);
     box.extend(end);
-    tree.for_each_meeting(grown(box, thickness_), [&](std::int32_t k) {
-      const std::int32_t point = points[k];
-      if (point == point_[h] || point == point_[result_.next(h)]) return;
+    box = grown(box, thickness_);
+    for (const std::int32_t point : near) {
+      if (point == point_[h] || point == point_[result_.next(h)]) continue;
+      if (!box.contains(result_.corners[point])) continue;
       const Vec3 off = result_.corners[point] - start;
       const double along = off.dot(way) / length;
-      if (along <= thickness_ || along >= length - thickness_) return;
+      if (along <= thickness_ || along >= length - thickness_) continue;
       if ((off - along / length * way).norm() <= thickness_) within.push_back({h, along, point});
-    });
+    }
   }
 
   void join(std::int32_t a, std::int32_t b) {
@@ -369,21 +379,24 @@ SurfacePieces find_surface_pieces(const PatchMesh& mesh, const std::vector<std::
   return Joiner(mesh, patches, thickness).run();
 }
 
+double solid_angle(std::span<const Vec3> outline, const Vec3& point) {
+  double angle = 0;
+  const Vec3 a = outline[0] - point;
+  for (std::size_t k = 2; k < outline.size(); ++k) {
+    const Vec3 b = outline[k - 1] - point;
+    const Vec3 c = outline[k] - point;
+    const double la = a.norm();
+    const double lb = b.norm();
+    const double lc = c.norm();
+    angle += 2 * std::atan2(a.dot(b.cross(c)),
+                            la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+  }
+  return angle;
+}
+
 int winding_number(const SurfacePieces& pieces, const SurfacePiece& piece, const Vec3& point) {
   double angle = 0;
-  for (const std::int32_t f : piece.facets) {
-    const std::span<const Vec3> outline = pieces.outline(f);
-    const Vec3 a = outline[0] - point;
-    for (std::size_t k = 2; k < outline.size(); ++k) {
-      const Vec3 b = outline[k - 1] - point;
-      const Vec3 c = outline[k] - point;
-      const double la = a.norm();
-      const double lb = b.norm();
-      const double lc = c.norm();
-      angle += 2 * std::atan2(a.dot(b.cross(c)),
-                              la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
-    }
-  }
+  for (const std::int32_t f : piece.facets) angle += solid_angle(pieces.outline(f), point);
   return static_cast<int>(std::lround(angle / (4 * kPi)));
 }
 
