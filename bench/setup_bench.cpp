@@ -56,9 +56,8 @@ void measure_needed(const Scene& scene, long n_patches) {
   const double thickness = plane_thickness(mesh);
   const Coverage coverage =
       measured("find_coverage", [&] { return find_coverage(mesh, thickness); });
-  measured("ExchangeEvaluator", [&] {
-    return ExchangeEvaluator(mesh, visibility, coverage, {}).size();
-  });
+  measured("ExchangeEvaluator",
+           [&] { return ExchangeEvaluator(mesh, visibility, coverage, {}).size(); });
   fmt::print("in all                 {:8.2f} s of processors {:17.0f} MB\n", processor_seconds(),
              most_megabytes());
   // Parts of the evaluator, and what is asked beside it.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "meshing/base/triangulate.h"
@@ -116,6 +117,7 @@ class ContactCutter {
   void cut_cell(std::int32_t cell, const Segment& segment);
 
   [[nodiscard]] std::vector<Loop> patches_of(const Cell& cell) const;
+  [[nodiscard]] std::vector<Loop> with_quads(std::vector<Loop> parts, const Vec3& normal) const;
   void append_patches(const Cell& cell, PatchMesh& result) const;
   void append(PatchMesh& result, const Loop& loop, std::int32_t patch) const;
 
@@ -190,8 +192,9 @@ void ContactCutter::cut_polygon(std::int32_t polygon) {
     n_cells = cells_.size();
     for (std::size_t k = 0; k < segments.size(); ++k) {
       for (const std::int32_t patch : finder_.near(boxes[k], polygon)) {
-        const std::vector<std::int32_t> cells = cells_.of_patch(patch);
-        for (const std::int32_t cell : cells) cut_cell(cell, segments[k]);
+        // Nothing that a line cuts for more than twice the tolerance is outside of such a box.
+        cells_.for_each_near(patch, radiosity::grown(boxes[k], 4 * tolerance_),
+                             [&](std::int32_t cell) { cut_cell(cell, segments[k]); });
       }
     }
   }
@@ -299,37 +302,58 @@ std::vector<Loop> ContactCutter::patches_of(const Cell& cell) const {
     parts.push_back({loop[t[0]], loop[t[1]], loop[t[2]]});
   }
 
-  // Pairs of triangles that make good quads, best first.
-  while (true) {
-    double best = kQuadSine;
-    std::size_t first = 0;
-    std::size_t second = 0;
+  return with_quads(std::move(parts), normal);
+}
+
+/// Triangles, of which pairs that make good quads do so, best first.
+std::vector<Loop> ContactCutter::with_quads(std::vector<Loop> parts, const Vec3& normal) const {
+  struct Side {
+    std::int32_t from, to;
+    std::size_t part, corner;
+    bool operator<(const Side& other) const {
+      return std::tie(from, to, part, corner) <
+             std::tie(other.from, other.to, other.part, other.corner);
+    }
+  };
+  std::vector<Side> sides;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      sides.push_back({parts[i][k], parts[i][(k + 1) % 3], i, k});
+    }
+  }
+  std::sort(sides.begin(), sides.end());
+  struct Pair {
+    double worst;  // sine of a corner
+    std::size_t first, second;
     Loop quad;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-      for (std::size_t j = i + 1; j < parts.size(); ++j) {
-        if (parts[i].size() != 3 || parts[j].size() != 3) continue;
-        for (int k = 0; k < 3; ++k) {
-          for (int m = 0; m < 3; ++m) {
-            if (parts[i][k] != parts[j][(m + 1) % 3] || parts[i][(k + 1) % 3] != parts[j][m]) {
-              continue;
-            }
-            const Loop candidate = {parts[i][k], parts[j][(m + 2) % 3], parts[i][(k + 1) % 3],
-                                    parts[i][(k + 2) % 3]};
-            const std::vector<double> s = cells_.sines_in(candidate, normal);
-            const double worst = *std::min_element(s.begin(), s.end());
-            if (worst <= best) continue;
-            best = worst;
-            first = i;
-            second = j;
-            quad = candidate;
-          }
-        }
+  };
+  std::vector<Pair> pairs;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::int32_t from = parts[i][k];
+      const std::int32_t to = parts[i][(k + 1) % 3];
+      // Those that run back, of later triangles.
+      for (auto side = std::lower_bound(sides.begin(), sides.end(), Side{to, from, i + 1, 0});
+           side != sides.end() && side->from == to && side->to == from; ++side) {
+        Loop quad = {from, parts[side->part][(side->corner + 2) % 3], to, parts[i][(k + 2) % 3]};
+        const std::vector<double> sines = cells_.sines_in(quad, normal);
+        const double worst = *std::min_element(sines.begin(), sines.end());
+        if (worst > kQuadSine) pairs.push_back({worst, i, side->part, std::move(quad)});
       }
     }
-    if (quad.empty()) return parts;
-    parts[first] = std::move(quad);
-    parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(second));
   }
+  std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
+    return std::tie(b.worst, a.first, a.second) < std::tie(a.worst, b.first, b.second);
+  });
+  std::vector<bool> is_paired(parts.size(), false);
+  for (Pair& pair : pairs) {
+    if (is_paired[pair.first] || is_paired[pair.second]) continue;
+    is_paired[pair.first] = is_paired[pair.second] = true;
+    parts[pair.first] = std::move(pair.quad);
+    parts[pair.second].clear();
+  }
+  std::erase_if(parts, [](const Loop& part) { return part.empty(); });
+  return parts;
 }
 
 void ContactCutter::append_patches(const Cell& cell, PatchMesh& result) const {
