@@ -68,7 +68,8 @@ int WindingNumber::about(const Vec3& point) const {
 }
 
 /// Adds the solid angle of a node's facets. Of dA at x it is dA · K(x), K(x) = (x - p) / |x - p|³,
-/// and |K(x) - K(c)| is at most |x - c| times 2 / r³, the largest that K changes by at a distance r.
+/// and |K(x) - K(c)| is at most |x - c| times 2 / r³, the largest that K changes by at a distance
+/// r.
 void WindingNumber::add(std::int32_t n, const Vec3& point, double far_radii, Sum& sum) const {
   const Node& node = nodes_[n];
   const Vec3 away = node.center - point;
