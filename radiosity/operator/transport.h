@@ -46,8 +46,10 @@ class Transport {
   [[nodiscard]] virtual std::size_t bytes() const = 0;
   /// How the operator was made.
   [[nodiscard]] virtual const AssemblyReport& report() const = 0;
-  /// Its rows, if it keeps them.
+  /// Its rows, if it can tell them.
   [[nodiscard]] virtual const FactorRows* rows() const { return nullptr; }
+  /// Whether a row takes much less than a product.
+  [[nodiscard]] virtual bool has_quick_rows() const { return rows() != nullptr; }
 };
 
 /// For methods that need rows. Throws SolveError if the operator does not keep them.

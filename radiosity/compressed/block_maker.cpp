@@ -1,0 +1,506 @@
+#include "radiosity/compressed/block_maker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "radiosity/base/parallel.h"
+#include "radiosity/exchange/visible_fraction.h"
+#include "radiosity/visibility/cluster_visibility.h"
+
+namespace radiosity {
+namespace {
+
+/// Clusters are distant from so many diameters between them on.
+constexpr double kDistant = 0.5;
+/// Degrees tried at most where all is visible, and elsewhere.
+constexpr int kVisibleDegree = 3;
+constexpr int kSampledDegree = 2;
+/// Items that are worked on in parallel, at least, once there are so many.
+constexpr std::size_t kItems = 4096;
+/// Each degree more may make the error so many times smaller.
+constexpr double kGain = 6;
+constexpr double kSampledGain = 3;
+/// A degree more is worth its coefficients if the error falls to such a share.
+constexpr double kLeastGain = 0.85;
+/// Few samples may agree by chance: how much larger errors are then taken to be, over the root of
+/// the number of samples.
+constexpr double kDoubt = 1.5;
+/// Samples beyond those that the coefficients take.
+constexpr int kSpareSamples = 5;
+/// What samples that agree may have missed: so many times the largest density over the root of
+/// their number.
+constexpr double kUnseen = 0.5;
+
+std::size_t visible_samples(int n_coefficients) {
+  return static_cast<std::size_t>(1.5 * n_coefficients) + 10;
+}
+
+std::size_t sampled_samples(int n_coefficients) {
+  return static_cast<std::size_t>(3 * n_coefficients) + kSpareSamples;
+}
+
+}  // namespace
+
+BlockCensus& BlockCensus::operator+=(const BlockCensus& other) {
+  samples += other.samples;
+  kernels += other.kernels;
+  near_entries += other.near_entries;
+  hidden += other.hidden;
+  return *this;
+}
+
+void MadeBlocks::append(MadeBlocks&& other) {
+  const std::uint64_t first_coefficient = coefficients.size();
+  const std::uint64_t first_density = densities.size();
+  for (CompressedBlocks::Far& block : other.far) block.first += first_coefficient;
+  for (CompressedBlocks::Near& block : other.near) block.first += first_density;
+  far.insert(far.end(), other.far.begin(), other.far.end());
+  near.insert(near.end(), other.near.begin(), other.near.end());
+  coefficients.insert(coefficients.end(), other.coefficients.begin(), other.coefficients.end());
+  densities.insert(densities.end(), other.densities.begin(), other.densities.end());
+  census += other.census;
+  pairs += other.pairs;
+  other = {};
+}
+
+BlockMaker::BlockMaker(const ExchangeEvaluator& evaluator, const ClusterPolynomials& polynomials,
+                       const std::vector<double>& areas, const Progress& progress)
+    : evaluator_(evaluator), polynomials_(polynomials), areas_(areas), progress_(progress) {
+  const ClusterTree& tree = evaluator.tree();
+  area_before_.push_back(0);
+  for (const std::int32_t patch : tree.order) {
+    area_before_.push_back(area_before_.back() + areas[patch]);
+  }
+  find_extremes();
+  cones_.resize(tree.clusters.size());
+  diameters_.resize(tree.clusters.size());
+  parallel_for(static_cast<std::ptrdiff_t>(tree.clusters.size()), [&](std::ptrdiff_t c) {
+    const Cluster& cluster = tree.clusters[c];
+    diameters_[c] = cluster.box.diagonal().norm();
+    const auto& planes = evaluator_.prepared().planes;
+    Vec3 axis = Vec3::Zero();
+    for (Index k = cluster.begin; k < cluster.end; ++k) {
+      axis += areas_[tree.order[k]] * planes[tree.order[k]].normal;
+    }
+    const double length = axis.norm();
+    Cone& cone = cones_[c];
+    cone = {Vec3::Zero(), 1};
+    if (length == 0) return;
+    cone.axis = axis / length;
+    double least = 1;
+    for (Index k = cluster.begin; k < cluster.end; ++k) {
+      least = std::min(least, cone.axis.dot(planes[tree.order[k]].normal));
+    }
+    if (least > 0) cone.sine = std::sqrt(std::max(0.0, 1 - least * least));
+  }, 64);
+}
+
+/// The patches of each cluster that are furthest in eight directions, each once.
+void BlockMaker::find_extremes() {
+  const ClusterTree& tree = evaluator_.tree();
+  extremes_.resize(tree.clusters.size());
+  const auto& discs = evaluator_.prepared().discs;
+  // Children follow their parents.
+  for (std::size_t c = tree.clusters.size(); c-- > 0;) {
+    const Cluster& cluster = tree.clusters[c];
+    std::vector<std::int32_t> candidates;
+    if (cluster.is_leaf()) {
+      for (Index k = cluster.begin; k < cluster.end; ++k) {
+        candidates.push_back(static_cast<std::int32_t>(k));
+      }
+    } else {
+      for (const std::int32_t child : {cluster.left, cluster.right}) {
+        const Extremes& below = extremes_[child];
+        candidates.insert(candidates.end(), below.places.begin(), below.places.begin() + below.n);
+      }
+    }
+    Extremes& extremes = extremes_[c];
+    for (int direction = 0; direction < 8; ++direction) {
+      // Slightly different weights, so that what is even in one is told apart.
+      const Vec3 way((direction & 1) != 0 ? 1.0 : -1.0, (direction & 2) != 0 ? 1.01 : -1.01,
+                     (direction & 4) != 0 ? 1.02 : -1.02);
+      const auto furthest =
+          std::max_element(candidates.begin(), candidates.end(), [&](auto x, auto y) {
+            return way.dot(discs[tree.order[x]].center) < way.dot(discs[tree.order[y]].center);
+          });
+      const auto end = extremes.places.begin() + extremes.n;
+      if (std::find(extremes.places.begin(), end, *furthest) == end) {
+        extremes.places[extremes.n++] = *furthest;
+      }
+    }
+  }
+}
+
+double BlockMaker::action_error(std::int32_t a, std::int32_t b, double density_error) const {
+  const double area_a = polynomials_.area(a);
+  const double area_b = polynomials_.area(b);
+  return density_error * std::sqrt(area_a * area_b * (area_a + area_b) / area_before_.back());
+}
+
+double BlockMaker::gap(std::int32_t a, std::int32_t b) const {
+  const auto& clusters = evaluator_.tree().clusters;
+  return clusters[a].box.exteriorDistance(clusters[b].box);
+}
+
+/// Whether all patches of b are proved to be in front of all of a.
+bool BlockMaker::is_facing(std::int32_t a, std::int32_t b) const {
+  const Cluster& ca = evaluator_.tree().clusters[a];
+  const Cluster& cb = evaluator_.tree().clusters[b];
+  if (ca.plane) {
+    const double least = ca.plane->offset - evaluator_.prepared().thickness;
+    return std::all_of(cb.outline.begin(), cb.outline.end(),
+                       [&](const Vec3& x) { return ca.plane->normal.dot(x) >= least; });
+  }
+  const Cone& cone = cones_[a];
+  if (cone.sine >= 1) return false;
+  // Concave in the way from a to b, so its least value is at a corner of the box of all ways.
+  const Box3 ways(cb.box.min() - ca.box.max(), cb.box.max() - ca.box.min());
+  for (int k = 0; k < 8; ++k) {
+    const Vec3 way = ways.corner(static_cast<Box3::CornerType>(k));
+    if (cone.axis.dot(way) < cone.sine * way.norm()) return false;
+  }
+  return true;
+}
+
+/// No kernel between the clusters is larger, 1/m².
+double BlockMaker::largest_density(std::int32_t a, std::int32_t b) const {
+  const Cluster& ca = evaluator_.tree().clusters[a];
+  const Cluster& cb = evaluator_.tree().clusters[b];
+  const double distance = gap(a, b);
+  const auto largest_cosine = [&](const Cluster& of, const Cluster& to) {
+    if (!of.plane) return 1.0;
+    double height = 0;
+    for (const Vec3& x : to.outline) {
+      height = std::max(height, of.plane->normal.dot(x) - of.plane->offset);
+    }
+    return std::min(1.0, height / distance);
+  };
+  return largest_cosine(ca, cb) * largest_cosine(cb, ca) / (kPi * distance * distance);
+}
+
+/// The place in a cluster that has such a share of its area before it.
+std::int32_t BlockMaker::place_at(std::int32_t cluster, double share) const {
+  const Cluster& its = evaluator_.tree().clusters[cluster];
+  const auto begin = area_before_.begin() + its.begin;
+  const auto end = area_before_.begin() + its.end;
+  const double wanted = *begin + share * (*end - *begin);
+  const auto after = std::upper_bound(begin + 1, end, wanted);
+  return static_cast<std::int32_t>(its.begin + (after - (begin + 1)));
+}
+
+/// Adds samples until there are n, or takes all pairs if these are few: true.
+template <typename Density>
+bool BlockMaker::add_samples(const Item& item, std::size_t n, const Density& density,
+                             std::vector<DensitySample>& samples) const {
+  const Cluster& ca = evaluator_.tree().clusters[item.a];
+  const Cluster& cb = evaluator_.tree().clusters[item.b];
+  const auto n_pairs = static_cast<std::size_t>((ca.end - ca.begin) * (cb.end - cb.begin));
+  const auto& order = evaluator_.tree().order;
+  const auto add = [&](std::int32_t row, std::int32_t column, double weight) {
+    samples.push_back({row, column, density(order[row], order[column]), weight});
+  };
+  if (n_pairs <= 2 * n) {
+    if (samples.size() == n_pairs && samples[0].weight != 1) return true;
+    samples.clear();
+    for (Index r = ca.begin; r < ca.end; ++r) {
+      for (Index c = cb.begin; c < cb.end; ++c) {
+        add(static_cast<std::int32_t>(r), static_cast<std::int32_t>(c),
+            areas_[order[r]] * areas_[order[c]]);
+      }
+    }
+    return true;
+  }
+  // Evenly spread in both. (Roberts 2018, the R2 sequence)
+  constexpr double kFirst = 0.7548776662466927;
+  constexpr double kSecond = 0.5698402909980532;
+  const std::uint64_t seed = pair_seed(1, item.a, item.b);
+  const double shift_a = static_cast<double>(seed & 0xffffffU) / 0x1000000;
+  const double shift_b = static_cast<double>(seed >> 32U & 0xffffffU) / 0x1000000;
+  while (samples.size() < n) {
+    const auto k = static_cast<double>(samples.size());
+    double whole = 0;
+    const std::int32_t row = place_at(item.a, std::modf(shift_a + k * kFirst, &whole));
+    const std::int32_t column = place_at(item.b, std::modf(shift_b + k * kSecond, &whole));
+    add(row, column, 1);
+  }
+  return false;
+}
+
+/// Adds the pairs of the clusters' furthest patches, where kernels peak.
+template <typename Density>
+void BlockMaker::add_corners(const Item& item, const Density& density,
+                             std::vector<DensitySample>& samples) const {
+  const auto& order = evaluator_.tree().order;
+  const Extremes& of_a = extremes_[item.a];
+  const Extremes& of_b = extremes_[item.b];
+  for (int r = 0; r < of_a.n; ++r) {
+    for (int c = 0; c < of_b.n; ++c) {
+      const std::int32_t row = of_a.places[r];
+      const std::int32_t column = of_b.places[c];
+      samples.push_back({row, column, density(order[row], order[column]), 1});
+    }
+  }
+}
+
+void BlockMaker::accept(const Item& item, DegreePair degrees, const BlockFit& fit, double error,
+                        bool is_sampled, MadeBlocks& made) const {
+  made.far.push_back({item.a, item.b, degrees, is_sampled,
+                      static_cast<float>(error), made.coefficients.size()});
+  for (const double c : fit.coefficients) made.coefficients.push_back(static_cast<float>(c));
+}
+
+bool BlockMaker::fit_visible(const Item& item, double limit, MadeBlocks& made) const {
+  const Cluster& ca = evaluator_.tree().clusters[item.a];
+  const Cluster& cb = evaluator_.tree().clusters[item.b];
+  const auto n_pairs = static_cast<double>((ca.end - ca.begin) * (cb.end - cb.begin));
+  const int most = std::min({kVisibleDegree, polynomials_.most_degree(item.a),
+                             polynomials_.most_degree(item.b)});
+  const auto density = [&](std::int32_t i, std::int32_t j) {
+    ++made.census.kernels;
+    return evaluator_.unoccluded(i, j) / (areas_[i] * areas_[j]);
+  };
+  std::vector<DensitySample> samples;
+  add_corners(item, density, samples);
+  const std::size_t n_corners = samples.size();
+  int before = 0;
+  for (int degree = 0; degree <= most; ++degree) {
+    const DegreePair degrees{static_cast<std::int8_t>(degree), static_cast<std::int8_t>(degree)};
+    const int n =
+        n_coefficients(polynomials_.counts(item.a), polynomials_.counts(item.b), degrees);
+    if (degree > 0 && (n == before || 2 * n > n_pairs)) return false;
+    before = n;
+    const bool are_all = add_samples(item, n_corners + visible_samples(n), density, samples);
+    const BlockFit fit = fit_block(polynomials_, evaluator_.tree().order, item.a, item.b, degrees, samples, are_all);
+    const double error = action_error(item.a, item.b, fit.error);
+    if (error <= limit && fit.lowest >= 0) {
+      accept(item, degrees, fit, fit.error, false, made);
+      return true;
+    }
+    if (error > limit * std::pow(kGain, most - degree)) return false;
+  }
+  return false;
+}
+
+bool BlockMaker::fit_sampled(Item& item, double limit, ExchangeEvaluator::Worker& worker,
+                             MadeBlocks& made) const {
+  const Cluster& ca = evaluator_.tree().clusters[item.a];
+  const Cluster& cb = evaluator_.tree().clusters[item.b];
+  const auto n_pairs = static_cast<double>((ca.end - ca.begin) * (cb.end - cb.begin));
+  const int most = std::min({kSampledDegree, polynomials_.most_degree(item.a),
+                             polynomials_.most_degree(item.b)});
+  const auto density = [&](std::int32_t i, std::int32_t j) {
+    ++made.census.samples;
+    return evaluator_.entry(i, j, item.between, worker).exchange_area / (areas_[i] * areas_[j]);
+  };
+  const double bound = largest_density(item.a, item.b);
+  struct Trial {
+    DegreePair degrees{};
+    int n = 0;
+    BlockFit fit{};
+    double off = 0;
+  };
+  const auto count = [&](DegreePair degrees) {
+    return n_coefficients(polynomials_.counts(item.a), polynomials_.counts(item.b), degrees);
+  };
+  const auto attempt = [&](DegreePair degrees) {
+    Trial trial{.degrees = degrees, .n = count(degrees)};
+    const bool are_all = add_samples(item, sampled_samples(trial.n), density, item.samples);
+    trial.fit = fit_block(polynomials_, evaluator_.tree().order, item.a, item.b, degrees,
+                          item.samples, are_all);
+    trial.off = trial.fit.error;
+    if (are_all) return trial;
+    const auto n_samples = static_cast<double>(item.samples.size());
+    trial.off *= 1 + kDoubt / std::sqrt(n_samples - trial.n);
+    // Samples that agree prove nothing about the pairs between them.
+    double largest = 0;
+    for (const DensitySample& sample : item.samples) largest = std::max(largest, sample.density);
+    if (largest == 0) largest = bound;
+    trial.off = std::max(trial.off, kUnseen * largest / std::sqrt(n_samples + 2));
+    return trial;
+  };
+  Trial best = attempt({});
+  while (true) {
+    const double error = action_error(item.a, item.b, best.off);
+    if (error <= limit && best.fit.lowest >= 0) {
+      accept(item, best.degrees, best.fit, best.off, true, made);
+      return true;
+    }
+    const int left = 2 * most - best.degrees.a - best.degrees.b;
+    if (left == 0 || error > limit * std::pow(kSampledGain, left)) return false;
+    Trial next;
+    for (const bool in_a : {true, false}) {
+      DegreePair degrees = best.degrees;
+      ++(in_a ? degrees.a : degrees.b);
+      const int n = count(degrees);
+      if (std::max(degrees.a, degrees.b) > most || n == best.n || 2 * n > n_pairs) continue;
+      Trial trial = attempt(degrees);
+      if (next.n == 0 || trial.off < next.off) {
+        next = std::move(trial);
+        item.varies_more_in_a = in_a;
+        item.varies_more_in_b = !in_a;
+      }
+    }
+    if (next.n == 0 || next.off > kLeastGain * best.off) return false;
+    best = std::move(next);
+  }
+}
+
+void BlockMaker::evaluate_near(const Item& item, ExchangeEvaluator::Worker& worker,
+                               MadeBlocks& made) const {
+  const Cluster& ca = evaluator_.tree().clusters[item.a];
+  const Cluster& cb = evaluator_.tree().clusters[item.b];
+  const Index n_rows = ca.end - ca.begin;
+  const Index n_columns = cb.end - cb.begin;
+  const std::uint64_t first = made.densities.size();
+  bool any = false;
+  double variance = 0;  // of F 1, over the block, times areas
+  const auto set = [&](Index r, Index c, const PairFactor& entry) {
+    const std::int32_t i = evaluator_.tree().order[ca.begin + r];
+    const std::int32_t j = evaluator_.tree().order[cb.begin + c];
+    if (!any) made.densities.resize(first + n_rows * n_columns);
+    any = true;
+    made.densities[first + r * n_columns + c] =
+        static_cast<float>(entry.exchange_area / (areas_[i] * areas_[j]));
+    variance += square(entry.error) * (1 / areas_[i] + 1 / areas_[j]);
+    ++made.census.near_entries;
+  };
+  evaluator_.visit_block(item.a, item.b, item.between, worker,
+                         [&](Index row, Index column, const PairFactor& entry) {
+                           set(row - ca.begin, column - cb.begin, entry);
+                           if (item.a == item.b) set(column - cb.begin, row - ca.begin, entry);
+                         });
+  if (!any) return;
+  const double area_a = polynomials_.area(item.a);
+  const double area_b = polynomials_.area(item.b);
+  const double error = std::sqrt(variance / (area_a * area_b * (area_a + area_b)));
+  made.near.push_back({item.a, item.b, static_cast<float>(error), first});
+}
+
+void BlockMaker::divide(const Item& item, Items& open) const {
+  const auto& clusters = evaluator_.tree().clusters;
+  const Cluster& ca = clusters[item.a];
+  const Cluster& cb = clusters[item.b];
+  const auto add = [&](std::int32_t a, std::int32_t b) {
+    Item child{a, b, {}, {}, false, false};
+    if (are_averted(clusters[a], clusters[b], evaluator_.prepared().thickness)) return;
+    child.between = evaluator_.narrowed(a, b, item.between);
+    if (child.between.is_hidden) return;
+    const auto holds = [&](std::int32_t cluster, std::int32_t place) {
+      return place >= clusters[cluster].begin && place < clusters[cluster].end;
+    };
+    for (const DensitySample& sample : item.samples) {
+      if (sample.weight == 1 && holds(a, sample.row) && holds(b, sample.column)) {
+        child.samples.push_back(sample);
+      }
+    }
+    open.push_back(std::move(child));
+  };
+  if (item.a == item.b) {
+    add(ca.left, ca.left);
+    add(ca.left, ca.right);
+    add(ca.right, ca.right);
+  } else if (cb.is_leaf() ||
+             (!ca.is_leaf() &&
+              (item.varies_more_in_a ||
+               (!item.varies_more_in_b && diameters_[item.a] >= diameters_[item.b])))) {
+    add(ca.left, item.b);
+    add(ca.right, item.b);
+  } else {
+    add(item.a, cb.left);
+    add(item.a, cb.right);
+  }
+}
+
+/// Makes a block of an item, or items of its parts.
+void BlockMaker::work(Item item, double limit, ExchangeEvaluator::Worker& worker, MadeBlocks& made,
+                      Items& open) const {
+  const auto& clusters = evaluator_.tree().clusters;
+  const bool is_distant =
+      item.a != item.b &&
+      gap(item.a, item.b) >= kDistant * std::max(diameters_[item.a], diameters_[item.b]) &&
+      evaluator_.is_uniform(item.a) && evaluator_.is_uniform(item.b);
+  if (is_distant) {
+    const bool is_visible = item.between.candidates.empty() && is_facing(item.a, item.b) &&
+                            is_facing(item.b, item.a);
+    if (is_visible ? fit_visible(item, limit, made) : fit_sampled(item, limit, worker, made)) {
+      return;
+    }
+  }
+  if (clusters[item.a].is_leaf() && clusters[item.b].is_leaf()) {
+    evaluate_near(item, worker, made);
+  } else {
+    divide(item, open);
+  }
+}
+
+MadeBlocks BlockMaker::make(Items items, double limit) const {
+  MadeBlocks result;
+  // Level by level until there is enough to do in parallel, then each to its end.
+  while (!items.empty() && items.size() < kItems) {
+    std::vector<Items> open(items.size());
+    std::vector<MadeBlocks> made(items.size());
+    parallel_for(static_cast<std::ptrdiff_t>(items.size()), [&](std::ptrdiff_t k) {
+      progress_.check();
+      ExchangeEvaluator::Worker worker = evaluator_.worker();
+      work(std::move(items[k]), limit, worker, made[k], open[k]);
+      made[k].pairs += worker.census;
+    });
+    items.clear();
+    for (std::size_t k = 0; k < open.size(); ++k) {
+      result.append(std::move(made[k]));
+      std::move(open[k].begin(), open[k].end(), std::back_inserter(items));
+    }
+  }
+  std::vector<MadeBlocks> made(items.size());
+  parallel_for(static_cast<std::ptrdiff_t>(items.size()), [&](std::ptrdiff_t k) {
+    ExchangeEvaluator::Worker worker = evaluator_.worker();
+    Items open;
+    open.push_back(std::move(items[k]));
+    while (!open.empty()) {
+      progress_.check();
+      Item item = std::move(open.back());
+      open.pop_back();
+      work(std::move(item), limit, worker, made[k], open);
+    }
+    made[k].pairs += worker.census;
+  });
+  for (MadeBlocks& blocks : made) result.append(std::move(blocks));
+  return result;
+}
+
+MadeBlocks BlockMaker::make(double limit) const {
+  Items items;
+  if (!evaluator_.tree().clusters.empty()) items.push_back({0, 0, evaluator_.everything(), {}, false, false});
+  return make(std::move(items), limit);
+}
+
+MadeBlocks BlockMaker::refine(MadeBlocks blocks, double limit) const {
+  MadeBlocks result;
+  Items items;
+  for (const CompressedBlocks::Far& block : blocks.far) {
+    if (action_error(block.a, block.b, block.error) > limit) {
+      items.push_back({block.a, block.b, {}, {}, false, false});
+      continue;
+    }
+    const std::uint64_t first = result.coefficients.size();
+    const int n = n_coefficients(polynomials_.counts(block.a), polynomials_.counts(block.b),
+                                 block.degrees);
+    result.coefficients.insert(result.coefficients.end(),
+                               blocks.coefficients.begin() + block.first,
+                               blocks.coefficients.begin() + block.first + n);
+    result.far.push_back(block);
+    result.far.back().first = first;
+  }
+  result.near = std::move(blocks.near);
+  result.densities = std::move(blocks.densities);
+  result.census = blocks.census;
+  result.pairs = blocks.pairs;
+  parallel_for(static_cast<std::ptrdiff_t>(items.size()), [&](std::ptrdiff_t k) {
+    items[k].between = evaluator_.narrowed(items[k].a, items[k].b, evaluator_.everything());
+  });
+  result.append(make(std::move(items), limit));
+  return result;
+}
+
+}  // namespace radiosity
