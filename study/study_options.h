@@ -17,6 +17,13 @@ enum class Storage {
   disk     ///< a work file (`radiosity::StreamedFactors`): memory is for the patches only
 };
 
+/// How an operator in memory is kept.
+enum class TransportKind {
+  automatic,  ///< dense, unless patches are many and nothing needs its rows
+  dense,      ///< all form factors (`radiosity::make_transport`)
+  compressed  ///< far and near blocks (`radiosity::make_compressed_transport`)
+};
+
 /// How a scene is divided and how exactly it is solved.
 struct StudyOptions {
   meshing::PatchChoice patches = {};
@@ -27,6 +34,7 @@ struct StudyOptions {
   radiosity::Closed closed = radiosity::Closed::automatic;
   std::uint64_t seed = 0;  ///< of the visibility samples
   Storage storage = Storage::memory;
+  TransportKind transport = TransportKind::automatic;  ///< if it is in memory
   /// Bytes for the form factors; 0 = what the machine has, or half of that for those on disk.
   std::size_t memory = 0;
   radiosity::Method method = radiosity::Method::conjugate_gradients;  ///< of the iteration
@@ -34,6 +42,10 @@ struct StudyOptions {
 
 /// What the options and the scene's own word on being closed come to.
 radiosity::Closed closedness(const radiosity::Scene& scene, radiosity::Closed asked);
+
+/// Whether the operator of so many patches is to be compressed. It is made anew for each mesh, so
+/// that adaptive patches have a dense one, as have methods that go row by row.
+bool is_compressed(const StudyOptions& options, radiosity::Index n_patches);
 
 /// The tolerance of the iteration: it shall add nothing to the error of the form factors, and
 /// digits cost it little.

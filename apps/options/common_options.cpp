@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <CLI/App.hpp>
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "apps/terminal/number_list.h"
 #include "io/scene/scene_file.h"
@@ -134,6 +136,25 @@ void add_seed_option(CLI::App& command, std::uint64_t& seed) {
       ->check(check_seed)
       ->capture_default_str()
       ->type_name("S");
+}
+
+void add_transport_option(CLI::App& command, study::StudyOptions& options) {
+  const std::map<std::string, study::TransportKind> kinds = {
+      {"auto", study::TransportKind::automatic},
+      {"dense", study::TransportKind::dense},
+      {"compressed", study::TransportKind::compressed}};
+  const auto chosen = std::find_if(kinds.begin(), kinds.end(), [&](const auto& kind) {
+    return kind.second == options.transport;
+  });
+  command
+      .add_option_function<std::string>(
+          "--transport",
+          [&options, kinds](const std::string& name) { options.transport = kinds.at(name); },
+          "How form factors are kept: dense, all of them; compressed, for many patches, with an "
+          "error that is verified; auto, by the number of patches")
+      ->check(CLI::IsMember({"auto", "dense", "compressed"}))
+      ->default_str(chosen->first)
+      ->type_name("K");
 }
 
 void add_adaptive_option(CLI::App& command, study::StudyOptions& options) {

@@ -64,18 +64,8 @@ Eigen::MatrixXd CompressedTransport::apply_error(const Eigen::MatrixXd& radiosit
 }
 
 double CompressedTransport::error() const {
-  // ‖ΔF̂‖_F² = Σ d² A_a A_b, each block twice.
-  const auto& nodes = matrix_.blocks().basis.nodes;
-  double sum = 0;
-  const auto add = [&](const auto& blocks) {
-    for (const auto& block : blocks) {
-      const double twice = block.a == block.b ? 1 : 2;
-      sum += twice * square(block.error) * nodes[block.a].area * nodes[block.b].area;
-    }
-  };
-  add(matrix_.blocks().far);
-  add(matrix_.blocks().near);
-  return parts_.error_scale * std::sqrt(sum);
+  if (size() == 0) return 0;
+  return 2 * apply_error(Eigen::VectorXd::Ones(size())).maxCoeff();
 }
 
 std::size_t CompressedTransport::bytes() const {

@@ -15,18 +15,6 @@
 
 namespace radiosity {
 
-/// How a compressed operator was made, and what it is worth.
-struct CompressionReport {
-  /// What F B was found to be off by, for B = 1 and others: root of the mean square over all area,
-  /// relative to that of F B. With 95 % confidence it is no more.
-  double verified_error = 0;
-  double estimated_error = 0;  ///< the same for B = 1 as the blocks' errors tell it
-  Index n_rows = 0;            ///< rows that were evaluated to verify it
-  int n_rounds = 0;            ///< of refinement
-  double coefficients = 0;     ///< per patch, numbers kept
-  double entries = 0;          ///< per patch, form factors evaluated
-};
-
 /// The radiosity transport operator as far and near blocks (CompressedBlocks): memory and time
 /// hardly grow faster than the number of patches. Its error is verified against exact rows.
 class CompressedTransport final : public Transport, public FactorRows {
@@ -48,8 +36,7 @@ class CompressedTransport final : public Transport, public FactorRows {
     };
     std::vector<Source> sources = {};
     double error_scale = 1;  ///< of the blocks' errors
-    AssemblyReport report = {};
-    CompressionReport compression = {};
+    AssemblyReport report = {};  ///< with its `compression`
   };
   explicit CompressedTransport(Parts parts);
 
@@ -58,6 +45,8 @@ class CompressedTransport final : public Transport, public FactorRows {
   [[nodiscard]] Eigen::MatrixXd apply(const Eigen::MatrixXd& radiosity) const override;
   /// Errors are taken as common to a block.
   [[nodiscard]] Eigen::MatrixXd apply_error(const Eigen::MatrixXd& radiosity) const override;
+  /// Twice the largest standard error of a row of F 1: what the norm of a symmetric matrix of
+  /// independent errors comes to. (Bandeira & van Handel 2016)
   [[nodiscard]] double error() const override;
   [[nodiscard]] std::size_t bytes() const override;
   [[nodiscard]] const AssemblyReport& report() const override { return parts_.report; }
@@ -68,8 +57,6 @@ class CompressedTransport final : public Transport, public FactorRows {
   [[nodiscard]] Eigen::VectorXd row(Index i) const override;
   [[nodiscard]] Eigen::VectorXd row_error(Index i) const override;
   [[nodiscard]] PairFactor pair(Index i, Index j) const override;
-
-  [[nodiscard]] const CompressionReport& compression() const { return parts_.compression; }
 
  private:
   friend class CompressedAssembly;

@@ -50,6 +50,8 @@ constexpr double kSourceShare = 0.3;
 /// prepared of a patch and up to 1.5 KB for its blocks.
 constexpr double kBytesOfPatch = 2800;
 
+}  // namespace
+
 void check_compressed_memory(Index n_patches, std::size_t memory) {
   if (memory == 0) memory = usable_memory();
   if (memory == 0) return;
@@ -61,6 +63,8 @@ void check_compressed_memory(Index n_patches, std::size_t memory) {
                    gigabytes(memory) + " can be used: use --patches " + std::to_string(fits) +
                    " or a scene of fewer polygons");
 }
+
+namespace {
 
 /// 1 + ½ sin of places, 1 on every other surface, and random signs.
 Eigen::MatrixXd test_fields(const PatchMesh& mesh) {
@@ -301,7 +305,7 @@ class CompressedAssembly {
 
   void finish(CompressedTransport& transport, const RowCheck::Error& error, int round) const {
     const auto n = static_cast<double>(mesh_.size());
-    transport.parts_.compression = {
+    transport.parts_.report.compression = CompressionReport{
         .verified_error = error.limit,
         .estimated_error = estimate_,
         .n_rows = error.n_rows,

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <cstdint>
 
 #include "radiosity/base/geometry.h"
 #include "radiosity/operator/census.h"
+#include "radiosity/operator/compression_report.h"
 #include "radiosity/operator/factor_rows.h"
 
 namespace radiosity {
@@ -20,6 +22,7 @@ struct AssemblyReport : Census {
   Eigen::VectorXd covered;
   /// Share of each patch's power that meets the backs of one-sided surfaces, n_patches, by rays.
   Eigen::VectorXd backs;
+  std::optional<CompressionReport> compression = {};  ///< of a compressed operator
   double closure_mean = 0;  ///< mean |1 - covered - Σ_j F_ij|, before any correction
   double closure_max = 0;   ///< max |1 - covered - Σ_j F_ij|, before any correction
 };
