@@ -21,7 +21,20 @@ endif()
 install(TARGETS radiosity_program)
 install(DIRECTORY scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/radiosity)
 install(DIRECTORY tests/data DESTINATION ${CMAKE_INSTALL_DATADIR}/radiosity/tests)
-install(FILES README.md CHANGELOG.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+# The README links to files that are installed elsewhere.
+file(READ README.md readme)
+foreach(link "scenes/README.md;${CMAKE_INSTALL_DATADIR}/radiosity"
+             "radiosity/radiosity.h;${CMAKE_INSTALL_INCLUDEDIR}/radiosity")
+  list(GET link 0 file)
+  list(GET link 1 folder)
+  cmake_path(RELATIVE_PATH folder BASE_DIRECTORY ${CMAKE_INSTALL_DOCDIR})
+  string(REPLACE "](${file})" "](${folder}/${file})" readme "${readme}")
+endforeach()
+file(CONFIGURE OUTPUT generated/README.md CONTENT "${readme}" @ONLY)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS README.md)
+install(FILES ${PROJECT_BINARY_DIR}/generated/README.md CHANGELOG.md LICENSE
+        DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES apps/radiosity.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
         RENAME radiosity)
 

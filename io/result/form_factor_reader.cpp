@@ -304,7 +304,7 @@ Eigen::VectorXd FormFactorReader::row_error(Index i) const {
   return checked(file_->path, [&] { return file_->row(i, *file_->error); });
 }
 
-radiosity::PairFactor FormFactorReader::pair(Index i, Index j) const {
+radiosity::ExchangeArea FormFactorReader::pair(Index i, Index j) const {
   const double area = mesh().area[i];
   const double error = area * row_error(i)[j];
   return {area * row(i)[j], error, error == 0};

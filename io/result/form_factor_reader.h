@@ -33,7 +33,7 @@ class FormFactorReader final : public radiosity::FactorRows {
   /// All finite, none negative.
   [[nodiscard]] Eigen::VectorXd row(radiosity::Index i) const override;
   [[nodiscard]] Eigen::VectorXd row_error(radiosity::Index i) const override;
-  [[nodiscard]] radiosity::PairFactor pair(radiosity::Index i, radiosity::Index j) const override;
+  [[nodiscard]] radiosity::ExchangeArea pair(radiosity::Index i, radiosity::Index j) const override;
   /// Reads all entries once, to find out whether they are intact as far as checksums tell.
   void check_entries() const;
 

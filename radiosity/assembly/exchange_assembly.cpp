@@ -51,13 +51,13 @@ class TileMaker final : public BlockVisitor {
     tile.column_strip = strip_of_cluster_[b];
     tile.values = Eigen::MatrixXd::Zero(ca.end - ca.begin, cb.end - cb.begin);
     ExchangeEvaluator::Worker worker = evaluator_.worker();
-    const auto set = [&](Index row, Index column, const PairFactor& entry) {
-      tile.values(row, column) = entry.exchange_area;
+    const auto set = [&](Index row, Index column, const ExchangeArea& entry) {
+      tile.values(row, column) = entry.value;
       if (entry.is_certain) return;
       tile.uncertain.push_back({static_cast<std::uint16_t>(row), static_cast<std::uint16_t>(column),
                                 static_cast<float>(entry.error)});
     };
-    evaluator_.visit_block(a, b, between, worker, [&](Index r, Index c, const PairFactor& entry) {
+    evaluator_.visit_block(a, b, between, worker, [&](Index r, Index c, const ExchangeArea& entry) {
       set(r - ca.begin, c - cb.begin, entry);
       if (a == b) set(c - cb.begin, r - ca.begin, entry);
     });

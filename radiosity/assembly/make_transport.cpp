@@ -45,7 +45,7 @@ class DenseTransport final : public Transport, public FactorRows {
     return from_tree(tiles_.row_error(place_[i])) / area_[i];
   }
 
-  [[nodiscard]] PairFactor pair(Index i, Index j) const override {
+  [[nodiscard]] ExchangeArea pair(Index i, Index j) const override {
     return tiles_.entry(place_[i], place_[j]);
   }
 
@@ -73,7 +73,7 @@ class DenseTransport final : public Transport, public FactorRows {
 
   std::vector<std::int32_t> order_;  // patch of each row of the tiles
   std::vector<std::int32_t> place_;  // row of each patch
-  ExchangeTiles tiles_;
+  ExchangeMatrix tiles_;
   Eigen::VectorXd area_;
   AssemblyReport report_;
   double error_ = 0;

@@ -5,7 +5,7 @@
 
 #include "radiosity/assembly/assembly_report.h"
 #include "radiosity/assembly/exchange_assembly.h"
-#include "radiosity/assembly/exchange_tiles.h"
+#include "radiosity/assembly/exchange_matrix.h"
 #include "radiosity/assembly/tile_totals.h"
 #include "radiosity/assembly/transport_options.h"
 #include "radiosity/base/geometry.h"
@@ -17,7 +17,7 @@ namespace radiosity {
 /// Exchange areas of all pairs, in the order of a cluster tree.
 struct Assembly {
   std::vector<std::int32_t> order;  ///< patch of each row
-  ExchangeTiles tiles;
+  ExchangeMatrix tiles;
   Eigen::VectorXd row_sums;  ///< Σ_j G_ij before rounding and correction, m², tree order
   AssemblyReport report;     ///< before correction
 };
@@ -49,7 +49,7 @@ class MemorySink final : public TileSink {
   const std::vector<double>& areas_;
   const Eigen::VectorXd& covered_;
   std::vector<std::int32_t> order_;
-  std::optional<ExchangeTiles> tiles_;
+  std::optional<ExchangeMatrix> tiles_;
   std::optional<TileTotals> totals_;
 };
 

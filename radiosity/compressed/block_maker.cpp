@@ -291,7 +291,7 @@ bool BlockMaker::fit_sampled(Item& item, double limit, ExchangeEvaluator::Worker
                              polynomials_.most_degree(item.b)});
   const auto density = [&](std::int32_t i, std::int32_t j) {
     ++made.census.samples;
-    return evaluator_.entry(i, j, item.between, worker).exchange_area / (areas_[i] * areas_[j]);
+    return evaluator_.entry(i, j, item.between, worker).value / (areas_[i] * areas_[j]);
   };
   const double bound = largest_density(item.a, item.b);
   struct Trial {
@@ -355,18 +355,18 @@ void BlockMaker::evaluate_near(const Item& item, ExchangeEvaluator::Worker& work
   const std::uint64_t first = made.densities.size();
   bool any = false;
   double variance = 0;  // of F 1, over the block, times areas
-  const auto set = [&](Index r, Index c, const PairFactor& entry) {
+  const auto set = [&](Index r, Index c, const ExchangeArea& entry) {
     const std::int32_t i = evaluator_.tree().order[ca.begin + r];
     const std::int32_t j = evaluator_.tree().order[cb.begin + c];
     if (!any) made.densities.resize(first + n_rows * n_columns);
     any = true;
     made.densities[first + r * n_columns + c] =
-        static_cast<float>(entry.exchange_area / (areas_[i] * areas_[j]));
+        static_cast<float>(entry.value / (areas_[i] * areas_[j]));
     variance += square(entry.error) * (1 / areas_[i] + 1 / areas_[j]);
     ++made.census.near_entries;
   };
   evaluator_.visit_block(item.a, item.b, item.between, worker,
-                         [&](Index row, Index column, const PairFactor& entry) {
+                         [&](Index row, Index column, const ExchangeArea& entry) {
                            set(row - ca.begin, column - cb.begin, entry);
                            if (item.a == item.b) set(column - cb.begin, row - ca.begin, entry);
                          });

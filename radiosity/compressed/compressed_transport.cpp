@@ -110,7 +110,7 @@ double CompressedTransport::lacking_density(const Parts::Source& source, Index i
   return sum;
 }
 
-PairFactor CompressedTransport::pair(Index i, Index j) const {
+ExchangeArea CompressedTransport::pair(Index i, Index j) const {
   auto [density, error] = matrix_.entry(place_[i], place_[j]);
   if (parts_.multipliers.size() > 0) {
     density += square(error) * (parts_.multipliers[place_[i]] + parts_.multipliers[place_[j]]);

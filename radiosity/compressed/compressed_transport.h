@@ -56,7 +56,7 @@ class CompressedTransport final : public Transport, public FactorRows {
 
   [[nodiscard]] Eigen::VectorXd row(Index i) const override;
   [[nodiscard]] Eigen::VectorXd row_error(Index i) const override;
-  [[nodiscard]] PairFactor pair(Index i, Index j) const override;
+  [[nodiscard]] ExchangeArea pair(Index i, Index j) const override;
 
  private:
   friend class CompressedAssembly;

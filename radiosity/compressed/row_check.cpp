@@ -43,8 +43,8 @@ void RowCheck::add_rows(Index n, const Progress& progress) {
     const std::int32_t patch = rows_[first + k];
     ExchangeEvaluator::Worker worker = evaluator_.worker();
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(radiosity_.cols());
-    evaluator_.visit_row(patch, worker, [&](Index column, const PairFactor& entry) {
-      sum += entry.exchange_area / areas_[patch] * radiosity_.row(order[column]).transpose();
+    evaluator_.visit_row(patch, worker, [&](Index column, const ExchangeArea& entry) {
+      sum += entry.value / areas_[patch] * radiosity_.row(order[column]).transpose();
     });
     gathered_[first + k] = sum;
   });

@@ -55,7 +55,7 @@ Cluster alone(const PreparedMesh& mesh, std::int32_t patch) {
   return cluster;
 }
 
-PairFactor counted(const PairEstimate& estimate, Census& census) {
+ExchangeArea counted(const PairEstimate& estimate, Census& census) {
   census.visible += estimate.blocking == Blocking::none ? 1 : 0;
   census.hidden += estimate.blocking == Blocking::all ? 1 : 0;
   census.undecided += estimate.blocking == Blocking::some ? 1 : 0;
@@ -179,8 +179,8 @@ void ExchangeEvaluator::visit_block(std::int32_t a, std::int32_t b, const Betwee
   if (ca.is_leaf() && cb.is_leaf()) {
     for (Index r = ca.begin; r < ca.end; ++r) {
       for (Index c = a == b ? r + 1 : cb.begin; c < cb.end; ++c) {
-        const PairFactor found = entry(tree().order[r], tree().order[c], between, worker);
-        if (found.exchange_area != 0 || !found.is_certain) visit(r, c, found);
+        const ExchangeArea found = entry(tree().order[r], tree().order[c], between, worker);
+        if (found.value != 0 || !found.is_certain) visit(r, c, found);
       }
     }
     return;
@@ -223,12 +223,12 @@ void ExchangeEvaluator::visit_row(std::int32_t patch, const Cluster& alone, std:
   for (Index c = cb.begin; c < cb.end; ++c) {
     const std::int32_t other = tree().order[c];
     if (other == patch) continue;
-    const PairFactor found = entry(patch, other, between, worker);
-    if (found.exchange_area != 0 || !found.is_certain) visit(c, found);
+    const ExchangeArea found = entry(patch, other, between, worker);
+    if (found.value != 0 || !found.is_certain) visit(c, found);
   }
 }
 
-PairFactor ExchangeEvaluator::entry(std::int32_t first, std::int32_t second, const Between& between,
+ExchangeArea ExchangeEvaluator::entry(std::int32_t first, std::int32_t second, const Between& between,
                                     Worker& worker) const {
   // Whichever comes first, a pair is computed one way round.
   const std::int32_t i = std::min(first, second);
@@ -263,7 +263,7 @@ PairFactor ExchangeEvaluator::entry(std::int32_t first, std::int32_t second, con
 }
 
 /// The entry of two patches that an earlier operator had.
-std::optional<PairFactor> ExchangeEvaluator::known_entry(std::int32_t i, std::int32_t j) const {
+std::optional<ExchangeArea> ExchangeEvaluator::known_entry(std::int32_t i, std::int32_t j) const {
   if (options_.known.transport == nullptr) return std::nullopt;
   const std::int32_t earlier_i = options_.known.patch[i];
   const std::int32_t earlier_j = options_.known.patch[j];
@@ -313,9 +313,9 @@ void ExchangeEvaluator::find_blockers(const Placed& a, const Placed& b,
 }
 
 /// An entry that some candidate may block.
-PairFactor ExchangeEvaluator::occluded_entry(std::int32_t i, std::int32_t j, Blocking front_i,
-                                             Blocking front_j, const Candidates& candidates,
-                                             Worker& worker) const {
+ExchangeArea ExchangeEvaluator::occluded_entry(std::int32_t i, std::int32_t j, Blocking front_i,
+                                               Blocking front_j, const Candidates& candidates,
+                                               Worker& worker) const {
   const auto part_in_front = [&](std::int32_t patch, std::int32_t of, Blocking front) {
     const ConvexPolygon& polygon = prepared_.polygons[patch];
     const HalfSpace& plane = prepared_.planes[of];
@@ -354,7 +354,7 @@ std::vector<ConvexPolygon> ExchangeEvaluator::open_parts(std::int32_t i, std::in
 }
 
 /// An entry of patches that solids cover in part.
-PairFactor ExchangeEvaluator::entry_in_parts(std::int32_t i, std::int32_t j,
+ExchangeArea ExchangeEvaluator::entry_in_parts(std::int32_t i, std::int32_t j,
                                              const Candidates& candidates, Worker& worker) const {
   find_blockers(placed(i), placed(j), candidates, worker);
   PairEstimate sum;

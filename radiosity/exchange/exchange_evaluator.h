@@ -75,7 +75,7 @@ class ExchangeEvaluator {
 
   /// The exchange area of two patches, whichever comes first, given what is known of them or of
   /// clusters that hold them.
-  [[nodiscard]] PairFactor entry(std::int32_t i, std::int32_t j, const Between& between,
+  [[nodiscard]] ExchangeArea entry(std::int32_t i, std::int32_t j, const Between& between,
                                  Worker& worker) const;
 
   /// The exchange area of two patches that see each other wholly, m².
@@ -84,13 +84,13 @@ class ExchangeEvaluator {
   }
 
   /// Takes the exchange area of two places in the tree's order.
-  using Visit = std::function<void(Index row, Index column, const PairFactor& entry)>;
+  using Visit = std::function<void(Index row, Index column, const ExchangeArea& entry)>;
   /// Visits the entries between two clusters that are not proved to be 0; of a cluster and itself,
   /// those above the diagonal. Descends to the tree's leaves, narrowing on the way.
   void visit_block(std::int32_t a, std::int32_t b, const Between& between, Worker& worker,
                    const Visit& visit) const;
   /// Takes the exchange area of a patch with the one at a place in the tree's order.
-  using VisitOfRow = std::function<void(Index column, const PairFactor& entry)>;
+  using VisitOfRow = std::function<void(Index column, const ExchangeArea& entry)>;
   /// Visits the entries of a patch with all others that are not proved to be 0.
   void visit_row(std::int32_t patch, Worker& worker, const VisitOfRow& visit) const;
 
@@ -117,13 +117,13 @@ class ExchangeEvaluator {
                                  const Candidates& candidates) const;
   [[nodiscard]] bool are_apart(std::int32_t a, std::int32_t b) const;
   [[nodiscard]] double trial_error(std::int32_t i, std::int32_t j) const;
-  [[nodiscard]] std::optional<PairFactor> known_entry(std::int32_t i, std::int32_t j) const;
-  [[nodiscard]] PairFactor occluded_entry(std::int32_t i, std::int32_t j, Blocking front_i,
+  [[nodiscard]] std::optional<ExchangeArea> known_entry(std::int32_t i, std::int32_t j) const;
+  [[nodiscard]] ExchangeArea occluded_entry(std::int32_t i, std::int32_t j, Blocking front_i,
                                           Blocking front_j, const Candidates& candidates,
                                           Worker& worker) const;
   [[nodiscard]] std::vector<ConvexPolygon> open_parts(std::int32_t i, std::int32_t j) const;
-  [[nodiscard]] PairFactor entry_in_parts(std::int32_t i, std::int32_t j,
-                                          const Candidates& candidates, Worker& worker) const;
+  [[nodiscard]] ExchangeArea entry_in_parts(std::int32_t i, std::int32_t j,
+                                            const Candidates& candidates, Worker& worker) const;
 
   const Visibility& visibility_;
   const Coverage& coverage_;

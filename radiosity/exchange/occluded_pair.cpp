@@ -32,11 +32,6 @@ constexpr double kLeastGapsBetween = 64;
 /// of what is aimed at.
 constexpr double kCrossingError = 0.1;
 
-PairEstimate weigh(const VisibleFraction& fraction, double whole) {
-  return {fraction.value * whole, fraction.error * whole, Blocking::some, fraction.is_partial,
-          fraction.rays};
-}
-
 /// One sigma of the share of an uncertain entry at least.
 double least_error(const OccludedPairOptions& options) {
   return kKernelErrors * options.kernel_tolerance;
@@ -84,7 +79,7 @@ PairEstimate OccludedPairEstimator::estimate(const SampledPair& pair,
       // Rays whatever the proofs would be: those that disagree leave nothing to prove.
       sampler.emplace(visibility_, pair, seed);
       if (sampler->add_packet().is_partial) {
-        return weigh(sampler->add_packets({error, kMostRays}), *whole);
+        return sampler->add_packets({error, kMostRays}).times(*whole);
       }
     }
   }
@@ -93,7 +88,7 @@ PairEstimate OccludedPairEstimator::estimate(const SampledPair& pair,
   if (blocking == Blocking::all) return {0, 0, Blocking::all, false, 0};
   if (!whole) whole = unoccluded();
   if (blocking == Blocking::none) return {*whole, 0, Blocking::none, false, 0};
-  if (sampler) return weigh(sampler->add_packets({allowed_share(view, *whole), kMostRays}), *whole);
+  if (sampler) return sampler->add_packets({allowed_share(view, *whole), kMostRays}).times(*whole);
   return estimate_unproved(pair, view, *whole, seed, depth);
 }
 
@@ -169,32 +164,28 @@ PairEstimate OccludedPairEstimator::cut_shadows(const PairView& view, const Pair
   const std::span<const Shadow> shadows(between.shadows.data(), between.blockers.size());
   const ShadowedPair shadowed{*view.source, view.source_normal, *view.target, shadows,
                               options_.thickness};
-  const VisibleShare share =
+  PairEstimate fraction =
       quadrature_.integrate(shadowed, error, needs_adaption(view, between, error));
-  if (share.is_exact && share.value == 0) return {0, 0, Blocking::all, false, 0};
-  if (share.is_exact) return {whole, 0, Blocking::none, false, 0};
+  if (fraction.blocking != Blocking::some) return fraction.times(whole);
   // The kernel's own error counts, too: closing a row must not lean on entries that claim none. And
   // where shadows cross, events were passed over, which few points may miss altogether.
   const double least = least_error(options_);
-  const double sigma =
-      std::hypot(share.error, shadows.size() > 1 ? std::max(least, kCrossingError * error) : least);
-  return {share.value * whole, sigma * whole, Blocking::some, share.value > 0 && share.value < 1,
-          0};
+  fraction.error = std::hypot(fraction.error,
+                              shadows.size() > 1 ? std::max(least, kCrossingError * error) : least);
+  return fraction.times(whole);
 }
 
 PairEstimate OccludedPairEstimator::sample_points(const PairView& view, PairBlockers& between,
                                                   double whole, double error) {
-  const VisibleShare share = points_.sample(view, between, whole, error);
-  return {share.value * whole, share.error * whole, Blocking::some,
-          share.value > 0 && share.value < 1, 0};
+  return points_.sample(view, between, whole, error).times(whole);
 }
 
 PairEstimate OccludedPairEstimator::cast_rays(const SampledPair& pair, const PairView& view,
                                               double whole, double error,
                                               std::uint64_t seed) const {
   const Sampling sampling = view.is_near ? Sampling::directions : Sampling::areas;
-  return weigh(sample_visible_fraction(visibility_, pair, {error, kMostRays}, seed, sampling),
-               whole);
+  return sample_visible_fraction(visibility_, pair, {error, kMostRays}, seed, sampling)
+      .times(whole);
 }
 
 }  // namespace radiosity

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "radiosity/exchange/pair_blockers.h"
+#include "radiosity/exchange/pair_estimate.h"
 #include "radiosity/exchange/pair_view.h"
 #include "radiosity/exchange/point_sampler.h"
 #include "radiosity/exchange/shadowed_quadrature.h"
@@ -14,15 +15,6 @@
 #include "radiosity/visibility/visibility.h"
 
 namespace radiosity {
-
-/// Exchange area of a pair that something may block, m².
-struct PairEstimate {
-  double value = 0;
-  double error = 0;                    ///< one sigma; 0 if `blocking` is a proof
-  Blocking blocking = Blocking::some;  ///< none and all are proofs
-  bool is_partial = false;             ///< found to be partly hidden
-  int rays = 0;
-};
 
 struct OccludedPairOptions {
   double tolerance = 1e-3;         ///< relative error of all exchange areas together aimed at
@@ -41,7 +33,8 @@ class OccludedPairEstimator {
  public:
   OccludedPairEstimator(const Visibility& visibility, const OccludedPairOptions& options);
 
-  /// `unoccluded` gives the exchange area without blockers, m²; it is called where needed.
+  /// The exchange area of a pair. `unoccluded` gives that without blockers, m²; it is called where
+  /// needed.
   PairEstimate estimate(const SampledPair& pair, std::span<const Blocker* const> candidates,
                         const std::function<double()>& unoccluded, std::uint64_t seed);
 

@@ -33,9 +33,9 @@ bool misses_halves(const ConvexPolygon& source, const ConvexPolygon& target, con
 
 std::array<ConvexPolygon, 2> halves(const ConvexPolygon& polygon, const HalfSpace& plane,
                                     double thickness) {
-  const Vec3 on_plane = plane.normal * plane.offset;
-  return {clip_to_half_space(polygon.points(), on_plane, plane.normal, thickness),
-          clip_to_half_space(polygon.points(), on_plane, -plane.normal, thickness)};
+  std::array<ConvexPolygon, 2> parts;
+  split(polygon, plane.normal * plane.offset, plane.normal, thickness, parts[0], parts[1]);
+  return parts;
 }
 
 Blocking PairBlockers::find(const ConvexPolygon& source, const ConvexPolygon& target,

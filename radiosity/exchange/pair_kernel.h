@@ -5,8 +5,9 @@
 
 #include "radiosity/base/geometry.h"
 #include "radiosity/polygon/polygon_quadrature.h"
+#include "radiosity/visibility/blocking.h"
+#include "radiosity/visibility/half_space.h"
 #include "radiosity/visibility/prepared_mesh.h"
-#include "radiosity/visibility/shaft.h"
 
 namespace radiosity {
 

@@ -53,7 +53,7 @@ double missed_share(const ConvexPolygon& piece, const Vec3& normal,
 
 }  // namespace
 
-VisibleShare PointSampler::sample(const PairView& view, PairBlockers& between, double whole,
+PairEstimate PointSampler::sample(const PairView& view, PairBlockers& between, double whole,
                                   double error) {
   points_left_ = kMostPoints;
   part_tolerance_ = std::max(options_.kernel_tolerance, kPartKernel * error);
@@ -64,7 +64,8 @@ VisibleShare PointSampler::sample(const PairView& view, PairBlockers& between, d
   const double missed = kPeakError * (sums.whole - whole) / whole;
   const double sigma =
       std::hypot(std::sqrt(sums.variance) / sums.whole, missed, options_.least_error);
-  return {sums.visible / sums.whole, sigma};
+  const double fraction = sums.visible / sums.whole;
+  return {fraction, sigma, Blocking::some, fraction > 0 && fraction < 1};
 }
 
 void PointSampler::Sums::add(const Sums& other) {

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "radiosity/exchange/pair_blockers.h"
+#include "radiosity/exchange/pair_estimate.h"
 #include "radiosity/exchange/pair_view.h"
 #include "radiosity/exchange/shadowed_quadrature.h"
 #include "radiosity/visibility/visible_polygon.h"
@@ -32,7 +33,7 @@ class PointSampler {
   /// `between` is what blocks the pair, none of which divides the target; of those that divide the
   /// source it gets the shadows of some point. `whole` is the exchange area without blockers, m²,
   /// and `error` the error of the share aimed at.
-  VisibleShare sample(const PairView& view, PairBlockers& between, double whole, double error);
+  PairEstimate sample(const PairView& view, PairBlockers& between, double whole, double error);
 
  private:
   static constexpr std::size_t kMostQuarterings = 7;

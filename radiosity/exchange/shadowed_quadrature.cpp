@@ -64,7 +64,7 @@ void for_each_point(const ConvexPolygon& polygon, int order, const Visit& visit)
 
 }  // namespace
 
-VisibleShare ShadowedQuadrature::integrate(const ShadowedPair& pair, double tolerance,
+PairEstimate ShadowedQuadrature::integrate(const ShadowedPair& pair, double tolerance,
                                            bool adapts) {
   divide_source(pair, adapts ? kMostAdaptivePieces : kMostPieces);
   const double most_points = kMostPoints * std::max(1.0, std::sqrt(1e-3 / tolerance));
@@ -95,13 +95,17 @@ VisibleShare ShadowedQuadrature::integrate(const ShadowedPair& pair, double tole
     if (!is_divided_) sums.variance += square(kUnseen * sums.whole);
     total.add(sums);
   }
-  VisibleShare result;
+  PairEstimate result;
   if (total.whole <= 0) return result;
   result.value = total.visible / total.whole;
   result.error = std::sqrt(total.variance) / total.whole;
-  result.is_exact = is_single && is_divided_ && !(total.any_visible && total.any_hidden);
   if (!total.any_hidden) result.value = 1;
   if (!total.any_visible) result.value = 0;
+  result.is_partial = result.value > 0 && result.value < 1;
+  if (is_single && is_divided_ && !(total.any_visible && total.any_hidden)) {
+    result.error = 0;
+    result.blocking = total.any_visible ? Blocking::none : Blocking::all;
+  }
   return result;
 }
 
@@ -165,7 +169,7 @@ void ShadowedQuadrature::divide_pieces(const Vec3& normal, const Vec3& on_plane,
     }
     ConvexPolygon above;
     ConvexPolygon below;
-    split(piece, on_plane, normal, above, below);
+    split(piece, on_plane, normal, 0, above, below);
     pieces_[k] = above;
     pieces_.push_back(below);
   }

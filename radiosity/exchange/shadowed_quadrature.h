@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "radiosity/base/geometry.h"
+#include "radiosity/exchange/pair_estimate.h"
 #include "radiosity/polygon/convex_polygon.h"
 #include "radiosity/visibility/segment_bundle.h"
 #include "radiosity/visibility/visible_polygon.h"
@@ -20,22 +21,15 @@ struct ShadowedPair {
   double thickness = 0;  ///< up to which lengths are contact, m
 };
 
-/// The visible share ∫∫ K V / ∫∫ K of a pair, K = cosθ_i cosθ_j / (π r²).
-struct VisibleShare {
-  double value = 0;
-  double error = 0;       ///< one sigma
-  bool is_exact = false;  ///< 0 or 1, proved
-};
-
-/// Integrates the visible share over the source: at each quadrature point the target without its
+/// Integrates the visible fraction over the source: at each quadrature point the target without its
 /// shadows is known in closed form. The source is first divided along the lines where a shadow's
 /// border meets the target's, since within the pieces the integrand is analytic. (The visual events
 /// of Plantinga & Dyer 1990, but for those of three edges.) Keeps its memory from call to call.
 class ShadowedQuadrature {
  public:
-  /// `tolerance` is the error of the share aimed at. If `adapts`, pieces are divided further until
-  /// two rules agree; otherwise one low rule has to do.
-  VisibleShare integrate(const ShadowedPair& pair, double tolerance, bool adapts);
+  /// `tolerance` is the error of the fraction aimed at. If `adapts`, pieces are divided further
+  /// until two rules agree; otherwise one low rule has to do.
+  PairEstimate integrate(const ShadowedPair& pair, double tolerance, bool adapts);
 
  private:
   struct Sums {

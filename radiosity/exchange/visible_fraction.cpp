@@ -72,7 +72,7 @@ constexpr std::array<SobolDimension, 4> kSobol{make_sobol(0, 0, {}), make_sobol(
                                                make_sobol(3, 1, {1, 3, 1})};
 
 /// Samples in all that get the error down to what is asked.
-int samples_for(const VisibleFraction& fraction, const RayEffort& effort) {
+int samples_for(const PairEstimate& fraction, const RayEffort& effort) {
   const double power = fraction.is_partial ? 1 / kPower : 1;
   const double growth =
       std::min<double>(kMostGrowth, std::pow(fraction.error / effort.error, power));
@@ -269,8 +269,8 @@ void FractionSampler::Sums::add(const Lanes& weight, std::uint32_t blocked) {
 }
 
 /// The ratio Σ v / Σ w with the standard error of a ratio of means. (Cochran 1977, section 6.4)
-VisibleFraction FractionSampler::Sums::evaluate() const {
-  VisibleFraction result;
+PairEstimate FractionSampler::Sums::evaluate() const {
+  PairEstimate result;
   result.is_partial = any_visible && any_hidden && w > 0;
   result.rays = n;
   const double n_samples = n;
@@ -333,8 +333,8 @@ void FractionSampler::sample() {
   blocks_.add(sums_.w - w, sums_.v - v);
 }
 
-VisibleFraction FractionSampler::evaluate() const {
-  VisibleFraction result = sums_.evaluate();
+PairEstimate FractionSampler::evaluate() const {
+  PairEstimate result = sums_.evaluate();
   if (!result.is_partial) return result;
   // Where there are more shadows than samples can resolve they gain nothing by being even.
   if (const auto of_blocks = blocks_.error(result.value, sums_.w)) {
@@ -343,13 +343,13 @@ VisibleFraction FractionSampler::evaluate() const {
   return result;
 }
 
-VisibleFraction FractionSampler::add_packet() {
+PairEstimate FractionSampler::add_packet() {
   sample();
   return evaluate();
 }
 
-VisibleFraction FractionSampler::add_packets(const RayEffort& effort) {
-  VisibleFraction result = evaluate();
+PairEstimate FractionSampler::add_packets(const RayEffort& effort) {
+  PairEstimate result = evaluate();
   while (result.error > effort.error) {
     const int n_samples = samples_for(result, effort);
     if (n_samples <= sums_.n) break;
@@ -359,9 +359,9 @@ VisibleFraction FractionSampler::add_packets(const RayEffort& effort) {
   return result;
 }
 
-VisibleFraction sample_visible_fraction(const Visibility& visibility, const SampledPair& pair,
-                                        const RayEffort& effort, std::uint64_t seed,
-                                        Sampling sampling) {
+PairEstimate sample_visible_fraction(const Visibility& visibility, const SampledPair& pair,
+                                     const RayEffort& effort, std::uint64_t seed,
+                                     Sampling sampling) {
   FractionSampler sampler(visibility, pair, seed, sampling);
   sampler.add_packet();
   return sampler.add_packets(effort);

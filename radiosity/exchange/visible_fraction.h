@@ -4,8 +4,9 @@
 #include <cstdint>
 #include <optional>
 
+#include "radiosity/exchange/pair_estimate.h"
 #include "radiosity/polygon/convex_polygon.h"
-#include "radiosity/visibility/shaft.h"
+#include "radiosity/visibility/half_space.h"
 #include "radiosity/visibility/visibility.h"
 
 namespace radiosity {
@@ -75,22 +76,14 @@ class SegmentSampler {
   Packet packet_;
 };
 
-/// Kernel-weighted visible fraction of a pair, in [0, 1], with its standard error.
-struct VisibleFraction {
-  double value = 0;
-  double error = 0;
-  int rays = 0;
-  bool is_partial = false;  ///< samples disagree
-};
-
 /// How far samples go.
 struct RayEffort {
   double error = 0;    ///< standard error of the fraction to get to
   int most_rays = 16;  ///< a multiple of the packets' size
 };
 
-/// Estimates ∫∫ K V / ∫∫ K with K = cosθ_i cosθ_j / (π r²) from packets of segments between
-/// quasi-random points, shifted at random by `seed` (which should depend on the pair).
+/// Estimates the visible fraction of a pair from packets of segments between quasi-random points,
+/// shifted at random by `seed` (which should depend on the pair). Partial if samples disagree.
 class FractionSampler {
  public:
   FractionSampler(const Visibility& visibility, const SampledPair& pair, std::uint64_t seed,
@@ -98,9 +91,9 @@ class FractionSampler {
       : visibility_(visibility), pair_(pair), sampler_(pair, seed, sampling) {}
 
   /// What one packet more gives, together with those before.
-  VisibleFraction add_packet();
+  PairEstimate add_packet();
   /// As many packets more as the samples' disagreement and the error asked call for.
-  VisibleFraction add_packets(const RayEffort& effort);
+  PairEstimate add_packets(const RayEffort& effort);
 
  private:
   /// Sums over samples of the weight w and its visible part v, which is w or 0.
@@ -110,7 +103,7 @@ class FractionSampler {
     bool any_visible = false;
     bool any_hidden = false;
     void add(const SegmentSampler::Lanes& weight, std::uint32_t blocked);
-    [[nodiscard]] VisibleFraction evaluate() const;
+    [[nodiscard]] PairEstimate evaluate() const;
   };
   /// The samples in a row of blocks of equal size, whose disagreement tells how much is gained by
   /// their evenness.
@@ -129,7 +122,7 @@ class FractionSampler {
     int packets_of_last_ = 0;
   };
   void sample();
-  [[nodiscard]] VisibleFraction evaluate() const;
+  [[nodiscard]] PairEstimate evaluate() const;
 
   const Visibility& visibility_;
   const SampledPair& pair_;
@@ -139,9 +132,9 @@ class FractionSampler {
 };
 
 /// The same in one go: a packet first, then as many as it takes.
-VisibleFraction sample_visible_fraction(const Visibility& visibility, const SampledPair& pair,
-                                        const RayEffort& effort, std::uint64_t seed,
-                                        Sampling sampling = Sampling::areas);
+PairEstimate sample_visible_fraction(const Visibility& visibility, const SampledPair& pair,
+                                     const RayEffort& effort, std::uint64_t seed,
+                                     Sampling sampling = Sampling::areas);
 
 /// A seed for a pair from the run's seed. (SplitMix64, Steele et al. 2014)
 std::uint64_t pair_seed(std::uint64_t seed, std::int32_t i, std::int32_t j);

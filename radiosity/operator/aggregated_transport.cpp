@@ -6,7 +6,7 @@
 
 namespace radiosity {
 
-AggregatedTransport::AggregatedTransport(const Transport& finer, PatchGroups groups)
+AggregatedTransport::AggregatedTransport(const Transport& finer, NeighborGroups groups)
     : finer_(finer), groups_(std::move(groups)), area_(Eigen::VectorXd::Zero(groups_.n_groups)) {
   for (Index i = 0; i < finer.size(); ++i) area_[groups_.group_of[i]] += finer.area()[i];
 }

@@ -2,7 +2,7 @@
 
 #include "radiosity/base/geometry.h"
 #include "radiosity/operator/transport.h"
-#include "radiosity/scene/patch_groups.h"
+#include "radiosity/scene/neighbor_groups.h"
 
 namespace radiosity {
 
@@ -12,7 +12,7 @@ namespace radiosity {
 class AggregatedTransport final : public Transport, public FactorRows {
  public:
   /// Refers to `finer`, which must outlive it.
-  AggregatedTransport(const Transport& finer, PatchGroups groups);
+  AggregatedTransport(const Transport& finer, NeighborGroups groups);
 
   [[nodiscard]] Index size() const override { return groups_.n_groups; }
   [[nodiscard]] const Eigen::VectorXd& area() const override { return area_; }
@@ -21,7 +21,9 @@ class AggregatedTransport final : public Transport, public FactorRows {
   [[nodiscard]] Eigen::VectorXd row_error(Index) const override {
     return Eigen::VectorXd::Zero(size());
   }
-  [[nodiscard]] PairFactor pair(Index i, Index j) const override { return {area_[i] * row(i)[j]}; }
+  [[nodiscard]] ExchangeArea pair(Index i, Index j) const override {
+    return {area_[i] * row(i)[j]};
+  }
   [[nodiscard]] const FactorRows* rows() const override {
     return finer_.rows() != nullptr ? this : nullptr;
   }
@@ -39,7 +41,7 @@ class AggregatedTransport final : public Transport, public FactorRows {
 
  private:
   const Transport& finer_;
-  PatchGroups groups_;
+  NeighborGroups groups_;
   Eigen::VectorXd area_;
 };
 

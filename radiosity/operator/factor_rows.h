@@ -6,11 +6,11 @@
 
 namespace radiosity {
 
-/// What is known about one pair of patches.
-struct PairFactor {
-  double exchange_area = 0;  ///< G_ij, m²
-  double error = 0;          ///< one standard error of G_ij, m²
-  bool is_certain = true;    ///< no error but rounding
+/// The exchange area G_ij of two patches, as far as it is known.
+struct ExchangeArea {
+  double value = 0;        ///< m²
+  double error = 0;        ///< one standard error, m²
+  bool is_certain = true;  ///< no error but rounding
 };
 
 /// The form factors of n patches by rows and pairs, with their errors: of an operator that keeps
@@ -23,7 +23,7 @@ class FactorRows {
   /// One standard error of each entry of row i, n; exactly 0 where the entry is certified.
   [[nodiscard]] virtual Eigen::VectorXd row_error(Index i) const = 0;
   /// The exchange area of patches i and j, as `row` gives it.
-  [[nodiscard]] virtual PairFactor pair(Index i, Index j) const = 0;
+  [[nodiscard]] virtual ExchangeArea pair(Index i, Index j) const = 0;
 };
 
 }  // namespace radiosity

@@ -1,6 +1,9 @@
 #include "radiosity/operator/surface_factors.h"
 
+#include <cmath>
+#include <cstdint>
 #include <utility>
+#include <vector>
 
 namespace radiosity {
 namespace {
@@ -21,6 +24,33 @@ Eigen::MatrixXd divided_by_areas(const PatchMesh& mesh, Eigen::MatrixXd rows) {
   return rows;
 }
 
+/// Whether a patch of a surface is in front of another one of it.
+bool sees_itself(const PatchMesh& mesh, std::int32_t surface, double thickness) {
+  std::vector<Index> patches;
+  for (Index i = 0; i < mesh.size(); ++i) {
+    if (mesh.surface[i] == surface) patches.push_back(i);
+  }
+  constexpr double kSameNormal = 1e-12;
+  Index last = -1;
+  for (const Index i : patches) {
+    const auto height = [&](const Vec3& point) {
+      return mesh.normal[i].dot(point - mesh.centroid[i]);
+    };
+    // Most patches lie in the plane of the one before.
+    if (last >= 0 && (mesh.normal[i] - mesh.normal[last]).norm() <= kSameNormal &&
+        std::abs(height(mesh.centroid[last])) <= thickness) {
+      continue;
+    }
+    last = i;
+    for (const Index j : patches) {
+      for (int k = 0; k < mesh.n_corners(j); ++k) {
+        if (height(mesh.corner(j, k)) > thickness) return true;
+      }
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 Eigen::VectorXd surface_areas(const PatchMesh& mesh) {
@@ -34,6 +64,11 @@ Eigen::MatrixXd surface_form_factors(const PatchMesh& mesh, const Transport& tra
   Eigen::MatrixXd exchange = Eigen::MatrixXd::Zero(reached.cols(), reached.cols());
   for (Index i = 0; i < mesh.size(); ++i) {
     exchange.row(mesh.surface[i]) += mesh.area[i] * reached.row(i);
+  }
+  // What keeps the row sums of rounded entries is light that patches would send to themselves.
+  const double thickness = plane_thickness(mesh);
+  for (std::int32_t s = 0; s < exchange.rows(); ++s) {
+    if (exchange(s, s) != 0 && !sees_itself(mesh, s, thickness)) exchange(s, s) = 0;
   }
   return divided_by_areas(mesh, std::move(exchange));
 }

@@ -10,7 +10,7 @@ namespace radiosity {
 
 /// Form factors between whole surfaces, n_surfaces x n_surfaces: F_st is the share of the power
 /// that leaves surface s, evenly over its area, and reaches surface t. F_st = Σ_{i in s} A_i Σ_{j
-/// in t} F_ij / Σ_{i in s} A_i
+/// in t} F_ij / Σ_{i in s} A_i. Exactly 0 of a flat or convex surface to itself.
 Eigen::MatrixXd surface_form_factors(const PatchMesh& mesh, const Transport& transport);
 
 /// One standard error of each of these factors. Patch pairs are independent, but a pair within one

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "radiosity/picture/gather_group.h"
+#include "radiosity/picture/point_gather.h"
 
 namespace radiosity {
 namespace {
@@ -62,7 +62,7 @@ Eigen::MatrixXd FinalGather::irradiance(std::span<const SurfacePoint> points) co
   }
   Eigen::MatrixXd result =
       Eigen::MatrixXd::Zero(scene.radiosity.rows(), static_cast<Index>(points.size()));
-  GroupGather gather(scene);
+  PointGather gather(scene);
   for (Group& group : groups) gather.gather(scene.planes[group.patch], group.points, result);
   return result.transpose();
 }

@@ -35,7 +35,7 @@ ShootingPreview::ShootingPreview(const PatchMesh& mesh, const Visibility& visibi
                                  const Eigen::MatrixXd& reflectance)
     : mesh_(mesh),
       visibility_(visibility),
-      sources_(make_source_groups(mesh, rows_with_light(exitance), mesh.size() / kGroups)),
+      sources_(make_shooting_sources(mesh, rows_with_light(exitance), mesh.size() / kGroups)),
       area_(Eigen::VectorXd::Map(mesh.area.data(), mesh.size())),
       exitance_(exitance),
       reflectance_(reflectance),
@@ -50,7 +50,7 @@ ShootingPreview::ShootingPreview(const PatchMesh& mesh, const Visibility& visibi
 
 void ShootingPreview::shoot() {
   if (unshot_.isZero(0)) return;
-  const SourceGroups::Group& group = sources_.groups[brightest_group()];
+  const ShootingSources::Group& group = sources_.groups[brightest_group()];
   prepare_parts(group);
   arrived_.setZero();
   parallel_for(
@@ -101,9 +101,9 @@ std::size_t ShootingPreview::brightest_group() const {
   return brightest;
 }
 
-void ShootingPreview::prepare_parts(const SourceGroups::Group& group) {
+void ShootingPreview::prepare_parts(const ShootingSources::Group& group) {
   for (std::int32_t k = sources_.nodes[group.node].end - 1; k >= group.node; --k) {
-    const SourceGroups::Node& node = sources_.nodes[k];
+    const ShootingSources::Node& node = sources_.nodes[k];
     if (node.patch >= 0) {
       part_light_.row(k) = unshot_.row(node.patch);
       continue;
@@ -116,19 +116,19 @@ void ShootingPreview::prepare_parts(const SourceGroups::Group& group) {
   }
 }
 
-double ShootingPreview::visible_share(const SourceGroups::Group& group,
+double ShootingPreview::visible_share(const ShootingSources::Group& group,
                                       std::int32_t receiver) const {
-  const SourceGroups::Node& whole = sources_.nodes[group.node];
+  const ShootingSources::Node& whole = sources_.nodes[group.node];
   const Vec3& place = mesh_.centroid[receiver];
   const Vec3& normal = mesh_.normal[receiver];
   const Vec3 way = place - whole.center;
   const bool is_behind_group = mesh_.normal[group.patches.front()].dot(way) <= thickness_;
   if (is_behind_group || normal.dot(way) >= whole.radius) return 0;
 
-  std::array<Vec3, SourceGroups::kPoints> from;
-  std::array<Vec3, SourceGroups::kPoints> to;
+  std::array<Vec3, ShootingSources::kPoints> from;
+  std::array<Vec3, ShootingSources::kPoints> to;
   std::size_t n = 0;
-  for (int k = 0; k < SourceGroups::kPoints; ++k) {
+  for (int k = 0; k < ShootingSources::kPoints; ++k) {
     if (normal.dot(group.points[k] - place) <= 0) continue;
     from[n] = inner_point(mesh_, receiver, k);
     to[n++] = group.points[k];
@@ -140,14 +140,14 @@ double ShootingPreview::visible_share(const SourceGroups::Group& group,
   return 1 - std::popcount(blocked) / static_cast<double>(n);
 }
 
-void ShootingPreview::gather(const SourceGroups::Group& group, std::int32_t receiver,
+void ShootingPreview::gather(const ShootingSources::Group& group, std::int32_t receiver,
                              Eigen::Ref<Eigen::RowVectorXd> irradiance) const {
   const Vec3& place = mesh_.centroid[receiver];
   const Vec3& normal = mesh_.normal[receiver];
   const Vec3& source_normal = mesh_.normal[group.patches.front()];
   const std::int32_t end = sources_.nodes[group.node].end;
   for (std::int32_t k = group.node; k < end;) {
-    const SourceGroups::Node& node = sources_.nodes[k];
+    const ShootingSources::Node& node = sources_.nodes[k];
     const Vec3 way = node.center - place;
     const double square = way.squaredNorm();
     const bool is_far = square > kFar * kFar * node.radius * node.radius;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "radiosity/base/progress.h"
-#include "radiosity/picture/source_groups.h"
+#include "radiosity/picture/shooting_sources.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/visibility/visibility.h"
 
@@ -51,15 +51,16 @@ class ShootingPreview {
 
   [[nodiscard]] std::size_t brightest_group() const;
   /// Averages the unshot radiosity over each part of the group.
-  void prepare_parts(const SourceGroups::Group& group);
-  [[nodiscard]] double visible_share(const SourceGroups::Group& group, std::int32_t receiver) const;
+  void prepare_parts(const ShootingSources::Group& group);
+  [[nodiscard]] double visible_share(const ShootingSources::Group& group,
+                                     std::int32_t receiver) const;
   /// Irradiance of a receiver from the group, but for what blocks it, is added to `irradiance`.
-  void gather(const SourceGroups::Group& group, std::int32_t receiver,
+  void gather(const ShootingSources::Group& group, std::int32_t receiver,
               Eigen::Ref<Eigen::RowVectorXd> irradiance) const;
 
   const PatchMesh& mesh_;
   const Visibility& visibility_;
-  SourceGroups sources_;
+  ShootingSources sources_;
   Eigen::VectorXd area_;
   RowMatrix exitance_;
   RowMatrix reflectance_;

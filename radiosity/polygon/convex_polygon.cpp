@@ -83,9 +83,9 @@ bool keep_above(const Vec3& on_plane, const Vec3& normal, ConvexPolygon& polygon
   return !polygon.empty();
 }
 
-bool split(const ConvexPolygon& polygon, const Vec3& on_plane, const Vec3& normal,
+bool split(const ConvexPolygon& polygon, const Vec3& on_plane, const Vec3& normal, double thickness,
            ConvexPolygon& above, ConvexPolygon& below) {
-  const Heights heights(polygon.points(), on_plane, normal, 0);
+  const Heights heights(polygon.points(), on_plane, normal, thickness);
   above.clear();
   below.clear();
   if (!heights.any_above || !heights.any_below) {

@@ -65,8 +65,8 @@ ConvexPolygon clip_to_half_space(std::span<const Vec3> polygon, const Vec3& on_p
 bool keep_above(const Vec3& on_plane, const Vec3& normal, ConvexPolygon& polygon);
 
 /// Both parts of a polygon, and whether the plane goes through it. If not, all of it is `above`, or
-/// `below` if nothing of it is above.
-bool split(const ConvexPolygon& polygon, const Vec3& on_plane, const Vec3& normal,
+/// `below` if nothing of it is above. Vertices within `thickness` (m) of the plane lie on it.
+bool split(const ConvexPolygon& polygon, const Vec3& on_plane, const Vec3& normal, double thickness,
            ConvexPolygon& above, ConvexPolygon& below);
 
 }  // namespace radiosity

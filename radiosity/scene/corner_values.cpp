@@ -41,7 +41,7 @@ Eigen::Matrix2d pseudo_inverse(const Eigen::Matrix2d& matrix) {
 
 /// Gradient of the values at patch i, 1/m, 3 x n_bands, in the plane of the patch: the weighted
 /// least-squares fit to the differences from the patches that share a corner group with it.
-Eigen::MatrixXd gradient(const PatchMesh& mesh, const CornerGroups& groups,
+Eigen::MatrixXd gradient(const PatchMesh& mesh, const SmoothCorners& groups,
                          const Eigen::MatrixXd& patch_values, const std::vector<bool>& is_dark,
                          Index i) {
   const Eigen::Matrix<double, 3, 2> basis = tangents(mesh.normal[i]);
@@ -71,7 +71,7 @@ double corner_angle(const PatchMesh& mesh, Index patch, int k) {
 }
 
 /// The common value of corners of one group, from the extrapolations in their slots' rows.
-Eigen::RowVectorXd joined_value(const PatchMesh& mesh, const CornerGroups& groups,
+Eigen::RowVectorXd joined_value(const PatchMesh& mesh, const SmoothCorners& groups,
                                 const Eigen::MatrixXd& patch_values,
                                 const Eigen::MatrixXd& extrapolated, Index group,
                                 std::span<const std::int64_t> slots) {
@@ -97,7 +97,7 @@ Eigen::RowVectorXd joined_value(const PatchMesh& mesh, const CornerGroups& group
 
 /// Gives T-vertices the values of the edges that they lie on. The ends of these may be T-vertices
 /// themselves, in the worst case in a circle (pinwheel), hence the repetition.
-void resolve_t_vertices(const CornerGroups& groups, const std::vector<bool>& is_dark,
+void resolve_t_vertices(const SmoothCorners& groups, const std::vector<bool>& is_dark,
                         Eigen::MatrixXd& values) {
   constexpr int kMaxPasses = 50;
   bool has_changed = !groups.t_vertices.empty();

@@ -2,8 +2,8 @@
 
 #include <Eigen/Core>
 
-#include "radiosity/scene/corner_groups.h"
 #include "radiosity/scene/patch_mesh.h"
+#include "radiosity/scene/smooth_corners.h"
 
 namespace radiosity {
 
@@ -31,14 +31,14 @@ class CornerInterpolation {
  public:
   /// Refers to `mesh`, which must outlive it.
   explicit CornerInterpolation(const PatchMesh& mesh, double crease_angle = 0.35)
-      : mesh_(mesh), groups_(make_corner_groups(mesh, crease_angle)) {}
+      : mesh_(mesh), groups_(make_smooth_corners(mesh, crease_angle)) {}
 
   /// As `corner_values` returns them.
   [[nodiscard]] Eigen::MatrixXd values(const Eigen::MatrixXd& patch_values) const;
 
  private:
   const PatchMesh& mesh_;
-  CornerGroups groups_;
+  SmoothCorners groups_;
 };
 
 }  // namespace radiosity

@@ -39,7 +39,7 @@ Solution solve_coarser(const AggregatedTransport& coarser, const Solution& solut
 }
 
 /// Patches alone in their group.
-std::vector<Index> find_lone(const PatchGroups& groups) {
+std::vector<Index> find_lone(const NeighborGroups& groups) {
   std::vector<std::int32_t> size(groups.n_groups, 0);
   for (const std::int32_t g : groups.group_of) ++size[g];
   std::vector<Index> lone;
@@ -92,8 +92,8 @@ DiscretisationError discretisation_error(const PatchMesh& mesh, const Transport&
     if (progress.report) progress.report("patch size", done, 3, "solves");
   };
   report(0);
-  const PatchGroups groups = make_patch_groups(mesh);
-  const PatchGroups coarser_groups = make_coarser_groups(mesh, groups);
+  const NeighborGroups groups = make_neighbor_groups(mesh);
+  const NeighborGroups coarser_groups = make_coarser_groups(mesh, groups);
   const AggregatedTransport coarser(transport, groups);
   const AggregatedTransport coarsest(transport, coarser_groups);
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "radiosity/operator/compressed_product.h"
+#include "radiosity/operator/column_basis.h"
 
 namespace radiosity {
 namespace {
@@ -96,7 +96,7 @@ Eigen::MatrixXd IrradianceSystem::reflect(const Eigen::MatrixXd& u,
   for (Index a = 0; a < reflected.cols(); ++a) {
     reflected.col(a) = rho(columns[a]).cwiseProduct(u.col(columns[a]));
   }
-  return tolerance.size() > 0 ? compressed_product(*transport, std::move(reflected), tolerance)
+  return tolerance.size() > 0 ? apply_by_basis(*transport, std::move(reflected), tolerance)
                               : transport->apply(reflected);
 }
 
@@ -146,7 +146,7 @@ IrradianceSystem make_irradiance_system(const Transport& transport, const Eigen:
   if (n_start > 0) fields.rightCols(n_start) = system.passed_on(monitor.start());
   // Reflectances and sources of few materials, however many bands: known to rounding all the same.
   const Eigen::MatrixXd gathered =
-      compressed_product(transport, fields, kRounding * energy_norms(transport, fields));
+      apply_by_basis(transport, fields, kRounding * energy_norms(transport, fields));
   monitor.spend(1);
   monitor.check();
 
@@ -173,8 +173,8 @@ IrradianceSystem with_exitance(const IrradianceSystem& system, Eigen::MatrixXd e
   result.transport = system.transport;
   result.exitance = std::move(exitance);
   result.reflectance = system.reflectance;
-  result.direct = compressed_product(*system.transport, result.exitance,
-                                     tolerance * energy_norms(*system.transport, result.exitance));
+  result.direct = apply_by_basis(*system.transport, result.exitance,
+                                 tolerance * energy_norms(*system.transport, result.exitance));
   result.row_sums = system.row_sums;
   result.seen_reflectance = system.seen_reflectance;
   result.largest_reflectance = system.largest_reflectance;

@@ -43,7 +43,7 @@ GreyFields grey_fields(const Eigen::VectorXd& area, const Solution& solution) {
 }
 
 /// Σ_i A_i w_i² (ρ_i Σ_{j in J} F_ij d_j)² of each group J, d the radiosity less its group's mean.
-Eigen::VectorXd received_wrongly(const Transport& transport, const PatchGroups& groups,
+Eigen::VectorXd received_wrongly(const Transport& transport, const NeighborGroups& groups,
                                  const GreyFields& grey, const Eigen::VectorXd& deviation,
                                  const Progress& progress) {
   constexpr Index kBlock = 64;  // rows summed together, so that the order of sums is fixed
@@ -70,7 +70,7 @@ Eigen::VectorXd received_wrongly(const Transport& transport, const PatchGroups& 
 RefinementIndicator refinement_indicator(const PatchMesh& mesh, const Transport& transport,
                                          const Solution& solution, const Progress& progress) {
   RefinementIndicator result;
-  result.groups = make_patch_groups(mesh);
+  result.groups = make_neighbor_groups(mesh);
   const Eigen::VectorXd& area = transport.area();
   const GreyFields grey = grey_fields(area, solution);
   const AggregatedTransport aggregated(transport, result.groups);

@@ -6,7 +6,7 @@
 #include "radiosity/base/geometry.h"
 #include "radiosity/base/progress.h"
 #include "radiosity/operator/transport.h"
-#include "radiosity/scene/patch_groups.h"
+#include "radiosity/scene/neighbor_groups.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/solve/solution.h"
 
@@ -15,7 +15,7 @@ namespace radiosity {
 /// What it would cost to know less about the radiosity: the error that merging a group of patches
 /// into one would cause, as the square of its share in the relative error of the whole.
 struct RefinementIndicator {
-  PatchGroups groups;
+  NeighborGroups groups;
   Eigen::VectorXd squared_error;  ///< per group
 };
 

@@ -8,8 +8,8 @@
 #include <string>
 
 #include "radiosity/solve/conjugate_gradients.h"
-#include "radiosity/solve/gathering.h"
 #include "radiosity/solve/irradiance_system.h"
+#include "radiosity/solve/jacobi.h"
 #include "radiosity/solve/relaxation.h"
 #include "radiosity/solve/solution_error.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "radiosity/base/parallel.h"
-#include "radiosity/scene/patch_groups.h"
+#include "radiosity/scene/neighbor_groups.h"
 #include "radiosity/solve/solution_error.h"
 
 namespace radiosity {
@@ -113,7 +113,7 @@ struct Received {
 
 /// D_j with a random sign in each of `kLightProbes` times k columns, which the patches of a group
 /// share.
-Eigen::MatrixXd with_random_signs(const PatchGroups& groups, const Eigen::MatrixXd& light) {
+Eigen::MatrixXd with_random_signs(const NeighborGroups& groups, const Eigen::MatrixXd& light) {
   std::mt19937_64 random(kLightSeed);
   std::vector<std::uint64_t> bits(groups.n_groups);
   for (std::uint64_t& word : bits) word = random();
@@ -133,7 +133,8 @@ Received receive(const PatchMesh& mesh, const Transport& transport, const Places
   const Index k = solution.radiosity.cols();
   const Index n_bands = solution.reflectance.cols();
   const Eigen::MatrixXd squared_light = variation.light.cwiseAbs2();
-  const Eigen::MatrixXd signed_light = with_random_signs(make_patch_groups(mesh), variation.light);
+  const Eigen::MatrixXd signed_light =
+      with_random_signs(make_neighbor_groups(mesh), variation.light);
   Received received{Eigen::MatrixXd(n, k), Eigen::MatrixXd(n, k * kLightProbes)};
   for_rows(transport, places, progress, [&](const Rows& rows) {
     const Index size = rows.factors.cols();

@@ -83,7 +83,7 @@ void StoredClosure::advance(Part& part, Index row_strip, Index column_strip,
   for (std::size_t k = 0; k < part.entries.size(); ++k) {
     if (part.is_fixed[k]) continue;
     RecordedEntry& entry = part.entries[k];
-    // As in ExchangeTiles, the zeros of a tile without anything else stay what they are.
+    // As in ExchangeMatrix, the zeros of a tile without anything else stay what they are.
     const double change = row_factors[entry.row] + column_factors[entry.column];
     part.is_fixed[k] = part.is_zero || !change_entry(entry.value, entry.error, change);
   }

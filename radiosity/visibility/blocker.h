@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "radiosity/base/geometry.h"
-#include "radiosity/visibility/shaft.h"
+#include "radiosity/visibility/half_space.h"
 
 namespace radiosity {
 

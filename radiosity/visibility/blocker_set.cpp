@@ -1,7 +1,9 @@
 #include "radiosity/visibility/blocker_set.h"
 
 #include <algorithm>
+#include <utility>
 
+#include "radiosity/base/median_split.h"
 #include "radiosity/scene/surface_pieces.h"
 #include "radiosity/visibility/body_finder.h"
 #include "radiosity/visibility/occluders.h"
@@ -122,14 +124,10 @@ class BlockerSetBuilder {
     }
     int axis = 0;
     centers.sizes().maxCoeff(&axis);
-    std::sort(nodes.begin(), nodes.end(), [&](std::int32_t a, std::int32_t b) {
-      const double x = result_.nodes[a].box.center()[axis];
-      const double y = result_.nodes[b].box.center()[axis];
-      return x != y ? x < y : a < b;
-    });
-    const std::size_t half = nodes.size() / 2;
-    const std::int32_t left = join(nodes.first(half));
-    const std::int32_t right = join(nodes.subspan(half));
+    const auto halves = split_at_median(
+        nodes, [&](std::int32_t k) { return std::pair(result_.nodes[k].box.center()[axis], k); });
+    const std::int32_t left = join(halves[0]);
+    const std::int32_t right = join(halves[1]);
     result_.nodes.push_back({box, -1, left, right});
     return static_cast<std::int32_t>(result_.nodes.size()) - 1;
   }

@@ -261,13 +261,15 @@ class CoverFinder {
   void subtract(const ConvexPolygon& polygon, const Cover& cover,
                 std::vector<ConvexPolygon>& parts) const {
     ConvexPolygon rest = polygon;
+    ConvexPolygon inside;
+    ConvexPolygon outside;
     const std::size_t first = parts.size();
     for (std::size_t k = 0; k < cover.outline.size(); ++k) {
       const Vec3& a = cover.outline[k];
       const Vec3& b = cover.outline[k + 1 < cover.outline.size() ? k + 1 : 0];
       const Vec3 inwards = cover.normal.cross(b - a).normalized();
-      const ConvexPolygon outside = clip_to_half_space(rest.points(), a, -inwards, thickness_);
-      rest = clip_to_half_space(rest.points(), a, inwards, thickness_);
+      split(rest, a, inwards, thickness_, inside, outside);
+      rest = inside;
       if (rest.size() < 3) {  // nothing is covered
         parts.resize(first);
         parts.push_back(polygon);

@@ -5,12 +5,14 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <utility>
 
 #include "radiosity/base/disjoint_sets.h"
+#include "radiosity/base/median_split.h"
 #include "radiosity/polygon/convex_hull.h"
 #include "radiosity/polygon/flat_overlap.h"
 #include "radiosity/visibility/blocker.h"
-#include "radiosity/visibility/shaft.h"
+#include "radiosity/visibility/half_space.h"
 
 namespace radiosity {
 namespace {
@@ -251,8 +253,8 @@ class Merger {
 
   /// Two halves along the longer of two directions in the plane.
   template <typename T, typename Place>
-  static std::pair<std::vector<T>, std::vector<T>> halved(const std::vector<T>& members,
-                                                          const Vec3& normal, const Place& place) {
+  static std::array<std::vector<T>, 2> halved(const std::vector<T>& members, const Vec3& normal,
+                                              const Place& place) {
     const Vec3 u = normal.unitOrthogonal();
     const Vec3 v = normal.cross(u);
     Eigen::AlignedBox2d box;
@@ -263,14 +265,14 @@ class Merger {
       box.extend(places.back().first);
     }
     const int axis = box.sizes().x() >= box.sizes().y() ? 0 : 1;
-    std::sort(places.begin(), places.end(), [&](const auto& a, const auto& b) {
-      return a.first[axis] != b.first[axis] ? a.first[axis] < b.first[axis] : a.second < b.second;
+    const auto halves = split_at_median(std::span(places), [axis](const auto& member) {
+      return std::pair(member.first[axis], member.second);
     });
-    std::pair<std::vector<T>, std::vector<T>> halves;
-    for (std::size_t k = 0; k < places.size(); ++k) {
-      (2 * k < places.size() - 1 ? halves.first : halves.second).push_back(places[k].second);
+    std::array<std::vector<T>, 2> result;
+    for (std::size_t k = 0; k < 2; ++k) {
+      for (const auto& [point, member] : halves[k]) result[k].push_back(member);
     }
-    return halves;
+    return result;
   }
 
   const PatchMesh& mesh_;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <span>
 
-#include "radiosity/visibility/shaft.h"
+#include "radiosity/visibility/half_space.h"
 
 namespace radiosity {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "radiosity/base/geometry.h"
 #include "radiosity/scene/patch_mesh.h"
-#include "radiosity/visibility/shaft.h"
+#include "radiosity/visibility/half_space.h"
 
 namespace radiosity {
 

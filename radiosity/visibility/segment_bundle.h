@@ -6,7 +6,8 @@
 
 #include "radiosity/base/geometry.h"
 #include "radiosity/visibility/blocker.h"
-#include "radiosity/visibility/shaft.h"
+#include "radiosity/visibility/blocking.h"
+#include "radiosity/visibility/half_space.h"
 
 namespace radiosity {
 

@@ -4,18 +4,9 @@
 #include <vector>
 
 #include "radiosity/base/geometry.h"
+#include "radiosity/visibility/half_space.h"
 
 namespace radiosity {
-
-/// The oriented plane normal · x = offset; outside is normal · x > offset.
-struct HalfSpace {
-  Vec3 normal;
-  double offset;
-};
-
-/// What an occluder can do to the segments between two sets of points. Only `none` and `all` are
-/// proofs; `some` may also stand for "not found out".
-enum class Blocking { none, some, all };
 
 /// The convex hull of two boxes, as half-spaces that all segments between them stay in. (Haines &
 /// Wallace 1991)

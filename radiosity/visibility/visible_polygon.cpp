@@ -88,7 +88,7 @@ void cut(const ConvexPolygon& part, const Shadow& shadow, const Vec3& point,
       return;
     }
     const Border limit = border(shadow, k, point);
-    if (split(rest, limit.on_plane, limit.inwards, inside, outside)) {
+    if (split(rest, limit.on_plane, limit.inwards, 0, inside, outside)) {
       add_part(outside, parts);
       rest = inside;
     } else if (inside.empty()) {  // the shadow misses the part

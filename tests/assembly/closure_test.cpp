@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "radiosity/assembly/exchange_tiles.h"
+#include "radiosity/assembly/exchange_matrix.h"
 
 namespace radiosity {
 namespace {
@@ -35,9 +35,9 @@ struct Noisy {
   }
 
   /// In tiles of 16 rows.
-  [[nodiscard]] ExchangeTiles tiles() const {
+  [[nodiscard]] ExchangeMatrix tiles() const {
     const Strips strips({0, 16, 32, kRows});
-    ExchangeTiles result(strips);
+    ExchangeMatrix result(strips);
     for (Index column = 0; column < strips.size(); ++column) {
       for (Index row = 0; row <= column; ++row) {
         ExchangeTile tile;
@@ -66,7 +66,7 @@ struct Noisy {
   Eigen::VectorXd areas;
 };
 
-Eigen::MatrixXd matrix(const ExchangeTiles& tiles) {
+Eigen::MatrixXd matrix(const ExchangeMatrix& tiles) {
   Eigen::MatrixXd result(kRows, kRows);
   for (Index i = 0; i < kRows; ++i) result.row(i) = tiles.row(i);
   return result;
@@ -75,7 +75,7 @@ Eigen::MatrixXd matrix(const ExchangeTiles& tiles) {
 TEST(Closure, RowsSumToTheirAreasAndCertainEntriesStay) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     const Noisy noisy(seed);
-    ExchangeTiles tiles = noisy.tiles();
+    ExchangeMatrix tiles = noisy.tiles();
     const Eigen::VectorXd sums = tiles.row_sums();
     ASSERT_GT((sums - noisy.areas).cwiseAbs().maxCoeff(), 1e-4);
     const ClosedRows rows =
@@ -105,7 +105,7 @@ TEST(Closure, WhatIsNotClosedStaysAsItIs) {
   const Noisy noisy(1);
   const Eigen::VectorXd larger = 1.1 * noisy.areas;
   for (const Closed asked : {Closed::automatic, Closed::no}) {
-    ExchangeTiles tiles = noisy.tiles();
+    ExchangeMatrix tiles = noisy.tiles();
     const Eigen::VectorXd sums = tiles.row_sums();
     const ClosedRows rows = close_rows(tiles, sums, larger, asked, kClosureTolerance);
     EXPECT_FALSE(rows.is_closed);
@@ -119,7 +119,7 @@ TEST(Closure, AHoleIsCountedAndNotMended) {
   const Noisy noisy(2);
   Eigen::VectorXd areas = noisy.areas;
   areas[7] *= 1.2;  // a fifth of what leaves it is lost
-  ExchangeTiles tiles = noisy.tiles();
+  ExchangeMatrix tiles = noisy.tiles();
   const Eigen::VectorXd sums = tiles.row_sums();
   EXPECT_FALSE(is_closed_within_errors(tiles, sums, areas, kClosureTolerance));
   const ClosedRows rows = close_rows(tiles, sums, areas, Closed::yes, kClosureTolerance);

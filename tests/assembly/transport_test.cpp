@@ -5,12 +5,14 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <stop_token>
 
 #include "radiosity/assembly/dense_memory.h"
 #include "radiosity/base/machine_memory.h"
 #include "radiosity/base/parallel.h"
+#include "radiosity/operator/surface_factors.h"
 #include "radiosity/polygon/exchange_area.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/visibility/visibility.h"
@@ -266,6 +268,19 @@ TEST(Transport, SinglePrecisionStorageKeepsRowSums) {
   EXPECT_LE(static_cast<double>(transport->bytes()), 2.4 * n * n);
   EXPECT_LE(static_cast<double>(transport->bytes()),
             static_cast<double>(dense_transport_bytes(mesh.size())));
+}
+
+TEST(SurfaceFactors, FlatAndConvexSurfacesSeeNothingOfThemselves) {
+  PatchMesh mesh = box_in_box(10, 2);  // more patches than are kept in double precision
+  const std::int32_t first_of_box = 6;
+  for (std::int32_t& surface : mesh.surface) surface = std::min(surface, first_of_box);
+  const Visibility visibility(mesh);
+  const auto transport = make_transport(mesh, visibility);
+  const Eigen::MatrixXd factors = surface_form_factors(mesh, *transport);
+  for (Index s = 0; s <= first_of_box; ++s) EXPECT_EQ(factors(s, s), 0) << s;
+  // The walls together see each other.
+  for (std::int32_t& surface : mesh.surface) surface = surface < first_of_box ? 0 : first_of_box;
+  EXPECT_GT(surface_form_factors(mesh, *transport)(0, 0), 0.5);
 }
 
 TEST(Transport, StopsWhenAskedTo) {

@@ -29,13 +29,13 @@ struct Room {
   ExchangeEvaluator evaluator;
 };
 
-using Entries = std::map<std::pair<Index, Index>, PairFactor>;
+using Entries = std::map<std::pair<Index, Index>, ExchangeArea>;
 
 Entries entries_between(const ExchangeEvaluator& evaluator, std::int32_t a, std::int32_t b,
                         const Between& between) {
   Entries entries;
   auto worker = evaluator.worker();
-  evaluator.visit_block(a, b, between, worker, [&](Index row, Index column, const PairFactor& f) {
+  evaluator.visit_block(a, b, between, worker, [&](Index row, Index column, const ExchangeArea& f) {
     const bool is_new = entries.emplace(std::pair(row, column), f).second;
     EXPECT_TRUE(is_new) << row << ", " << column;
   });
@@ -55,16 +55,15 @@ TEST(ExchangeEvaluator, ABlockHasTheEntriesOfItsPairs) {
       for (Index column = row + 1; column < evaluator.size(); ++column) {
         const std::int32_t i = evaluator.tree().order[row];
         const std::int32_t j = evaluator.tree().order[column];
-        const PairFactor alone = evaluator.entry(i, j, evaluator.between(i, j), worker);
-        const PairFactor swapped = evaluator.entry(j, i, evaluator.between(j, i), worker);
-        EXPECT_EQ(alone.exchange_area, swapped.exchange_area);
+        const ExchangeArea alone = evaluator.entry(i, j, evaluator.between(i, j), worker);
+        const ExchangeArea swapped = evaluator.entry(j, i, evaluator.between(j, i), worker);
+        EXPECT_EQ(alone.value, swapped.value);
         EXPECT_EQ(alone.error, swapped.error);
         const auto found = entries.find({row, column});
-        const PairFactor inherited = found == entries.end() ? PairFactor{} : found->second;
+        const ExchangeArea inherited = found == entries.end() ? ExchangeArea{} : found->second;
         // What is proved with few candidates may take rays with many.
         const double sigma = 6 * (alone.error + inherited.error);
-        EXPECT_NEAR(inherited.exchange_area, alone.exchange_area,
-                    sigma + 1e-9 * alone.exchange_area + 1e-15)
+        EXPECT_NEAR(inherited.value, alone.value, sigma + 1e-9 * alone.value + 1e-15)
             << "seed " << seed << ", " << i << ", " << j;
         ++(inherited.is_certain ? n_certain : n_uncertain);
       }
@@ -79,7 +78,7 @@ TEST(ExchangeEvaluator, CountsWhatBecameOfEachPair) {
   auto worker = room.evaluator.worker();
   std::int64_t n_entries = 0;
   room.evaluator.visit_block(0, 0, room.evaluator.everything(), worker,
-                             [&](Index, Index, const PairFactor&) { ++n_entries; });
+                             [&](Index, Index, const ExchangeArea&) { ++n_entries; });
   const Census& census = worker.census;
   EXPECT_EQ(census.facing, census.visible + census.hidden + census.undecided);
   EXPECT_LE(census.partial, census.undecided);
@@ -127,7 +126,7 @@ TEST(BlockWalk, VisitsEachPairOnceHoweverLargeTheBlocks) {
     for (const auto& [place, entry] : whole) {
       const auto found = collector.entries().find(place);
       ASSERT_NE(found, collector.entries().end());
-      EXPECT_EQ(found->second.exchange_area, entry.exchange_area);
+      EXPECT_EQ(found->second.value, entry.value);
       EXPECT_EQ(found->second.error, entry.error);
     }
   }

@@ -6,29 +6,17 @@
 
 #include <random>
 
+#include "tests/support/scene_random.h"
+#include "tests/support/shapes.h"
+
 namespace {
 
 using namespace radiosity;
 
 constexpr std::uint64_t kHullSeed = 83;
 
-class Random {
- public:
-  double uniform(double low, double high) {
-    return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1p-53;
-  }
-  Vec3 vector(double low, double high) {
-    const double x = uniform(low, high);
-    const double y = uniform(low, high);
-    return {x, y, uniform(low, high)};
-  }
-
- private:
-  std::mt19937_64 engine_{kHullSeed};
-};
-
 /// A parallelogram or, half as often, a triangle.
-ConvexPolygon random_polygon(Random& random) {
+ConvexPolygon random_polygon(test::Random& random) {
   const Vec3 corner = random.vector(-1, 1);
   const Vec3 u = random.vector(-1, 1);
   const Vec3 v = random.vector(-1, 1);
@@ -37,29 +25,20 @@ ConvexPolygon random_polygon(Random& random) {
   return ConvexPolygon(corners);
 }
 
-Vec3 random_point(const ConvexPolygon& polygon, Random& random) {
-  Vec3 sum = Vec3::Zero();
-  double weights = 0;
-  for (const Vec3& corner : polygon) {
-    const double weight = random.uniform(0, 1);
-    sum += weight * corner;
-    weights += weight;
-  }
-  return sum / weights;
-}
-
 // A box about a point of a segment is in the way: no plane may prove otherwise, wherever the
 // polygons lie and how far they reach past each other.
 TEST(PairHull, NeverMissesWhatASegmentMeets) {
   SCOPED_TRACE(testing::Message() << "seed " << kHullSeed);
-  Random random;
+  test::Random random(kHullSeed);
+  std::mt19937_64 points(kHullSeed);
   for (int pair = 0; pair < 300; ++pair) {
     const ConvexPolygon source = random_polygon(random);
     const ConvexPolygon target = random_polygon(random);
     const PairHull hull(source, target, 0);
     for (int segment = 0; segment < 100; ++segment) {
-      const Vec3 from = random_point(source, random);
-      const Vec3 point = from + random.uniform(0, 1) * (random_point(target, random) - from);
+      const Vec3 from = test::random_point(source.points(), points);
+      const Vec3 to = test::random_point(target.points(), points);
+      const Vec3 point = from + random.uniform() * (to - from);
       const Box3 box(point - random.vector(1e-9, 0.3), point + random.vector(1e-9, 0.3));
       ASSERT_FALSE(hull.misses(box)) << "pair " << pair;
     }

@@ -28,10 +28,10 @@ Solution solve_box_in_box(const PatchMesh& mesh, const Transport& transport) {
   return solve(transport, emitted, Eigen::MatrixXd::Constant(mesh.size(), 1, 0.6));
 }
 
-TEST(PatchGroups, AreSquaresOfFourInAGrid) {
+TEST(NeighborGroups, AreSquaresOfFourInAGrid) {
   PatchMesh mesh;
   test::add_grid(mesh, Vec3::Zero(), Vec3(1, 0, 0), Vec3(0, 1, 0), 8, 8);
-  const PatchGroups groups = make_patch_groups(mesh);
+  const NeighborGroups groups = make_neighbor_groups(mesh);
   EXPECT_EQ(groups.n_groups, 16);
   for (Index i = 0; i < mesh.size(); ++i) {
     for (Index j = 0; j < mesh.size(); ++j) {
@@ -42,10 +42,10 @@ TEST(PatchGroups, AreSquaresOfFourInAGrid) {
   EXPECT_EQ(make_coarser_groups(mesh, groups).n_groups, 4);
 }
 
-TEST(PatchGroups, JoinNeitherSurfacesNorFaces) {
+TEST(NeighborGroups, JoinNeitherSurfacesNorFaces) {
   PatchMesh mesh = box_in_box(3, 3);
   for (Index i = 0; i < mesh.size(); ++i) mesh.surface[i] = mesh.surface[i] < 6 ? 0 : 1;
-  const PatchGroups groups = make_patch_groups(mesh);
+  const NeighborGroups groups = make_neighbor_groups(mesh);
   for (Index i = 0; i < mesh.size(); ++i) {
     for (Index j = 0; j < mesh.size(); ++j) {
       if (groups.group_of[i] != groups.group_of[j]) continue;
@@ -60,7 +60,7 @@ TEST(AggregatedTransport, MeansStayWithinTheirValues) {
   PatchMesh mesh = box_in_box(7, 7);
   const Visibility visibility(mesh);
   const auto transport = make_transport(mesh, visibility, {.tolerance = 0.1});
-  const AggregatedTransport aggregated(*transport, make_patch_groups(mesh));
+  const AggregatedTransport aggregated(*transport, make_neighbor_groups(mesh));
   for (const double value : {1.0, 0.1, 1.0 / 3, -0.7}) {
     const Eigen::MatrixXd means =
         aggregated.means(Eigen::MatrixXd::Constant(mesh.size(), 2, value));
@@ -69,7 +69,7 @@ TEST(AggregatedTransport, MeansStayWithinTheirValues) {
 }
 
 /// Exchange areas of the groups, m², by hand.
-Eigen::MatrixXd summed_exchange(const Transport& transport, const PatchGroups& groups) {
+Eigen::MatrixXd summed_exchange(const Transport& transport, const NeighborGroups& groups) {
   Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(groups.n_groups, groups.n_groups);
   for (Index i = 0; i < transport.size(); ++i) {
     const Eigen::VectorXd row = transport.area()[i] * rows_of(transport).row(i);
@@ -82,7 +82,7 @@ TEST(AggregatedTransport, SumsExchangeAreas) {
   const PatchMesh mesh = box_in_box(4, 4);
   const Visibility visibility(mesh);
   const auto transport = make_transport(mesh, visibility, {.tolerance = 1e-2});
-  const PatchGroups groups = make_patch_groups(mesh);
+  const NeighborGroups groups = make_neighbor_groups(mesh);
   const AggregatedTransport aggregated(*transport, groups);
   const Eigen::MatrixXd factors =
       aggregated.area().cwiseInverse().asDiagonal() * summed_exchange(*transport, groups);
@@ -111,7 +111,7 @@ TEST(AggregatedTransport, IsThatOfLargerPatches) {
   const Visibility fine_visibility(fine_mesh);
   const auto fine =
       make_transport(fine_mesh, fine_visibility, {.tolerance = kTolerance, .closed = Closed::no});
-  const PatchGroups groups = make_patch_groups(fine_mesh);
+  const NeighborGroups groups = make_neighbor_groups(fine_mesh);
   const Eigen::MatrixXd sums = summed_exchange(*fine, groups);
   const PatchMesh mesh = box_in_box(2, 2);
   const Visibility visibility(mesh);

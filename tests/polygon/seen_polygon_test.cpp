@@ -128,7 +128,7 @@ TEST(FractionSampler, IsRightForPatchesThatTouch) {
   constexpr int kSeeds = 40;
   int within_two = 0;
   for (int seed = 0; seed < kSeeds; ++seed) {
-    const VisibleFraction fraction = sample_visible_fraction(
+    const PairEstimate fraction = sample_visible_fraction(
         visibility, pair, {2e-3, 1 << 16}, static_cast<std::uint64_t>(seed), Sampling::directions);
     EXPECT_NEAR(fraction.value, expected, 5 * fraction.error);
     EXPECT_LE(fraction.error, 2e-3);

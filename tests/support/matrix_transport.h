@@ -27,7 +27,7 @@ class DenseTestTransport final : public Transport, public FactorRows {
   }
   [[nodiscard]] const AssemblyReport& report() const override { return report_; }
   [[nodiscard]] const FactorRows* rows() const override { return this; }
-  [[nodiscard]] PairFactor pair(Index i, Index j) const override {
+  [[nodiscard]] ExchangeArea pair(Index i, Index j) const override {
     return {exchange_(i, j), sigma_(i, j), sigma_(i, j) == 0};
   }
 

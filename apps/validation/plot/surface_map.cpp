@@ -13,10 +13,8 @@
 namespace apps::validation {
 namespace {
 
-constexpr double kMapWidth = 480;
 constexpr double kGap = 12;
 constexpr double kLabel = 16;
-constexpr double kMapFont = 12;
 constexpr int kPanelsAcross = 3;
 constexpr double kLegendHeight = 62;
 constexpr const char* kLeftOut = "#555";
@@ -88,7 +86,7 @@ void draw_legend(std::string& svg, const SurfaceMap& map, double top) {
 std::string svg(const SurfaceMap& map) {
   double widest = 0;
   for (const MapPanel& panel : map.panels) widest = std::max(widest, bounds(panel).sizes().x());
-  const double column = (kMapWidth - (kPanelsAcross + 1) * kGap) / kPanelsAcross;
+  const double column = (kSvgWidth - (kPanelsAcross + 1) * kGap) / kPanelsAcross;
   const double scale = widest > 0 ? column / widest : 1;
   std::string panels;
   double top = 0;
@@ -96,8 +94,8 @@ std::string svg(const SurfaceMap& map) {
   double row_height = 0;
   for (const MapPanel& panel : map.panels) {
     const Eigen::Vector2d size = scale * bounds(panel).sizes();
-    const double width = std::max(size.x(), text_width(panel.label, kMapFont));
-    if (left + width > kMapWidth) {
+    const double width = std::max(size.x(), text_width(panel.label));
+    if (left + width > kSvgWidth) {
       top += row_height + kGap;
       left = kGap;
       row_height = 0;
@@ -108,11 +106,7 @@ std::string svg(const SurfaceMap& map) {
   }
   top += row_height + kGap;
   draw_legend(panels, map, top);
-  return fmt::format(
-      R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {} {:.0f}" role="img" )"
-      R"(font-family="Helvetica,Arial,sans-serif" font-size="{}" fill="#222">)"
-      "<title>{}</title>{}</svg>",
-      kMapWidth, top + kLegendHeight, kMapFont, escaped(map.title), panels);
+  return svg_picture(map.title, top + kLegendHeight, panels);
 }
 
 }  // namespace apps::validation

@@ -14,13 +14,11 @@
 namespace apps::validation {
 namespace {
 
-constexpr double kPlotWidth = 480;
 constexpr double kPlotHeight = 250;  // of the framed area
 constexpr double kLeft = 66;
 constexpr double kRight = 16;
 constexpr double kBottom = 46;
 constexpr double kTop = 8;
-constexpr double kPlotFont = 12;
 constexpr double kLegendRow = 18;
 constexpr double kMarker = 3.2;
 
@@ -88,8 +86,8 @@ Legend layout_legend(const std::vector<Series>& series) {
   double x = kLeft;
   for (std::size_t s = 0; s < series.size(); ++s) {
     if (series[s].label.empty()) continue;
-    const double width = 28 + text_width(series[s].label, kPlotFont) + 14;
-    if (legend.n_rows == 0 || x + width > kPlotWidth) {
+    const double width = 28 + text_width(series[s].label) + 14;
+    if (legend.n_rows == 0 || x + width > kSvgWidth) {
       ++legend.n_rows;
       x = kLeft;
     }
@@ -122,7 +120,7 @@ struct Frame {
   double top = 0;
 
   [[nodiscard]] double left_of(double value) const {
-    return kLeft + (kPlotWidth - kLeft - kRight) * x.position(value);
+    return kLeft + (kSvgWidth - kLeft - kRight) * x.position(value);
   }
   [[nodiscard]] double top_of(double value) const {
     return top + kPlotHeight * (1 - y.position(value));
@@ -145,7 +143,7 @@ Frame make_frame(const Plot& plot, double top) {
 
 void draw_axes(Canvas& canvas, const Frame& frame, const Plot& plot) {
   const double bottom = frame.top + kPlotHeight;
-  const double right = kPlotWidth - kRight;
+  const double right = kSvgWidth - kRight;
   for (const double tick : frame.x.ticks) {
     const double x = frame.left_of(tick);
     canvas.add(R"(<path d="M{0:.1f} {1:.1f}V{2:.1f}" stroke="#e2e2e2"/>)", x, frame.top, bottom);
@@ -172,7 +170,7 @@ void draw_bars(Canvas& canvas, const Frame& frame, const Series& series, std::si
   const double half = 0.47 * (series.x[1] - series.x[0]);
   for (std::size_t k = 0; k < series.x.size(); ++k) {
     const double left = std::max(frame.left_of(series.x[k] - half), kLeft);
-    const double right = std::min(frame.left_of(series.x[k] + half), kPlotWidth - kRight);
+    const double right = std::min(frame.left_of(series.x[k] + half), kSvgWidth - kRight);
     canvas.add(R"(<rect x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}" fill="{}" )"
                R"(fill-opacity="0.55"/>)",
                left, frame.top_of(series.y[k]), right - left,
@@ -209,16 +207,12 @@ std::string svg(const Plot& plot) {
   const double top = kTop + kLegendRow * legend.n_rows + (legend.n_rows > 0 ? 4 : 0);
   const Frame frame = make_frame(plot, top);
   Canvas canvas;
-  canvas.add(R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {} {}" role="img" )"
-             R"(font-family="Helvetica,Arial,sans-serif" font-size="{}" fill="#222">)",
-             kPlotWidth, top + kPlotHeight + kBottom, kPlotFont);
-  canvas.add("<title>{}</title>", escaped(plot.title));
   draw_axes(canvas, frame, plot);
   for (std::size_t s = 0; s < plot.series.size(); ++s) {
     draw_series(canvas, frame, plot.series[s], s);
   }
   draw_legend(canvas, legend, plot.series);
-  return canvas.svg + "</svg>";
+  return svg_picture(plot.title, top + kPlotHeight + kBottom, canvas.svg);
 }
 
 }  // namespace apps::validation

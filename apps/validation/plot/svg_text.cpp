@@ -1,5 +1,7 @@
 #include "apps/validation/plot/svg_text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace apps::validation {
@@ -27,13 +29,21 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
-double text_width(std::string_view text, double font_size) {
+double text_width(std::string_view text) {
   constexpr double kMeanAdvance = 0.54;  // of Helvetica, Arial, Liberation Sans, relative to size
   // Bytes 10xxxxxx continue a character of UTF-8.
   const auto n = std::count_if(text.begin(), text.end(), [](char c) {
     return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
   });
-  return kMeanAdvance * font_size * static_cast<double>(n);
+  return kMeanAdvance * kSvgFont * static_cast<double>(n);
+}
+
+std::string svg_picture(std::string_view title, double height, std::string_view content) {
+  return fmt::format(
+      R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {} {:.0f}" role="img" )"
+      R"(font-family="Helvetica,Arial,sans-serif" font-size="{}" fill="#222">)"
+      "<title>{}</title>{}</svg>",
+      kSvgWidth, height, kSvgFont, escaped(title), content);
 }
 
 }  // namespace apps::validation

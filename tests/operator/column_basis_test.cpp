@@ -1,4 +1,4 @@
-#include "radiosity/operator/compressed_product.h"
+#include "radiosity/operator/column_basis.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ using test::DenseTestTransport;
 using test::random_closed;
 using test::random_matrix;
 
-TEST(CompressedProduct, KeepsItsTolerances) {
+TEST(ColumnBasis, KeepsItsTolerances) {
   std::mt19937_64 random(11);
   const DenseTestTransport transport = random_closed(60, random);
   // Forty columns near a space of five, each a little off it and of its own size.
@@ -27,7 +27,7 @@ TEST(CompressedProduct, KeepsItsTolerances) {
   for (const double relative : {1e-14, 1e-9, 1e-4, 0.3}) {
     const Eigen::VectorXd tolerance = relative * energy_norms(transport, x);
     const long before = transport.n_columns();
-    const Eigen::MatrixXd product = compressed_product(transport, x, tolerance);
+    const Eigen::MatrixXd product = apply_by_basis(transport, x, tolerance);
     const long used = transport.n_columns() - before;
     const Eigen::VectorXd errors = energy_norms(transport, product - exact);
     for (Index c = 0; c < x.cols(); ++c) {
@@ -40,13 +40,13 @@ TEST(CompressedProduct, KeepsItsTolerances) {
   }
 }
 
-TEST(CompressedProduct, TakesZerosAndFewColumns) {
+TEST(ColumnBasis, TakesZerosAndFewColumns) {
   std::mt19937_64 random(12);
   const DenseTestTransport transport = random_closed(20, random);
   const Eigen::MatrixXd zeros = Eigen::MatrixXd::Zero(20, 12);
-  EXPECT_TRUE(compressed_product(transport, zeros, Eigen::VectorXd::Zero(12)).isZero(0));
+  EXPECT_TRUE(apply_by_basis(transport, zeros, Eigen::VectorXd::Zero(12)).isZero(0));
   const Eigen::MatrixXd few = random_matrix(20, 3, 0, 1, random);
-  EXPECT_EQ(compressed_product(transport, few, Eigen::VectorXd::Ones(3)), transport.apply(few));
+  EXPECT_EQ(apply_by_basis(transport, few, Eigen::VectorXd::Ones(3)), transport.apply(few));
 }
 
 /// Seventy bands of three materials, solved at once and one by one.

@@ -1,4 +1,4 @@
-#include "radiosity/assembly/exchange_tiles.h"
+#include "radiosity/assembly/exchange_matrix.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,13 +23,13 @@ double variance(const UncertainEntry& entry) {
 
 }  // namespace
 
-ExchangeTiles::ExchangeTiles(const Strips& strips)
+ExchangeMatrix::ExchangeMatrix(const Strips& strips)
     : strips_(strips),
       tiles_(strips.n_tiles()),
       diagonal_(Eigen::VectorXd::Zero(size())),
       is_double_(size() <= kDoubleRows) {}
 
-void ExchangeTiles::set(ExchangeTile tile) {
+void ExchangeMatrix::set(ExchangeTile tile) {
   Tile& place = tiles_[Strips::tile(tile.row_strip, tile.column_strip)];
   place.uncertain = std::move(tile.uncertain);
   place.uncertain.shrink_to_fit();
@@ -37,7 +37,7 @@ void ExchangeTiles::set(ExchangeTile tile) {
   if (!tile.values.isZero(0)) store(place, tile.values);
 }
 
-void ExchangeTiles::store(Tile& tile, const Eigen::MatrixXd& values) const {
+void ExchangeMatrix::store(Tile& tile, const Eigen::MatrixXd& values) const {
   if (is_double_) {
     if (!tile.twice) tile.twice = std::make_unique<double[]>(values.size());
     std::copy(values.data(), values.data() + values.size(), tile.twice.get());
@@ -51,7 +51,7 @@ void ExchangeTiles::store(Tile& tile, const Eigen::MatrixXd& values) const {
 /// Calls change(tile, k, i, j, place) for the k-th uncertain entry of each tile, at (i, j) of the
 /// matrix and that place of the tile.
 template <typename Change>
-void ExchangeTiles::change_uncertain(const Change& change) {
+void ExchangeMatrix::change_uncertain(const Change& change) {
   parallel_for(strips_.size(), [&](Index column_strip) {
     for (Index row_strip = 0; row_strip <= column_strip; ++row_strip) {
       Tile& tile = tiles_[Strips::tile(row_strip, column_strip)];
@@ -65,14 +65,14 @@ void ExchangeTiles::change_uncertain(const Change& change) {
   });
 }
 
-void ExchangeTiles::freeze(const Eigen::VectorXd& mask) {
+void ExchangeMatrix::freeze(const Eigen::VectorXd& mask) {
   for (Tile& tile : tiles_) tile.is_fixed.assign(tile.uncertain.size(), false);
   change_uncertain([&](Tile& tile, std::size_t k, Index i, Index j, Index) {
     tile.is_fixed[k] = mask[i] == 0 || mask[j] == 0;
   });
 }
 
-void ExchangeTiles::adjust(const Eigen::VectorXd& factors) {
+void ExchangeMatrix::adjust(const Eigen::VectorXd& factors) {
   change_uncertain([&](Tile& tile, std::size_t k, Index i, Index j, Index place) {
     if (!tile.may_change(k)) return;
     tile.is_fixed.resize(tile.uncertain.size());
@@ -87,7 +87,7 @@ void ExchangeTiles::adjust(const Eigen::VectorXd& factors) {
   });
 }
 
-void ExchangeTiles::set_row_sums(const Eigen::VectorXd& sums) {
+void ExchangeMatrix::set_row_sums(const Eigen::VectorXd& sums) {
   for (Tile& tile : tiles_) tile.is_fixed = {};
   if (is_double_) return;  // nothing was rounded
   diagonal_.setZero();
@@ -95,7 +95,7 @@ void ExchangeTiles::set_row_sums(const Eigen::VectorXd& sums) {
 }
 
 template <typename Block>
-Eigen::MatrixXd ExchangeTiles::product_by(const Eigen::MatrixXd& x) const {
+Eigen::MatrixXd ExchangeMatrix::product_by(const Eigen::MatrixXd& x) const {
   constexpr Index kColumns = Block::ColsAtCompileTime;
   const auto add_tile = [this](Index row_strip, Index column_strip, const Block& block,
                                Block& sum) {
@@ -118,7 +118,7 @@ Eigen::MatrixXd ExchangeTiles::product_by(const Eigen::MatrixXd& x) const {
   return sum_over_tiles<Block>(strips_, x, add_tile);
 }
 
-Eigen::MatrixXd ExchangeTiles::product(const Eigen::MatrixXd& x) const {
+Eigen::MatrixXd ExchangeMatrix::product(const Eigen::MatrixXd& x) const {
   Eigen::MatrixXd result = x.cols() <= kFewProductColumns
                                ? product_by<RowsOf<kFewProductColumns>>(x)
                                : product_by<RowBlock>(x);
@@ -128,7 +128,7 @@ Eigen::MatrixXd ExchangeTiles::product(const Eigen::MatrixXd& x) const {
 
 /// Σ_j term(tile, k) x_j over the uncertain entries.
 template <typename Term>
-Eigen::MatrixXd ExchangeTiles::sum_entries(const Eigen::MatrixXd& x, const Term& term) const {
+Eigen::MatrixXd ExchangeMatrix::sum_entries(const Eigen::MatrixXd& x, const Term& term) const {
   const auto add_tile = [&](Index row_strip, Index column_strip, const RowBlock& block,
                             RowBlock& sum) {
     const Tile& tile = tiles_[Strips::tile(row_strip, column_strip)];
@@ -144,12 +144,12 @@ Eigen::MatrixXd ExchangeTiles::sum_entries(const Eigen::MatrixXd& x, const Term&
   return sum_over_tiles<RowBlock>(strips_, x, add_tile);
 }
 
-Eigen::MatrixXd ExchangeTiles::error_product(const Eigen::MatrixXd& x) const {
+Eigen::MatrixXd ExchangeMatrix::error_product(const Eigen::MatrixXd& x) const {
   return sum_entries(x,
                      [](const Tile& tile, std::size_t k) { return variance(tile.uncertain[k]); });
 }
 
-Eigen::VectorXd ExchangeTiles::weighted_sums(const Eigen::VectorXd& x) const {
+Eigen::VectorXd ExchangeMatrix::weighted_sums(const Eigen::VectorXd& x) const {
   return sum_entries(x,
                      [](const Tile& tile, std::size_t k) {
                        return tile.may_change(k) ? variance(tile.uncertain[k]) : 0;
@@ -157,11 +157,11 @@ Eigen::VectorXd ExchangeTiles::weighted_sums(const Eigen::VectorXd& x) const {
       .col(0);
 }
 
-Eigen::VectorXd ExchangeTiles::row_variances() const {
+Eigen::VectorXd ExchangeMatrix::row_variances() const {
   return error_product(Eigen::VectorXd::Ones(size())).col(0);
 }
 
-Eigen::VectorXd ExchangeTiles::row_errors() const {
+Eigen::VectorXd ExchangeMatrix::row_errors() const {
   return sum_entries(Eigen::VectorXd::Ones(size()),
                      [](const Tile& tile, std::size_t k) {
                        return static_cast<double>(tile.uncertain[k].error);
@@ -169,11 +169,11 @@ Eigen::VectorXd ExchangeTiles::row_errors() const {
       .col(0);
 }
 
-Eigen::VectorXd ExchangeTiles::row_sums() const {
+Eigen::VectorXd ExchangeMatrix::row_sums() const {
   return product(Eigen::VectorXd::Ones(size())).col(0);
 }
 
-Eigen::VectorXd ExchangeTiles::row(Index i) const {
+Eigen::VectorXd ExchangeMatrix::row(Index i) const {
   Eigen::VectorXd result(size());
   const Index strip = strips_.of_row(i);
   const Index local = i - strips_.begin(strip);
@@ -190,7 +190,7 @@ Eigen::VectorXd ExchangeTiles::row(Index i) const {
   return result;
 }
 
-PairFactor ExchangeTiles::entry(Index i, Index j) const {
+ExchangeArea ExchangeMatrix::entry(Index i, Index j) const {
   Index row_strip = strips_.of_row(i);
   Index column_strip = strips_.of_row(j);
   if (row_strip > column_strip) {
@@ -201,9 +201,9 @@ PairFactor ExchangeTiles::entry(Index i, Index j) const {
   const Index row = i - strips_.begin(row_strip);
   const Index column = j - strips_.begin(column_strip);
   const Index place = row + column * strips_.rows(row_strip);
-  PairFactor result;
-  if (tile.single) result.exchange_area = tile.single[place];
-  if (tile.twice) result.exchange_area = tile.twice[place];
+  ExchangeArea result;
+  if (tile.single) result.value = tile.single[place];
+  if (tile.twice) result.value = tile.twice[place];
   const UncertainEntry wanted{static_cast<std::uint16_t>(row), static_cast<std::uint16_t>(column),
                               0};
   const auto found =
@@ -215,7 +215,7 @@ PairFactor ExchangeTiles::entry(Index i, Index j) const {
   return result;
 }
 
-Eigen::VectorXd ExchangeTiles::row_error(Index i) const {
+Eigen::VectorXd ExchangeMatrix::row_error(Index i) const {
   Eigen::VectorXd result = Eigen::VectorXd::Zero(size());
   const Index strip = strips_.of_row(i);
   const Index local = i - strips_.begin(strip);
@@ -230,7 +230,7 @@ Eigen::VectorXd ExchangeTiles::row_error(Index i) const {
   return result;
 }
 
-std::size_t ExchangeTiles::bytes() const {
+std::size_t ExchangeMatrix::bytes() const {
   std::size_t sum = tiles_.size() * sizeof(Tile) + diagonal_.size() * sizeof(double);
   for (Index column_strip = 0; column_strip < strips_.size(); ++column_strip) {
     for (Index row_strip = 0; row_strip <= column_strip; ++row_strip) {

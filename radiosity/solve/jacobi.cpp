@@ -1,4 +1,4 @@
-#include "radiosity/solve/gathering.h"
+#include "radiosity/solve/jacobi.h"
 
 #include <algorithm>
 

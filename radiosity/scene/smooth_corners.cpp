@@ -1,4 +1,4 @@
-#include "radiosity/scene/corner_groups.h"
+#include "radiosity/scene/smooth_corners.h"
 
 #include <algorithm>
 #include <array>
@@ -88,8 +88,8 @@ bool closes_ring(const PatchMesh& mesh, const std::vector<std::int32_t>& point,
 }
 
 /// Fills in everything but the T-vertices.
-CornerGroups join_corners(const PatchMesh& mesh, const std::vector<std::int32_t>& point,
-                          double min_cosine) {
+SmoothCorners join_corners(const PatchMesh& mesh, const std::vector<std::int32_t>& point,
+                           double min_cosine) {
   struct Corner {
     std::int32_t point;
     std::int32_t surface;
@@ -104,7 +104,7 @@ CornerGroups join_corners(const PatchMesh& mesh, const std::vector<std::int32_t>
   }
   std::sort(corners.begin(), corners.end());
 
-  CornerGroups groups;
+  SmoothCorners groups;
   groups.group_of.assign(4 * mesh.size(), -1);
   groups.first_slot = {0};
   std::vector<std::int64_t> run;
@@ -134,7 +134,7 @@ struct OpenEdge {
 };
 
 /// The edges that only one patch has, longest first.
-std::vector<OpenEdge> open_edges(const PatchMesh& mesh, const CornerGroups& groups) {
+std::vector<OpenEdge> open_edges(const PatchMesh& mesh, const SmoothCorners& groups) {
   struct Side {
     std::int32_t low;   // the groups at its ends: two patches that are smooth across an edge
     std::int32_t high;  // share both
@@ -168,7 +168,7 @@ std::vector<OpenEdge> open_edges(const PatchMesh& mesh, const CornerGroups& grou
 /// Finds groups near a position, by a grid of cubic cells.
 class GroupGrid {
  public:
-  GroupGrid(const PatchMesh& mesh, const CornerGroups& groups, std::span<const OpenEdge> edges,
+  GroupGrid(const PatchMesh& mesh, const SmoothCorners& groups, std::span<const OpenEdge> edges,
             double cell)
       : cell_(cell) {
     std::vector<std::uint8_t> is_in(groups.size(), 0);
@@ -216,7 +216,7 @@ class GroupGrid {
 
 /// Fraction of the way along an edge at which a group lies, if it lies inside it and its surface
 /// goes on smoothly into the edge's patch.
-std::optional<double> position_on_edge(const PatchMesh& mesh, const CornerGroups& groups,
+std::optional<double> position_on_edge(const PatchMesh& mesh, const SmoothCorners& groups,
                                        std::int32_t group, const OpenEdge& edge,
                                        double min_cosine) {
   const std::int64_t patch = edge.from / 4;
@@ -234,7 +234,7 @@ std::optional<double> position_on_edge(const PatchMesh& mesh, const CornerGroups
   return is_smooth ? std::optional(t) : std::nullopt;
 }
 
-std::vector<TVertex> find_t_vertices(const PatchMesh& mesh, const CornerGroups& groups,
+std::vector<TVertex> find_t_vertices(const PatchMesh& mesh, const SmoothCorners& groups,
                                      double min_cosine) {
   const std::vector<OpenEdge> edges = open_edges(mesh, groups);
   double total_length = 0;
@@ -270,10 +270,10 @@ std::vector<TVertex> find_t_vertices(const PatchMesh& mesh, const CornerGroups& 
 
 }  // namespace
 
-CornerGroups make_corner_groups(const PatchMesh& mesh, double crease_angle) {
+SmoothCorners make_smooth_corners(const PatchMesh& mesh, double crease_angle) {
   // Unit normals of one plane differ by rounding even where no crease is wanted at all.
   const double min_cosine = std::cos(crease_angle) - 1e-12;
-  CornerGroups groups = join_corners(mesh, weld(mesh.vertices), min_cosine);
+  SmoothCorners groups = join_corners(mesh, weld(mesh.vertices), min_cosine);
   groups.t_vertices = find_t_vertices(mesh, groups, min_cosine);
   return groups;
 }

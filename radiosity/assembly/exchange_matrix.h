@@ -16,9 +16,9 @@ namespace radiosity {
 /// are in an order that makes tiles of neighbouring patches; blocks that are wholly 0 are not kept.
 /// Entries are float64 up to a few hundred patches, else float32 (relative rounding 6e-8); a
 /// float64 diagonal then keeps the row sums exact.
-class ExchangeTiles final : public UncertainExchange {
+class ExchangeMatrix final : public UncertainExchange {
  public:
-  explicit ExchangeTiles(const Strips& strips);
+  explicit ExchangeMatrix(const Strips& strips);
 
   [[nodiscard]] Index size() const override { return strips_.n_rows(); }
 
@@ -44,7 +44,7 @@ class ExchangeTiles final : public UncertainExchange {
   /// Row i of G as stored, without what keeps the row sums exact, n.
   [[nodiscard]] Eigen::VectorXd row(Index i) const;
   /// Entry (i, j) as stored.
-  [[nodiscard]] PairFactor entry(Index i, Index j) const;
+  [[nodiscard]] ExchangeArea entry(Index i, Index j) const;
   /// Row i of the standard errors, n.
   [[nodiscard]] Eigen::VectorXd row_error(Index i) const;
   [[nodiscard]] std::size_t bytes() const;

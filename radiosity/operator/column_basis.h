@@ -10,8 +10,8 @@ namespace radiosity {
 /// spectrum: column c is off by at most `tolerance`[c] in the energy norm. The columns are written
 /// as combinations of an orthonormal basis (Gram-Schmidt with pivoting), to which F is applied.
 /// Below eight columns it is the plain product.
-Eigen::MatrixXd compressed_product(const Transport& transport, Eigen::MatrixXd x,
-                                   const Eigen::VectorXd& tolerance);
+Eigen::MatrixXd apply_by_basis(const Transport& transport, Eigen::MatrixXd x,
+                               const Eigen::VectorXd& tolerance);
 
 /// Energy norms sqrt(Σ A x²) of the columns of x, k.
 Eigen::VectorXd energy_norms(const Transport& transport, const Eigen::MatrixXd& x);

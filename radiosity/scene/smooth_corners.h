@@ -20,7 +20,7 @@ struct TVertex {
 
 /// Which corners of patches form one smooth point. Slot 4 i + k is corner k of patch i; the fourth
 /// slot of a triangle belongs to no group.
-struct CornerGroups {
+struct SmoothCorners {
   std::vector<std::int32_t> group_of;     ///< per slot: its group, or -1
   std::vector<std::int64_t> slots;        ///< the slots of all groups, concatenated
   std::vector<std::int64_t> first_slot;   ///< n_groups + 1 offsets into `slots`
@@ -37,6 +37,6 @@ struct CornerGroups {
 
 /// Joins the corners that have the same position and surface and whose patches' normals differ by
 /// at most `crease_angle` (radian), directly or through others of the same point.
-CornerGroups make_corner_groups(const PatchMesh& mesh, double crease_angle);
+SmoothCorners make_smooth_corners(const PatchMesh& mesh, double crease_angle);
 
 }  // namespace radiosity

@@ -36,9 +36,9 @@ struct GatherPoint {
 /// patches that are not proved visible or hidden are looked at anew from each half. What is left
 /// for a few points is clipped exactly. Keeps its memory from call to call; not to be shared by
 /// threads.
-class GroupGather {
+class PointGather {
  public:
-  explicit GroupGather(const GatherScene& scene) : scene_(scene) {}
+  explicit PointGather(const GatherScene& scene) : scene_(scene) {}
 
   /// Adds the irradiance of the points, which are reordered, to their columns, n_bands rows.
   void gather(const HalfSpace& plane, std::span<GatherPoint> points, Eigen::MatrixXd& irradiance);
@@ -75,8 +75,8 @@ class GroupGather {
   void add_patch(std::int32_t patch, const Candidates& candidates, const Source& source);
   /// Adds what the points see of a level's targets, and divides them where that is not proved.
   void resolve(const Source& source, std::size_t depth);
-  /// Sorts the points along their rectangle; returns how many are in the first half.
-  static std::size_t halve(const Source& source);
+  /// The halves of the points along their rectangle.
+  static std::array<std::span<GatherPoint>, 2> halved(const Source& source);
   /// Finds the blockers that are not proved away, and for few points their shadows.
   Blocking find_open(const ConvexPolygon& target, std::span<const std::int32_t> blockers,
                      const Source& source);

@@ -1,10 +1,12 @@
-#include "radiosity/picture/source_groups.h"
+#include "radiosity/picture/shooting_sources.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <span>
+
+#include "radiosity/base/median_split.h"
 
 namespace radiosity {
 namespace {
@@ -14,42 +16,37 @@ using Set = std::span<std::int32_t>;
 /// Surface, brightness, and the plane to a millionth of the scene's size.
 using PlaneKey = std::array<std::int64_t, 6>;
 
-class Grouper {
+class SourceDivider {
  public:
-  explicit Grouper(const PatchMesh& mesh) : mesh_(mesh) {}
+  explicit SourceDivider(const PatchMesh& mesh) : mesh_(mesh) {}
 
   void divide(Set set, Index largest) {
     if (static_cast<Index>(set.size()) > largest) {
-      const std::size_t middle = halve(set);
-      divide(set.first(middle), largest);
-      divide(set.subspan(middle), largest);
+      for (const Set half : halved(set)) divide(half, largest);
       return;
     }
     const auto root = static_cast<std::int32_t>(result_.nodes.size());
     add_nodes(set);
-    SourceGroups::Group group{root, {set.begin(), set.end()}, {}};
+    ShootingSources::Group group{root, {set.begin(), set.end()}, {}};
     spread(root, group.points);
     result_.groups.push_back(std::move(group));
   }
 
-  SourceGroups take() { return std::move(result_); }
+  ShootingSources take() { return std::move(result_); }
 
  private:
-  /// Sorts the patches along the longest side of their box; returns how many are in the first half.
-  [[nodiscard]] std::size_t halve(Set set) const {
+  /// The halves along the longest side of the patches' box.
+  [[nodiscard]] std::array<Set, 2> halved(Set set) const {
     Box3 box;
     for (const std::int32_t i : set) box.extend(mesh_.centroid[i]);
     int axis = 0;
     box.sizes().maxCoeff(&axis);
-    std::stable_sort(set.begin(), set.end(), [&](std::int32_t a, std::int32_t b) {
-      return mesh_.centroid[a][axis] < mesh_.centroid[b][axis];
-    });
-    return set.size() / 2;
+    return split_at_median(set, [&](std::int32_t i) { return mesh_.centroid[i][axis]; });
   }
 
   void add_nodes(Set set) {
     const std::size_t self = result_.nodes.size();
-    SourceGroups::Node node;
+    ShootingSources::Node node;
     node.center = Vec3::Zero();
     for (const std::int32_t i : set) {
       node.area += mesh_.area[i];
@@ -64,16 +61,14 @@ class Grouper {
     if (set.size() == 1) node.patch = set.front();
     result_.nodes.push_back(node);
     if (set.size() > 1) {
-      const std::size_t middle = halve(set);
-      add_nodes(set.first(middle));
-      add_nodes(set.subspan(middle));
+      for (const Set half : halved(set)) add_nodes(half);
     }
     result_.nodes[self].end = static_cast<std::int32_t>(result_.nodes.size());
   }
 
   /// So many points on patches of a node.
   void spread(std::int32_t index, std::span<Vec3> points) const {
-    const SourceGroups::Node& node = result_.nodes[index];
+    const ShootingSources::Node& node = result_.nodes[index];
     if (points.size() == 1) {
       points[0] = mesh_.centroid[central_patch(index)];
       return;
@@ -92,11 +87,11 @@ class Grouper {
 
   /// The patch of a node that is closest to its centre.
   [[nodiscard]] std::int32_t central_patch(std::int32_t index) const {
-    const SourceGroups::Node& node = result_.nodes[index];
+    const ShootingSources::Node& node = result_.nodes[index];
     std::int32_t best = index;
     double least = std::numeric_limits<double>::infinity();
     for (std::int32_t k = index; k < node.end; ++k) {
-      const SourceGroups::Node& part = result_.nodes[k];
+      const ShootingSources::Node& part = result_.nodes[k];
       if (part.patch < 0) continue;
       const double distance = (part.center - node.center).squaredNorm();
       if (distance < least) {
@@ -108,7 +103,7 @@ class Grouper {
   }
 
   const PatchMesh& mesh_;
-  SourceGroups result_;
+  ShootingSources result_;
 };
 
 }  // namespace
@@ -118,8 +113,8 @@ Vec3 inner_point(const PatchMesh& mesh, std::int32_t patch, int k) {
   return k < mesh.n_corners(patch) ? Vec3(0.5 * (centroid + mesh.corner(patch, k))) : centroid;
 }
 
-SourceGroups make_source_groups(const PatchMesh& mesh, const std::vector<bool>& is_bright,
-                                Index largest) {
+ShootingSources make_shooting_sources(const PatchMesh& mesh, const std::vector<bool>& is_bright,
+                                      Index largest) {
   constexpr double kSteps = 1e6;
   const Box3 box = bounds(mesh);
   const double scale = box.isEmpty() ? 1 : kSteps / box.diagonal().norm();
@@ -132,12 +127,12 @@ SourceGroups make_source_groups(const PatchMesh& mesh, const std::vector<bool>& 
             std::llround(scale * offset)}]
         .push_back(i);
   }
-  Grouper grouper(mesh);
+  SourceDivider divider(mesh);
   for (auto& [key, patches] : planes) {
     const bool is_light = key[1] != 0;
-    grouper.divide(patches, std::max<Index>(1, is_light ? largest / 4 : largest));
+    divider.divide(patches, std::max<Index>(1, is_light ? largest / 4 : largest));
   }
-  return grouper.take();
+  return divider.take();
 }
 
 }  // namespace radiosity

@@ -1,4 +1,4 @@
-#include "radiosity/operator/compressed_product.h"
+#include "radiosity/operator/column_basis.h"
 
 namespace radiosity {
 
@@ -6,8 +6,8 @@ Eigen::VectorXd energy_norms(const Transport& transport, const Eigen::MatrixXd& 
   return (x.cwiseAbs2().transpose() * transport.area()).cwiseSqrt();
 }
 
-Eigen::MatrixXd compressed_product(const Transport& transport, Eigen::MatrixXd x,
-                                   const Eigen::VectorXd& tolerance) {
+Eigen::MatrixXd apply_by_basis(const Transport& transport, Eigen::MatrixXd x,
+                               const Eigen::VectorXd& tolerance) {
   constexpr Index kFewColumns = 8;
   if (x.cols() < kFewColumns) return transport.apply(x);
 

@@ -1,8 +1,10 @@
-#include "radiosity/picture/gather_group.h"
+#include "radiosity/picture/point_gather.h"
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
+#include "radiosity/base/median_split.h"
 #include "radiosity/polygon/convex_hull.h"
 #include "radiosity/polygon/point_to_polygon.h"
 #include "radiosity/scene/patch_mesh.h"
@@ -38,7 +40,7 @@ GatherScene::GatherScene(const PatchMesh& mesh, const Eigen::MatrixXd& patch_rad
   for (Index i = 0; i < radiosity.cols(); ++i) is_dark.push_back(radiosity.col(i).isZero(0));
 }
 
-void GroupGather::gather(const HalfSpace& plane, std::span<GatherPoint> points,
+void PointGather::gather(const HalfSpace& plane, std::span<GatherPoint> points,
                          Eigen::MatrixXd& irradiance) {
   if (points.empty() || scene_.tree.clusters.empty()) return;
   plane_ = plane;
@@ -58,7 +60,7 @@ void GroupGather::gather(const HalfSpace& plane, std::span<GatherPoint> points,
   resolve(source, 0);
 }
 
-GroupGather::Source GroupGather::make_source(std::span<GatherPoint> points) const {
+PointGather::Source PointGather::make_source(std::span<GatherPoint> points) const {
   const Vec3 u = plane_.normal.unitOrthogonal();
   const Vec3 v = plane_.normal.cross(u);
   const double thickness = scene_.thickness;
@@ -96,7 +98,7 @@ GroupGather::Source GroupGather::make_source(std::span<GatherPoint> points) cons
   return source;
 }
 
-void GroupGather::walk(const Cluster& source_cluster, std::int32_t cluster,
+void PointGather::walk(const Cluster& source_cluster, std::int32_t cluster,
                        const Candidates& candidates, const Source& source) {
   const Cluster& there = scene_.tree.clusters[cluster];
   const double thickness = scene_.thickness;
@@ -112,16 +114,16 @@ void GroupGather::walk(const Cluster& source_cluster, std::int32_t cluster,
   for (Index k = there.begin; k < there.end; ++k) add_patch(scene_.tree.order[k], *kept, source);
 }
 
-const ConvexPolygon& GroupGather::polygon(const Target& target) const {
+const ConvexPolygon& PointGather::polygon(const Target& target) const {
   return target.clipped < 0 ? scene_.polygons[target.patch] : clipped_[target.clipped];
 }
 
-bool GroupGather::is_behind(const Vec3& point, std::int32_t patch) const {
+bool PointGather::is_behind(const Vec3& point, std::int32_t patch) const {
   const HalfSpace& plane = scene_.planes[patch];
   return plane.normal.dot(point) <= plane.offset + scene_.thickness;
 }
 
-void GroupGather::add_patch(std::int32_t patch, const Candidates& candidates,
+void PointGather::add_patch(std::int32_t patch, const Candidates& candidates,
                             const Source& source) {
   if (scene_.is_dark[patch]) return;
   const bool is_averted =
@@ -149,7 +151,7 @@ void GroupGather::add_patch(std::int32_t patch, const Candidates& candidates,
   level.targets.push_back(target);
 }
 
-void GroupGather::resolve(const Source& source, std::size_t depth) {
+void PointGather::resolve(const Source& source, std::size_t depth) {
   if (levels_.size() <= depth + 1) levels_.resize(depth + 2);
   const Level& level = levels_[depth];
   Level& next = levels_[depth + 1];
@@ -171,24 +173,18 @@ void GroupGather::resolve(const Source& source, std::size_t depth) {
   }
   interpolate(source);
   if (next.targets.empty()) return;
-  const std::size_t half = halve(source);
-  resolve(make_source(source.points.first(half)), depth + 1);
-  resolve(make_source(source.points.subspan(half)), depth + 1);
+  for (const auto half : halved(source)) resolve(make_source(half), depth + 1);
 }
 
-std::size_t GroupGather::halve(const Source& source) {
+std::array<std::span<GatherPoint>, 2> PointGather::halved(const Source& source) {
   const Rectangle& r = source.rectangle;
   const Vec3 axis = r.half_u.squaredNorm() >= r.half_v.squaredNorm() ? r.half_u : r.half_v;
-  std::sort(source.points.begin(), source.points.end(),
-            [&](const GatherPoint& a, const GatherPoint& b) {
-              const double x = axis.dot(a.position);
-              const double y = axis.dot(b.position);
-              return x != y ? x < y : a.column < b.column;
-            });
-  return source.points.size() / 2;
+  return split_at_median(source.points, [&](const GatherPoint& point) {
+    return std::pair(axis.dot(point.position), point.column);
+  });
 }
 
-Blocking GroupGather::find_open(const ConvexPolygon& target, std::span<const std::int32_t> blockers,
+Blocking PointGather::find_open(const ConvexPolygon& target, std::span<const std::int32_t> blockers,
                                 const Source& source) {
   const bool is_last = source.points.size() <= kFewPoints;
   const SegmentBundle bundle({source.outline, true}, {target.points(), true}, scene_.thickness);
@@ -212,13 +208,13 @@ Blocking GroupGather::find_open(const ConvexPolygon& target, std::span<const std
   return open_.empty() ? Blocking::none : Blocking::some;
 }
 
-Shadow& GroupGather::next_shadow() {
+Shadow& PointGather::next_shadow() {
   if (shadows_.size() <= n_shadows_) shadows_.resize(n_shadows_ + 1);
   shadows_[n_shadows_].clear();
   return shadows_[n_shadows_];
 }
 
-void GroupGather::add_partial(const Target& target, const Source& source) {
+void PointGather::add_partial(const Target& target, const Source& source) {
   const ConvexPolygon& part = polygon(target);
   const std::size_t n_common = n_shadows_;
   for (const GatherPoint& point : source.points) {
@@ -240,7 +236,7 @@ void GroupGather::add_partial(const Target& target, const Source& source) {
   }
 }
 
-void GroupGather::add_visible(const Target& target, const Source& source) {
+void PointGather::add_visible(const Target& target, const Source& source) {
   static const auto kLeastRatios = make_least_ratios();
   const ConvexPolygon& part = polygon(target);
   const Rectangle& r = source.rectangle;
@@ -275,7 +271,7 @@ void GroupGather::add_visible(const Target& target, const Source& source) {
   }
 }
 
-void GroupGather::interpolate(const Source& source) {
+void PointGather::interpolate(const Source& source) {
   for (Nodes& nodes : nodes_) {
     if (!nodes.interpolation) continue;
     for (const GatherPoint& point : source.points) {
@@ -288,7 +284,7 @@ void GroupGather::interpolate(const Source& source) {
   }
 }
 
-void GroupGather::add(std::int32_t patch, double factor, Index column) {
+void PointGather::add(std::int32_t patch, double factor, Index column) {
   irradiance_->col(column) += factor * scene_.radiosity.col(patch);
 }
 

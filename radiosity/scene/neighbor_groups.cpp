@@ -1,9 +1,11 @@
-#include "radiosity/scene/patch_groups.h"
+#include "radiosity/scene/neighbor_groups.h"
 
 #include <algorithm>
 #include <numeric>
 #include <span>
 #include <unordered_map>
+
+#include "radiosity/base/median_split.h"
 
 namespace radiosity {
 namespace {
@@ -21,13 +23,13 @@ struct Item {
 };
 
 /// Divides sets at the median until they are small and flat.
-class Grouper {
+class GroupDivider {
  public:
-  explicit Grouper(std::span<const Item> items) : items_(items) {
+  explicit GroupDivider(std::span<const Item> items) : items_(items) {
     groups_.group_of.resize(items.size());
   }
 
-  PatchGroups run() {
+  NeighborGroups run() {
     std::vector<std::int32_t> order(items_.size());
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(), [this](std::int32_t a, std::int32_t b) {
@@ -67,12 +69,9 @@ class Grouper {
     int axis = 0;
     if (is_flat) {
       box_of(set, place).sizes().maxCoeff(&axis);
-      const auto middle = static_cast<std::ptrdiff_t>(set.size() / 2);
-      std::stable_sort(set.begin(), set.end(), [&](std::int32_t a, std::int32_t b) {
-        return items_[a].place[axis] < items_[b].place[axis];
-      });
-      divide(set.first(middle));
-      divide(set.subspan(middle));
+      const auto halves =
+          split_at_median(set, [&](std::int32_t i) { return items_[i].place[axis]; });
+      for (const Set half : halves) divide(half);
       return;
     }
     // Faces of different directions part in the middle of their range, wherever most of them are.
@@ -85,11 +84,11 @@ class Grouper {
   }
 
   std::span<const Item> items_;
-  PatchGroups groups_;
+  NeighborGroups groups_;
 };
 
 /// One item per group of patches.
-std::vector<Item> group_items(const PatchMesh& mesh, const PatchGroups& groups) {
+std::vector<Item> group_items(const PatchMesh& mesh, const NeighborGroups& groups) {
   std::vector<Item> items(groups.n_groups, Item{Vec3::Zero(), Vec3::Zero(), 0});
   std::vector<double> areas(groups.n_groups, 0);
   for (Index i = 0; i < mesh.size(); ++i) {
@@ -108,7 +107,7 @@ std::vector<Item> group_items(const PatchMesh& mesh, const PatchGroups& groups) 
 
 }  // namespace
 
-PatchGroups make_patch_groups(const PatchMesh& mesh) {
+NeighborGroups make_neighbor_groups(const PatchMesh& mesh) {
   std::vector<Item> items;
   std::vector<Index> patches;
   for (Index i = 0; i < mesh.size(); ++i) {
@@ -116,7 +115,7 @@ PatchGroups make_patch_groups(const PatchMesh& mesh) {
     items.push_back({mesh.centroid[i], mesh.normal[i], mesh.surface[i]});
     patches.push_back(i);
   }
-  PatchGroups groups = Grouper(items).run();
+  NeighborGroups groups = GroupDivider(items).run();
   std::vector<std::int32_t> group_of(mesh.size());
   for (std::size_t k = 0; k < patches.size(); ++k) group_of[patches[k]] = groups.group_of[k];
   std::unordered_map<std::int32_t, std::int32_t> group_of_family;
@@ -131,9 +130,9 @@ PatchGroups make_patch_groups(const PatchMesh& mesh) {
   return groups;
 }
 
-PatchGroups make_coarser_groups(const PatchMesh& mesh, const PatchGroups& finer) {
+NeighborGroups make_coarser_groups(const PatchMesh& mesh, const NeighborGroups& finer) {
   const std::vector<Item> items = group_items(mesh, finer);
-  PatchGroups groups = Grouper(items).run();
+  NeighborGroups groups = GroupDivider(items).run();
   std::vector<std::int32_t> group_of(mesh.size());
   for (Index i = 0; i < mesh.size(); ++i) group_of[i] = groups.group_of[finer.group_of[i]];
   groups.group_of = std::move(group_of);

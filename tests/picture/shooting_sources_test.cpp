@@ -1,4 +1,4 @@
-#include "radiosity/picture/source_groups.h"
+#include "radiosity/picture/shooting_sources.h"
 
 #include <gtest/gtest.h>
 
@@ -29,12 +29,12 @@ std::vector<bool> bright_first(const PatchMesh& mesh) {
   return result;
 }
 
-TEST(SourceGroups, PartitionThePatches) {
+TEST(ShootingSources, PartitionThePatches) {
   const PatchMesh mesh = grouped_room();
   for (const Index largest : {1, 3, 20, 1000}) {
-    const SourceGroups sources = make_source_groups(mesh, bright_first(mesh), largest);
+    const ShootingSources sources = make_shooting_sources(mesh, bright_first(mesh), largest);
     std::vector<int> count(mesh.size(), 0);
-    for (const SourceGroups::Group& group : sources.groups) {
+    for (const ShootingSources::Group& group : sources.groups) {
       const std::int32_t first = group.patches.front();
       const Index limit = mesh.surface[first] == 0 ? std::max<Index>(1, largest / 4) : largest;
       EXPECT_LE(static_cast<Index>(group.patches.size()), limit);
@@ -50,11 +50,11 @@ TEST(SourceGroups, PartitionThePatches) {
   }
 }
 
-TEST(SourceGroups, NodesHoldTheirPatches) {
+TEST(ShootingSources, NodesHoldTheirPatches) {
   const PatchMesh mesh = grouped_room();
-  const SourceGroups sources = make_source_groups(mesh, bright_first(mesh), 20);
+  const ShootingSources sources = make_shooting_sources(mesh, bright_first(mesh), 20);
   for (std::size_t k = 0; k < sources.nodes.size(); ++k) {
-    const SourceGroups::Node& node = sources.nodes[k];
+    const ShootingSources::Node& node = sources.nodes[k];
     double area = 0;
     Vec3 moment = Vec3::Zero();
     for (auto part = static_cast<std::int32_t>(k); part < node.end; ++part) {
@@ -73,13 +73,13 @@ TEST(SourceGroups, NodesHoldTheirPatches) {
   }
 }
 
-TEST(SourceGroups, PointsLieApartInTheGroup) {
+TEST(ShootingSources, PointsLieApartInTheGroup) {
   const PatchMesh mesh = grouped_room();
-  const SourceGroups sources = make_source_groups(mesh, bright_first(mesh), 20);
-  for (const SourceGroups::Group& group : sources.groups) {
-    const SourceGroups::Node& node = sources.nodes[group.node];
+  const ShootingSources sources = make_shooting_sources(mesh, bright_first(mesh), 20);
+  for (const ShootingSources::Group& group : sources.groups) {
+    const ShootingSources::Node& node = sources.nodes[group.node];
     const Vec3& normal = mesh.normal[group.patches.front()];
-    for (int k = 0; k < SourceGroups::kPoints; ++k) {
+    for (int k = 0; k < ShootingSources::kPoints; ++k) {
       EXPECT_NEAR((group.points[k] - node.center).dot(normal), 0, kRounding);
       EXPECT_LT((group.points[k] - node.center).norm(), node.radius);
       for (int m = 0; m < k; ++m) EXPECT_GT((group.points[k] - group.points[m]).norm(), 0);

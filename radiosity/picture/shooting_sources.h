@@ -11,7 +11,7 @@ namespace radiosity {
 
 /// Patches that can send their light together: of one surface, in one plane, close together. Each
 /// group is halved again and again, so that receivers nearby can tell its parts apart.
-struct SourceGroups {
+struct ShootingSources {
   /// Points of a group that stand for it where visibility is tested.
   static constexpr int kPoints = 4;
 
@@ -40,7 +40,7 @@ Vec3 inner_point(const PatchMesh& mesh, std::int32_t patch, int k);
 
 /// Groups the patches, at most `largest` to a group and a quarter of that where `is_bright`, which
 /// has a value per patch. Deterministic.
-SourceGroups make_source_groups(const PatchMesh& mesh, const std::vector<bool>& is_bright,
-                                Index largest);
+ShootingSources make_shooting_sources(const PatchMesh& mesh, const std::vector<bool>& is_bright,
+                                      Index largest);
 
 }  // namespace radiosity
