@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "meshing/base/triangulate.h"
@@ -29,6 +30,74 @@ constexpr double kLeastWidth = 1e-5;
 /// Rounding of directions.
 constexpr double kCutRounding = 1e-9;
 
+Box3 box_of(const Segment& segment, double margin) {
+  Box3 box;
+  for (const Vec3& end : segment) box.extend(end);
+  return radiosity::grown(box, margin);
+}
+
+/// Finds the patches of polygons with lines.
+class PatchFinder {
+ public:
+  PatchFinder(const PatchMesh& mesh, std::span<const std::vector<Segment>> lines, double tolerance)
+      : mesh_(mesh), tree_(boxes(lines, tolerance)) {}
+
+  /// Patches of a polygon that meet a box or do once their corners have moved, in increasing order;
+  /// of two back to back the front.
+  [[nodiscard]] std::vector<std::int32_t> near(const Box3& box, std::int32_t polygon) const {
+    std::vector<std::int32_t> patches;
+    tree_.for_each_meeting(box, [&](std::int32_t k) {
+      if (mesh_.polygon[patch_[k]] == polygon) patches.push_back(patch_[k]);
+    });
+    std::sort(patches.begin(), patches.end());
+    return patches;
+  }
+
+ private:
+  std::vector<Box3> boxes(std::span<const std::vector<Segment>> lines, double tolerance) {
+    std::vector<Box3> boxes;
+    for (Index i = 0; i < mesh_.size(); ++i) {
+      if (mesh_.twin[i] >= 0 && mesh_.twin[i] < i) continue;
+      if (lines[mesh_.polygon[i]].empty()) continue;
+      const Box3 box = patch_box(mesh_, i);
+      boxes.push_back(radiosity::grown(box, tolerance + kLongestMove * box.diagonal().norm()));
+      patch_.push_back(static_cast<std::int32_t>(i));
+    }
+    return boxes;
+  }
+
+  const PatchMesh& mesh_;
+  std::vector<std::int32_t> patch_;  // what the boxes belong to
+  BoxTree tree_;
+};
+
+/// The patches that some line may cut or move a corner of, and those that share a corner with one:
+/// what is done to a corner or an edge concerns all that have it.
+std::vector<std::int32_t> patches_concerned(const PatchMesh& mesh, const PatchFinder& finder,
+                                            std::span<const std::vector<Segment>> lines,
+                                            double tolerance) {
+  std::vector<bool> has_corner(mesh.vertices.size(), false);
+  for (std::size_t p = 0; p < lines.size(); ++p) {
+    for (const Segment& segment : lines[p]) {
+      // Twice the tolerance: crossings of lines are off them by rounding.
+      const Box3 box = box_of(segment, 2 * tolerance);
+      for (const std::int32_t patch : finder.near(box, static_cast<std::int32_t>(p))) {
+        for (int k = 0; k < mesh.n_corners(patch); ++k) has_corner[mesh.corners[patch][k]] = true;
+      }
+    }
+  }
+  std::vector<std::int32_t> patches;
+  for (std::int32_t i = 0; i < mesh.size(); ++i) {
+    if (mesh.twin[i] >= 0 && mesh.twin[i] < i) continue;
+    const auto& corners = mesh.corners[i];
+    if (std::any_of(corners.begin(), corners.begin() + mesh.n_corners(i),
+                    [&](std::int32_t corner) { return has_corner[corner]; })) {
+      patches.push_back(i);
+    }
+  }
+  return patches;
+}
+
 class ContactCutter {
  public:
   ContactCutter(const PatchMesh& mesh, std::span<const std::vector<Segment>> lines, Index n_fixed,
@@ -36,20 +105,20 @@ class ContactCutter {
       : mesh_(mesh),
         lines_(lines),
         progress_(progress),
-        cells_(mesh, n_fixed),
-        tolerance_(radiosity::plane_thickness(mesh)) {}
+        tolerance_(radiosity::plane_thickness(mesh)),
+        finder_(mesh, lines, tolerance_),
+        cells_(mesh, n_fixed, patches_concerned(mesh, finder_, lines, tolerance_)) {}
 
   PatchMesh run();
 
  private:
-  void find_patches();
   void cut_polygon(std::int32_t polygon);
   void catch_point(const Vec3& point, std::int32_t polygon);
   void cut_cell(std::int32_t cell, const Segment& segment);
 
-  [[nodiscard]] std::vector<std::int32_t> patches_near(const Box3& box, std::int32_t polygon) const;
-
   [[nodiscard]] std::vector<Loop> patches_of(const Cell& cell) const;
+  [[nodiscard]] std::vector<Loop> with_quads(std::vector<Loop> parts, const Vec3& normal) const;
+  void append_patches(const Cell& cell, PatchMesh& result) const;
   void append(PatchMesh& result, const Loop& loop, std::int32_t patch) const;
 
   [[nodiscard]] const Vec3& at(std::int32_t vertex) const { return cells_.at(vertex); }
@@ -57,14 +126,12 @@ class ContactCutter {
   const PatchMesh& mesh_;
   std::span<const std::vector<Segment>> lines_;
   const radiosity::Progress& progress_;
-  PatchCells cells_;
-  std::optional<BoxTree> tree_;           // of patches that may be cut
-  std::vector<std::int32_t> tree_patch_;  // what its boxes belong to
   double tolerance_;
+  PatchFinder finder_;
+  PatchCells cells_;
 };
 
 PatchMesh ContactCutter::run() {
-  find_patches();
   for (std::size_t p = 0; p < lines_.size(); ++p) {
     if (lines_[p].empty()) continue;
     progress_.check();
@@ -77,41 +144,14 @@ PatchMesh ContactCutter::run() {
   result.precision = mesh_.precision;
   result.polygon_corners = mesh_.polygon_corners;
   result.first_polygon_corner = mesh_.first_polygon_corner;
-  for (Index i = 0; i < mesh_.size(); ++i) {
-    const auto patch = static_cast<std::int32_t>(i);
-    for (const std::int32_t cell : cells_.of_patch(patch)) {
-      for (const Loop& loop : patches_of(cells_[cell])) append(result, loop, patch);
-    }
+  result.reserve(mesh_.size());
+  for (std::int32_t i = 0; i < mesh_.size(); ++i) {
+    if (mesh_.twin[i] >= 0 && mesh_.twin[i] < i) continue;
+    const std::vector<std::int32_t>& cells = cells_.of_patch(i);
+    for (const std::int32_t cell : cells) append_patches(cells_[cell], result);
+    if (cells.empty()) append_patches(cells_.whole(i), result);
   }
   return result;
-}
-
-void ContactCutter::find_patches() {
-  std::vector<Box3> boxes;
-  for (Index i = 0; i < mesh_.size(); ++i) {
-    if (mesh_.twin[i] >= 0 && mesh_.twin[i] < i) continue;
-    if (lines_[mesh_.polygon[i]].empty()) continue;
-    const Box3 box = patch_box(mesh_, i);
-    // Corners may move.
-    boxes.push_back(radiosity::grown(box, tolerance_ + kLongestMove * box.diagonal().norm()));
-    tree_patch_.push_back(static_cast<std::int32_t>(i));
-  }
-  tree_.emplace(std::move(boxes));
-}
-
-std::vector<std::int32_t> ContactCutter::patches_near(const Box3& box, std::int32_t polygon) const {
-  std::vector<std::int32_t> patches;
-  tree_->for_each_meeting(box, [&](std::int32_t k) {
-    if (mesh_.polygon[tree_patch_[k]] == polygon) patches.push_back(tree_patch_[k]);
-  });
-  std::sort(patches.begin(), patches.end());
-  return patches;
-}
-
-Box3 box_of(const Segment& segment, double margin) {
-  Box3 box;
-  for (const Vec3& end : segment) box.extend(end);
-  return radiosity::grown(box, margin);
 }
 
 /// Where two segments in one plane cross, if they do.
@@ -151,9 +191,10 @@ void ContactCutter::cut_polygon(std::int32_t polygon) {
   for (int round = 0; round < kMostRounds && n_cells != cells_.size(); ++round) {
     n_cells = cells_.size();
     for (std::size_t k = 0; k < segments.size(); ++k) {
-      for (const std::int32_t patch : patches_near(boxes[k], polygon)) {
-        const std::vector<std::int32_t> cells = cells_.of_patch(patch);
-        for (const std::int32_t cell : cells) cut_cell(cell, segments[k]);
+      for (const std::int32_t patch : finder_.near(boxes[k], polygon)) {
+        // Nothing that a line cuts for more than twice the tolerance is outside of such a box.
+        cells_.for_each_near(patch, radiosity::grown(boxes[k], 4 * tolerance_),
+                             [&](std::int32_t cell) { cut_cell(cell, segments[k]); });
       }
     }
   }
@@ -163,7 +204,7 @@ void ContactCutter::cut_polygon(std::int32_t polygon) {
 void ContactCutter::catch_point(const Vec3& point, std::int32_t polygon) {
   std::int32_t nearest = -1;
   double distance = std::numeric_limits<double>::infinity();
-  for (const std::int32_t patch : patches_near(Box3(point, point), polygon)) {
+  for (const std::int32_t patch : finder_.near(Box3(point, point), polygon)) {
     for (const std::int32_t cell : cells_.of_patch(patch)) {
       for (const std::int32_t v : cells_[cell].loop) {
         const double d = (at(v) - point).norm();
@@ -261,37 +302,62 @@ std::vector<Loop> ContactCutter::patches_of(const Cell& cell) const {
     parts.push_back({loop[t[0]], loop[t[1]], loop[t[2]]});
   }
 
-  // Pairs of triangles that make good quads, best first.
-  while (true) {
-    double best = kQuadSine;
-    std::size_t first = 0;
-    std::size_t second = 0;
+  return with_quads(std::move(parts), normal);
+}
+
+/// Triangles, of which pairs that make good quads do so, best first.
+std::vector<Loop> ContactCutter::with_quads(std::vector<Loop> parts, const Vec3& normal) const {
+  struct Side {
+    std::int32_t from, to;
+    std::size_t part, corner;
+    bool operator<(const Side& other) const {
+      return std::tie(from, to, part, corner) <
+             std::tie(other.from, other.to, other.part, other.corner);
+    }
+  };
+  std::vector<Side> sides;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      sides.push_back({parts[i][k], parts[i][(k + 1) % 3], i, k});
+    }
+  }
+  std::sort(sides.begin(), sides.end());
+  struct Pair {
+    double worst;  // sine of a corner
+    std::size_t first, second;
     Loop quad;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-      for (std::size_t j = i + 1; j < parts.size(); ++j) {
-        if (parts[i].size() != 3 || parts[j].size() != 3) continue;
-        for (int k = 0; k < 3; ++k) {
-          for (int m = 0; m < 3; ++m) {
-            if (parts[i][k] != parts[j][(m + 1) % 3] || parts[i][(k + 1) % 3] != parts[j][m]) {
-              continue;
-            }
-            const Loop candidate = {parts[i][k], parts[j][(m + 2) % 3], parts[i][(k + 1) % 3],
-                                    parts[i][(k + 2) % 3]};
-            const std::vector<double> s = cells_.sines_in(candidate, normal);
-            const double worst = *std::min_element(s.begin(), s.end());
-            if (worst <= best) continue;
-            best = worst;
-            first = i;
-            second = j;
-            quad = candidate;
-          }
-        }
+  };
+  std::vector<Pair> pairs;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::int32_t from = parts[i][k];
+      const std::int32_t to = parts[i][(k + 1) % 3];
+      // Those that run back, of later triangles.
+      for (auto side = std::lower_bound(sides.begin(), sides.end(), Side{to, from, i + 1, 0});
+           side != sides.end() && side->from == to && side->to == from; ++side) {
+        Loop quad = {from, parts[side->part][(side->corner + 2) % 3], to, parts[i][(k + 2) % 3]};
+        const std::vector<double> sines = cells_.sines_in(quad, normal);
+        const double worst = *std::min_element(sines.begin(), sines.end());
+        if (worst > kQuadSine) pairs.push_back({worst, i, side->part, std::move(quad)});
       }
     }
-    if (quad.empty()) return parts;
-    parts[first] = std::move(quad);
-    parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(second));
   }
+  std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
+    return std::tie(b.worst, a.first, a.second) < std::tie(a.worst, b.first, b.second);
+  });
+  std::vector<bool> is_paired(parts.size(), false);
+  for (Pair& pair : pairs) {
+    if (is_paired[pair.first] || is_paired[pair.second]) continue;
+    is_paired[pair.first] = is_paired[pair.second] = true;
+    parts[pair.first] = std::move(pair.quad);
+    parts[pair.second].clear();
+  }
+  std::erase_if(parts, [](const Loop& part) { return part.empty(); });
+  return parts;
+}
+
+void ContactCutter::append_patches(const Cell& cell, PatchMesh& result) const {
+  for (const Loop& loop : patches_of(cell)) append(result, loop, cell.patch);
 }
 
 void ContactCutter::append(PatchMesh& result, const Loop& loop, std::int32_t patch) const {

@@ -31,7 +31,7 @@ constexpr int kSmoothingRounds = 4;
 class Delaunay {
  public:
   explicit Delaunay(std::span<const Vec2> points) {
-    for (const Vec2& p : points) mesh_.add_vertex({p.x(), p.y(), 0});
+    for (const Vec2& p : points) add_point(p);
   }
 
   void add_triangle(std::int32_t a, std::int32_t b, std::int32_t c) {
@@ -57,7 +57,8 @@ class Delaunay {
 
   [[nodiscard]] PlanarMesh result() const {
     PlanarMesh out;
-    for (const VertexHandle v : mesh_.vertices()) out.points.push_back(point(v));
+    out.points = points_;
+    out.triangles.reserve(mesh_.n_faces());
     for (const FaceHandle f : mesh_.faces()) {
       const std::array<VertexHandle, 3> c = corners(f);
       out.triangles.push_back({c[0].idx(), c[1].idx(), c[2].idx()});
@@ -66,7 +67,11 @@ class Delaunay {
   }
 
  private:
-  [[nodiscard]] Vec2 point(VertexHandle v) const { return {mesh_.point(v)[0], mesh_.point(v)[1]}; }
+  VertexHandle add_point(const Vec2& p) {
+    points_.push_back(p);
+    return mesh_.new_vertex();
+  }
+  [[nodiscard]] const Vec2& point(VertexHandle v) const { return points_[v.idx()]; }
   [[nodiscard]] std::array<VertexHandle, 3> corners(FaceHandle f) const {
     const HalfedgeHandle h = mesh_.halfedge_handle(f);
     return {mesh_.from_vertex_handle(h), mesh_.to_vertex_handle(h),
@@ -93,7 +98,7 @@ class Delaunay {
   void flip_stacked();
   void push_edges_around(VertexHandle v);
   [[nodiscard]] std::optional<FaceHandle> locate(const Vec2& p, FaceHandle start) const;
-  [[nodiscard]] bool encroaches(const Vec2& p, FaceHandle start) const;
+  [[nodiscard]] bool encroaches(const Vec2& p, FaceHandle start);
   bool insert_center(FaceHandle f, const Circle& c);
   void insert_midpoint(EdgeHandle e);
   void push_if_bad(FaceHandle f, double max_edge);
@@ -110,8 +115,11 @@ class Delaunay {
   };
 
   Mesh mesh_;
+  std::vector<Vec2> points_;  // of the vertices: closer together than the mesh has them
   std::vector<EdgeHandle> stack_;
   std::vector<VertexHandle> touched_;
+  std::vector<FaceHandle> cavity_;
+  std::vector<FaceHandle> changed_;
   std::priority_queue<Bad> bad_;
 };
 
@@ -203,8 +211,9 @@ std::optional<FaceHandle> Delaunay::locate(const Vec2& p, FaceHandle start) cons
 
 /// True if p lies in the circle on a boundary edge as diameter, looking at the triangles whose
 /// circumcircle contains p.
-bool Delaunay::encroaches(const Vec2& p, FaceHandle start) const {
-  std::vector<FaceHandle> cavity{start};
+bool Delaunay::encroaches(const Vec2& p, FaceHandle start) {
+  std::vector<FaceHandle>& cavity = cavity_;
+  cavity.assign(1, start);
   for (std::size_t k = 0; k < cavity.size(); ++k) {
     for (const HalfedgeHandle h : mesh_.fh_range(cavity[k])) {
       const FaceHandle next = mesh_.opposite_face_handle(h);
@@ -230,18 +239,16 @@ bool Delaunay::insert_center(FaceHandle f, const Circle& c) {
     const Vec2 b = point(mesh_.to_vertex_handle(h));
     if (signed_area2(a, b, c.center) > 1e-6 * (b - a).squaredNorm()) continue;
     if (mesh_.is_boundary(mesh_.edge_handle(h))) return false;
-    const VertexHandle v = mesh_.add_vertex({c.center.x(), c.center.y(), 0});
     // On an edge as good as exactly: splitting the face would leave a sliver there.
     const double t = (c.center - a).dot(b - a) / (b - a).squaredNorm();
-    const Vec2 on_edge = a + t * (b - a);
-    mesh_.set_point(v, {on_edge.x(), on_edge.y(), 0});
+    const VertexHandle v = add_point(a + t * (b - a));
     mesh_.split(mesh_.edge_handle(h), v);
     touched_.push_back(v);
     push_edges_around(v);
     flip_stacked();
     return true;
   }
-  const VertexHandle v = mesh_.add_vertex({c.center.x(), c.center.y(), 0});
+  const VertexHandle v = add_point(c.center);
   mesh_.split(*where, v);
   touched_.push_back(v);
   push_edges_around(v);
@@ -252,7 +259,7 @@ bool Delaunay::insert_center(FaceHandle f, const Circle& c) {
 void Delaunay::insert_midpoint(EdgeHandle e) {
   const HalfedgeHandle h = mesh_.halfedge_handle(e, 0);
   const Vec2 middle = (point(mesh_.from_vertex_handle(h)) + point(mesh_.to_vertex_handle(h))) / 2;
-  const VertexHandle v = mesh_.add_vertex({middle.x(), middle.y(), 0});
+  const VertexHandle v = add_point(middle);
   mesh_.split(e, v);
   touched_.push_back(v);
   push_edges_around(v);
@@ -283,9 +290,15 @@ void Delaunay::refine(double max_edge, const radiosity::Progress& progress) {
       if (!too_long) continue;
       insert_midpoint(c.longest);
     }
+    std::sort(touched_.begin(), touched_.end());
+    touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
+    changed_.clear();
     for (const VertexHandle t : touched_) {
-      for (const FaceHandle f : mesh_.vf_range(t)) push_if_bad(f, max_edge);
+      for (const FaceHandle f : mesh_.vf_range(t)) changed_.push_back(f);
     }
+    std::sort(changed_.begin(), changed_.end());
+    changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
+    for (const FaceHandle f : changed_) push_if_bad(f, max_edge);
   }
 }
 
@@ -317,7 +330,7 @@ void Delaunay::smooth(double max_edge) {
       }
       mean /= n;
       if (worst_angle_around(v, mean, max_edge) > worst_angle_around(v, point(v), max_edge)) {
-        mesh_.set_point(v, {mean.x(), mean.y(), 0});
+        points_[v.idx()] = mean;
       }
     }
     flip_all();

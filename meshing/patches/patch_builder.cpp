@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <exception>
+#include <utility>
 
 #include "meshing/base/polygon_shape.h"
 #include "meshing/base/text.h"
 #include "meshing/patches/halfedge.h"
 #include "radiosity/base/error.h"
+#include "radiosity/base/parallel.h"
 
 namespace meshing {
 namespace {
@@ -17,7 +20,7 @@ using radiosity::PatchMesh;
 using radiosity::Vec3;
 
 /// A polygon with divided edges: vertex indices all around, and where its corners are among them.
-struct Cell {
+struct PolygonCell {
   std::vector<std::int32_t> boundary;
   std::vector<std::int32_t> corners;
 
@@ -32,10 +35,22 @@ struct Cell {
     return boundary[(corners[side] + k) % boundary.size()];
   }
   [[nodiscard]] bool is_undivided() const { return boundary.size() == corners.size(); }
+  [[nodiscard]] bool is_evenly_divided() const {
+    for (int side = 1; side < n_corners(); ++side) {
+      if (n_pieces(side) != n_pieces(0)) return false;
+    }
+    return true;
+  }
   void clear() {
     boundary.clear();
     corners.clear();
   }
+};
+
+/// The triangles that fill a polygon, or why they could not be made.
+struct Filling {
+  PlanarMesh triangles;
+  std::exception_ptr error;
 };
 
 /// A divided line inside a polygon that two of its triangles share.
@@ -55,21 +70,24 @@ class PatchBuilder {
   std::int32_t add_division_points(std::int32_t from, std::int32_t to, std::int32_t n_pieces);
   void reserve();
   void divide_edges();
-  void append_edge(std::int64_t corner);
+  void append_edge(std::int64_t corner, PolygonCell& cell) const;
   void append_diagonal(std::int32_t from, std::int32_t to);
-  void load_cell();
-  [[nodiscard]] std::vector<Vec3> corner_positions() const;
+  [[nodiscard]] PolygonCell cell_of(Index polygon) const;
+  [[nodiscard]] std::vector<Vec3> corner_positions(const PolygonCell& cell) const;
+  [[nodiscard]] bool is_filled(Index polygon, const PolygonCell& cell) const;
+  void fill_polygons();
+  [[nodiscard]] PlanarMesh filling(Index polygon, const PolygonCell& cell) const;
 
   void build_polygon();
   void build_grid();
   void build_triangle_grid();
   void build_filled();
   void build_triangles(std::span<const Triangle> triangles);
-  std::vector<Triangle> triangulate_corners() const;
+  [[nodiscard]] std::vector<Triangle> triangulate_corners(Index polygon,
+                                                          const PolygonCell& cell) const;
   void add_patch(const std::array<std::int32_t, 4>& corners);
 
   [[nodiscard]] const Vec3& at(std::int32_t vertex) const { return mesh_.vertices[vertex]; }
-  [[nodiscard]] PolygonKind kind() const { return topology_.kinds[polygon_]; }
 
   const radiosity::Scene& scene_;
   const Topology& topology_;
@@ -77,8 +95,9 @@ class PatchBuilder {
   const radiosity::Progress& progress_;
   PatchMesh mesh_;
   std::vector<std::int32_t> first_point_;  // per edge: its division points from ends[0] on
+  std::vector<Filling> fillings_;          // per polygon, if any is filled
   Index polygon_ = 0;
-  Cell cell_;
+  PolygonCell cell_;
   std::vector<Diagonal> diagonals_;
 };
 
@@ -96,9 +115,10 @@ PatchMesh PatchBuilder::run() {
   }
   reserve();
   divide_edges();
+  fill_polygons();
   for (; polygon_ < topology_.polygons.size(); ++polygon_) {
     if (polygon_ % 4096 == 0) progress_.check();
-    load_cell();
+    cell_ = cell_of(polygon_);
     build_polygon();
   }
   return std::move(mesh_);
@@ -106,14 +126,7 @@ PatchMesh PatchBuilder::run() {
 
 void PatchBuilder::reserve() {
   const PatchCount count = count_patches(scene_, topology_, division_);
-  const auto n = static_cast<std::size_t>(count.certain + count.estimated);
-  mesh_.corners.reserve(n);
-  mesh_.surface.reserve(n);
-  mesh_.polygon.reserve(n);
-  mesh_.twin.reserve(n);
-  mesh_.area.reserve(n);
-  mesh_.normal.reserve(n);
-  mesh_.centroid.reserve(n);
+  mesh_.reserve(static_cast<Index>(count.certain + count.estimated));
 }
 
 std::int32_t PatchBuilder::add_division_points(std::int32_t from, std::int32_t to,
@@ -137,15 +150,15 @@ void PatchBuilder::divide_edges() {
 }
 
 /// Appends the start and the division points of a corner's edge to the cell.
-void PatchBuilder::append_edge(std::int64_t corner) {
+void PatchBuilder::append_edge(std::int64_t corner, PolygonCell& cell) const {
   const std::int32_t e = topology_.edges.edge_of_corner[corner];
   const std::int32_t start = topology_.polygons.corners[corner];
   const std::int32_t n_inside = division_.n_pieces[e] - 1;
   const bool is_forward = start == topology_.edges.ends[e][0];
-  cell_.corners.push_back(static_cast<std::int32_t>(cell_.boundary.size()));
-  cell_.boundary.push_back(start);
+  cell.corners.push_back(static_cast<std::int32_t>(cell.boundary.size()));
+  cell.boundary.push_back(start);
   for (std::int32_t k = 0; k < n_inside; ++k) {
-    cell_.boundary.push_back(first_point_[e] + (is_forward ? k : n_inside - 1 - k));
+    cell.boundary.push_back(first_point_[e] + (is_forward ? k : n_inside - 1 - k));
   }
 }
 
@@ -169,29 +182,61 @@ void PatchBuilder::append_diagonal(std::int32_t from, std::int32_t to) {
   }
 }
 
-void PatchBuilder::load_cell() {
-  cell_.clear();
+PolygonCell PatchBuilder::cell_of(Index polygon) const {
+  PolygonCell cell;
   const std::vector<std::int64_t>& first = topology_.polygons.first_corner;
-  for (std::int64_t c = first[polygon_]; c < first[polygon_ + 1]; ++c) append_edge(c);
+  for (std::int64_t c = first[polygon]; c < first[polygon + 1]; ++c) append_edge(c, cell);
+  return cell;
 }
 
-std::vector<Vec3> PatchBuilder::corner_positions() const {
+std::vector<Vec3> PatchBuilder::corner_positions(const PolygonCell& cell) const {
   std::vector<Vec3> positions;
-  for (const std::int32_t c : cell_.corners) positions.push_back(at(cell_.boundary[c]));
+  for (const std::int32_t c : cell.corners) positions.push_back(at(cell.boundary[c]));
   return positions;
 }
 
+/// Whether a polygon as a whole is filled with triangles.
+bool PatchBuilder::is_filled(Index polygon, const PolygonCell& cell) const {
+  switch (topology_.kinds[polygon]) {
+    case PolygonKind::triangle:
+      return !cell.is_undivided() && !cell.is_evenly_divided();
+    case PolygonKind::planar_quad:
+      return !cell.is_undivided() && !division_.is_grid[polygon];
+    case PolygonKind::planar_polygon:
+      return std::isfinite(division_.max_edge);
+    default:
+      return false;
+  }
+}
+
+/// Makes the triangles of all polygons that are filled, each by itself.
+void PatchBuilder::fill_polygons() {
+  std::vector<Index> filled;
+  for (Index i = 0; i < topology_.polygons.size(); ++i) {
+    if (is_filled(i, cell_of(i))) filled.push_back(i);
+  }
+  if (filled.empty()) return;
+  fillings_.resize(topology_.polygons.size());
+  radiosity::parallel_for(static_cast<std::ptrdiff_t>(filled.size()), [&](std::ptrdiff_t k) {
+    Filling& made = fillings_[filled[k]];
+    try {
+      made.triangles = filling(filled[k], cell_of(filled[k]));
+    } catch (const radiosity::MeshError&) {
+      made.error = std::current_exception();
+    }
+  });
+}
+
 void PatchBuilder::build_polygon() {
+  if (is_filled(polygon_, cell_)) return build_filled();
   const bool is_undivided = cell_.is_undivided();
-  switch (kind()) {
+  switch (topology_.kinds[polygon_]) {
     case PolygonKind::triangle:
       return is_undivided ? add_patch({cell_.boundary[0], cell_.boundary[1], cell_.boundary[2], -1})
                           : build_triangle_grid();
     case PolygonKind::planar_quad:
-      return is_undivided || division_.is_grid[polygon_] ? build_grid() : build_filled();
+      return build_grid();
     case PolygonKind::planar_polygon:
-      if (std::isfinite(division_.max_edge)) return build_filled();
-      break;
     case PolygonKind::non_planar_quad:
     case PolygonKind::non_planar_polygon:
       break;  // its triangles are divided, so that the surface is the same at any patch size
@@ -200,7 +245,7 @@ void PatchBuilder::build_polygon() {
       assert(false && "refused by check_polygons");
       return;
   }
-  build_triangles(triangulate_corners());
+  build_triangles(triangulate_corners(polygon_, cell_));
 }
 
 /// A planar quad with equally divided opposite edges.
@@ -237,8 +282,8 @@ void PatchBuilder::build_grid() {
 
 /// A triangle, into n² similar ones if its edges are equally divided.
 void PatchBuilder::build_triangle_grid() {
+  if (!cell_.is_evenly_divided()) return build_filled();
   const std::int32_t n = cell_.n_pieces(0);
-  if (cell_.n_pieces(1) != n || cell_.n_pieces(2) != n) return build_filled();
   const Vec3 a = at(cell_.vertex(0, 0));
   const Vec3 ab = at(cell_.vertex(1, 0)) - a;
   const Vec3 ac = at(cell_.vertex(2, 0)) - a;
@@ -260,17 +305,17 @@ void PatchBuilder::build_triangle_grid() {
   }
 }
 
-/// Any flat polygon, with triangles that fit its divided edges.
+/// Any flat polygon, or triangle of a polygon, with triangles that fit its divided edges.
 void PatchBuilder::build_filled() {
-  const std::vector<Vec3> corners = corner_positions();
-  const PlaneFrame frame(corners);
-  DividedPolygon divided;
-  divided.corners = cell_.corners;
-  divided.triangles = triangulate_corners();
-  for (const std::int32_t v : cell_.boundary) divided.boundary.push_back(frame.to_plane(at(v)));
-  const double max_edge = division_.max_edge * (1 + 1e-12) / frame.unit();
-  const PlanarMesh filled = refine(divided, max_edge, progress_);
-
+  PlanarMesh filled;
+  if (is_filled(polygon_, cell_)) {
+    Filling& made = fillings_[polygon_];
+    if (made.error) std::rethrow_exception(made.error);
+    filled = std::move(made.triangles);
+  } else {
+    filled = filling(polygon_, cell_);
+  }
+  const PlaneFrame frame(corner_positions(cell_));
   std::vector<std::int32_t> vertex = cell_.boundary;
   for (std::size_t k = vertex.size(); k < filled.points.size(); ++k) {
     vertex.push_back(static_cast<std::int32_t>(mesh_.vertices.size()));
@@ -279,6 +324,18 @@ void PatchBuilder::build_filled() {
   for (const Triangle& t : filled.triangles) {
     add_patch({vertex[t[0]], vertex[t[1]], vertex[t[2]], -1});
   }
+}
+
+/// The triangles that `build_filled` makes patches of, in the plane of the cell. Throws MeshError
+/// if its outline crosses itself.
+PlanarMesh PatchBuilder::filling(Index polygon, const PolygonCell& cell) const {
+  const PlaneFrame frame(corner_positions(cell));
+  DividedPolygon divided;
+  divided.corners = cell.corners;
+  divided.triangles = triangulate_corners(polygon, cell);
+  for (const std::int32_t v : cell.boundary) divided.boundary.push_back(frame.to_plane(at(v)));
+  const double max_edge = division_.max_edge * (1 + 1e-12) / frame.unit();
+  return refine(divided, max_edge, progress_);
 }
 
 /// Triangles of the polygon's corners, each divided by itself along with the diagonals.
@@ -293,7 +350,7 @@ void PatchBuilder::build_triangles(std::span<const Triangle> triangles) {
       const std::int32_t from = t[k];
       const std::int32_t to = t[(k + 1) % 3];
       if (to == (from + 1) % n) {
-        append_edge(first + from);
+        append_edge(first + from, cell_);
       } else {
         append_diagonal(vertices[from], vertices[to]);
       }
@@ -307,14 +364,15 @@ void PatchBuilder::build_triangles(std::span<const Triangle> triangles) {
 }
 
 /// The polygon as triangles of its corners.
-std::vector<Triangle> PatchBuilder::triangulate_corners() const {
-  const std::vector<Vec3> corners = corner_positions();
+std::vector<Triangle> PatchBuilder::triangulate_corners(Index polygon,
+                                                        const PolygonCell& cell) const {
+  const std::vector<Vec3> corners = corner_positions(cell);
   const PlaneFrame frame(corners);
   std::vector<Vec2> flat;
   for (const Vec3& p : corners) flat.push_back(frame.to_plane(p));
   std::optional<std::vector<Triangle>> ears = clip_ears(flat);
   if (!ears) {
-    throw radiosity::MeshError(source_prefix(scene_) + polygon_name(scene_, polygon_) +
+    throw radiosity::MeshError(source_prefix(scene_) + polygon_name(scene_, polygon) +
                                ": its outline of " + std::to_string(corners.size()) +
                                " corners, seen along its normal, crosses itself; expected a "
                                "simple polygon; split it into parts that do not cross");

@@ -25,21 +25,39 @@ std::pair<std::int32_t, std::int32_t> edge_of(std::int32_t a, std::int32_t b) {
 
 }  // namespace
 
-PatchCells::PatchCells(const PatchMesh& mesh, Index n_fixed)
+PatchCells::PatchCells(const PatchMesh& mesh, Index n_fixed, std::span<const std::int32_t> patches)
     : mesh_(mesh),
       vertices_(mesh.vertices),
       is_locked_(mesh.vertices.size(), false),
       cells_at_(mesh.vertices.size()),
-      cells_of_(mesh.size()) {
+      cells_of_(mesh.size()),
+      rows_of_(mesh.size()) {
   std::fill(is_locked_.begin(), is_locked_.begin() + n_fixed, true);
-  for (Index i = 0; i < mesh_.size(); ++i) {
-    if (mesh_.twin[i] >= 0 && mesh_.twin[i] < i) continue;
-    const auto& corners = mesh_.corners[i];
-    cells_of_[i].push_back(static_cast<std::int32_t>(cells_.size()));
-    cells_.push_back({Loop(corners.begin(), corners.begin() + mesh_.n_corners(i)),
-                      static_cast<std::int32_t>(i)});
-    enter(cells_of_[i].back());
+  for (const std::int32_t patch : patches) {
+    add_cell(whole(patch).loop, patch);
+    enter(cells_of_[patch].back());
   }
+}
+
+void PatchCells::add_cell(Loop loop, std::int32_t patch) {
+  const auto made = static_cast<std::int32_t>(cells_.size());
+  std::vector<std::int32_t>& cells = cells_of_[patch];
+  if (cells.size() % kRow == 0) rows_of_[patch].emplace_back();
+  place_.push_back(static_cast<std::int32_t>(cells.size()));
+  cells.push_back(made);
+  boxes_.emplace_back();
+  cells_.push_back({std::move(loop), patch});
+  for (const std::int32_t v : cells_.back().loop) extend_boxes(made, at(v));
+}
+
+void PatchCells::extend_boxes(std::int32_t cell, const Vec3& point) {
+  boxes_[cell].extend(point);
+  rows_of_[cells_[cell].patch][place_[cell] / kRow].extend(point);
+}
+
+Cell PatchCells::whole(std::int32_t patch) const {
+  const auto& corners = mesh_.corners[patch];
+  return {Loop(corners.begin(), corners.begin() + mesh_.n_corners(patch)), patch};
 }
 
 double PatchCells::shortest_edge(std::int32_t vertex) const {
@@ -119,6 +137,7 @@ bool PatchCells::move(std::int32_t vertex, const Vec3& to) {
   }
   vertices_[vertex] = to;
   is_locked_[vertex] = true;
+  for (const std::int32_t cell : cells_at_[vertex]) extend_boxes(cell, to);
   return true;
 }
 
@@ -135,6 +154,7 @@ void PatchCells::split_edge(std::int32_t a, std::int32_t b, const Vec3& point) {
       loop.insert(loop.begin() + static_cast<std::ptrdiff_t>(k) + 1, made);
       break;
     }
+    extend_boxes(cell, point);
   }
   cells_at_.push_back(cells);
   cells_on_[edge_of(a, made)] = cells;
@@ -165,10 +185,11 @@ void PatchCells::split_cell(std::int32_t cell, std::size_t from, std::size_t to)
   Loop rest(whole.begin(), first + 1);
   rest.insert(rest.end(), last, whole.end());
   cells_[cell].loop = std::move(rest);
+  boxes_[cell].setEmpty();
+  for (const std::int32_t v : cells_[cell].loop) boxes_[cell].extend(at(v));
   const std::int32_t patch = cells_[cell].patch;
   const auto made = static_cast<std::int32_t>(cells_.size());
-  cells_.push_back({Loop(first, last + 1), patch});
-  cells_of_[patch].push_back(made);
+  add_cell(Loop(first, last + 1), patch);
   enter(cell);
   enter(made);
 }

@@ -3,30 +3,44 @@
 #include <algorithm>
 #include <cmath>
 
+#include "radiosity/base/parallel.h"
 #include "radiosity/polygon/exchange_area.h"
 
 namespace radiosity {
 
-PairKernel::PairKernel(const PreparedMesh& mesh, double tolerance)
+PairKernel::PairKernel(const PreparedMesh& mesh, double tolerance, std::size_t most_kept_bytes)
     : mesh_(mesh), tolerance_(tolerance) {
   for (int order = 0; order <= kLargestAreaRule; ++order) {
     least_ratio_[order] = area_rule_least_ratio(order, tolerance);
   }
-  for (int order = 2; order <= kKeptOrder; ++order) {
-    Rule& rule = rules_[order - 2];
-    for (Index i = 0; i < mesh.size(); ++i) {
-      int n_points = 0;
-      const auto add = [&](const Vec3& point, double weight) {
-        rule.x.push_back(point.x());
-        rule.y.push_back(point.y());
-        rule.z.push_back(point.z());
-        rule.weight.push_back(weight);
-        ++n_points;
-      };
-      for_each_quadrature_point(mesh.polygons[i].points(), order, add);
-      while (n_points < padded_points(order)) add(mesh.discs[i].center, 0);
-    }
+  while (kept_order_ < kMostKeptOrder) {
+    const int order = kept_order_ + 1;
+    const std::size_t n_points = padded_points(order);
+    if (mesh.size() * n_points * 4 * sizeof(double) > most_kept_bytes) break;
+    keep_rule(order);
+    kept_order_ = order;
   }
+}
+
+void PairKernel::keep_rule(int order) {
+  const int n_points = padded_points(order);
+  Rule& rule = rules_[order - 2];
+  for (std::vector<double>* part : {&rule.x, &rule.y, &rule.z, &rule.weight}) {
+    part->resize(mesh_.size() * n_points);
+  }
+  const auto keep = [&](Index i) {
+    Index k = i * n_points;
+    const auto add = [&](const Vec3& point, double weight) {
+      rule.x[k] = point.x();
+      rule.y[k] = point.y();
+      rule.z[k] = point.z();
+      rule.weight[k++] = weight;
+    };
+    for_each_quadrature_point(mesh_.polygons[i].points(), order, add);
+    while (k < (i + 1) * n_points) add(mesh_.discs[i].center, 0);
+  };
+  constexpr Index kGrain = 1024;
+  parallel_for(mesh_.size(), keep, kGrain);
 }
 
 Blocking PairKernel::in_front(Index i, Index j) const {
@@ -67,7 +81,7 @@ double PairKernel::unoccluded(Index i, Index j, Blocking front_i, Blocking front
 
 void PairKernel::find_points(Index i, int order, const HalfSpace& other,
                              WeightedPoints& points) const {
-  if (order > kKeptOrder) {
+  if (order > kept_order_) {
     points.make(mesh_.polygons[i].points(), order, other.normal, other.offset);
     return;
   }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <utility>
 
 namespace radiosity {
 
@@ -27,18 +27,18 @@ bool holds_all(const std::vector<std::int32_t>& hull, const std::vector<Point2>&
 
 }  // namespace
 
-std::vector<std::int32_t> convex_hull(const std::vector<Point2>& points, double thickness) {
+std::vector<std::int32_t> convex_hull(const std::vector<Point2>& points, double thickness,
+                                      std::size_t most_corners) {
   if (points.size() < 3) return {};
-  std::vector<std::int32_t> sorted(points.size());
-  std::iota(sorted.begin(), sorted.end(), 0);
   // Along a direction that is hardly ever an edge's normal: points that rounding alone puts in
   // order would make spikes.
   const Point2 along(std::cos(0.6180339887), std::sin(0.6180339887));
-  std::sort(sorted.begin(), sorted.end(), [&](std::int32_t a, std::int32_t b) {
-    const double p = along.dot(points[a]);
-    const double q = along.dot(points[b]);
-    return p != q ? p < q : a < b;
-  });
+  std::vector<std::pair<double, std::int32_t>> sorted;
+  sorted.reserve(points.size());
+  for (const Point2& point : points) {
+    sorted.emplace_back(along.dot(point), static_cast<std::int32_t>(sorted.size()));
+  }
+  std::sort(sorted.begin(), sorted.end());
   std::vector<std::int32_t> hull;
   const auto extend = [&](std::int32_t next, std::size_t keep) {
     while (hull.size() > keep) {
@@ -50,11 +50,12 @@ std::vector<std::int32_t> convex_hull(const std::vector<Point2>& points, double 
     }
     hull.push_back(next);
   };
-  for (const std::int32_t k : sorted) extend(k, 1);
+  for (const auto& [place, k] : sorted) extend(k, 1);
   const std::size_t lower = hull.size();
-  for (auto it = sorted.rbegin() + 1; it != sorted.rend(); ++it) extend(*it, lower);
+  for (auto it = sorted.rbegin() + 1; it != sorted.rend(); ++it) extend(it->second, lower);
   hull.pop_back();
-  return holds_all(hull, points, thickness) ? hull : std::vector<std::int32_t>();
+  if (hull.size() > most_corners || !holds_all(hull, points, thickness)) return {};
+  return hull;
 }
 
 }  // namespace radiosity

@@ -9,6 +9,14 @@ Vec3 triangle_cross(const Vec3& a, const Vec3& b, const Vec3& c) { return (b - a
 
 }  // namespace
 
+void PatchMesh::reserve(Index n_patches) {
+  corners.reserve(n_patches);
+  for (auto* numbers : {&surface, &polygon, &twin, &family}) numbers->reserve(n_patches);
+  area.reserve(n_patches);
+  normal.reserve(n_patches);
+  centroid.reserve(n_patches);
+}
+
 void PatchMesh::add_patch(const std::array<std::int32_t, 4>& patch_corners,
                           std::int32_t patch_surface, std::int32_t patch_polygon,
                           std::int32_t patch_twin) {

@@ -47,6 +47,9 @@ struct PatchMesh {
         .subspan(first_polygon_corner[i], first_polygon_corner[i + 1] - first_polygon_corner[i]);
   }
 
+  /// Makes room for so many patches.
+  void reserve(Index n_patches);
+
   /// Appends a patch and computes its area, normal and centroid from its corners (corners[3] = -1
   /// for a triangle). Vertices must be there already. A degenerate patch gets area 0 and normal 0.
   void add_patch(const std::array<std::int32_t, 4>& patch_corners, std::int32_t patch_surface,

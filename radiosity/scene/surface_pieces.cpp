@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <numeric>
+#include <unordered_map>
+#include <utility>
 
 #include "radiosity/base/box_tree.h"
 #include "radiosity/base/disjoint_sets.h"
+#include "radiosity/base/parallel.h"
 
 namespace radiosity {
 namespace {
@@ -19,6 +21,19 @@ constexpr double kSameAngle = 1e-5;
 constexpr double kSameThicknesses = 3;
 constexpr double kMostSameAngle = 0.5;
 
+using Place = std::array<std::int64_t, 3>;
+
+struct PlaceHash {
+  std::size_t operator()(const Place& place) const {
+    std::uint64_t hash = 0;
+    for (const std::int64_t coordinate : place) {
+      hash = (hash ^ static_cast<std::uint64_t>(coordinate)) * 0x9E3779B97F4A7C15U;
+      hash ^= hash >> 29U;
+    }
+    return hash;
+  }
+};
+
 class Joiner {
  public:
   Joiner(const PatchMesh& mesh, const std::vector<std::int32_t>& patches, double thickness)
@@ -26,6 +41,7 @@ class Joiner {
     result_.first_corner.push_back(0);
     for (const std::int32_t i : patches) {
       for (int k = 0; k < mesh.n_corners(i); ++k) {
+        vertex_.push_back(mesh.corners[i][k]);
         result_.corners.push_back(mesh.corner(i, k));
         result_.facet.push_back(static_cast<std::int32_t>(result_.normal.size()));
       }
@@ -46,25 +62,37 @@ class Joiner {
  private:
   /// Numbers points alike that are equal, or no further apart than the thickness.
   void weld() {
-    const std::vector<Vec3>& corners = result_.corners;
-    std::vector<std::int32_t> sorted(corners.size());
-    std::iota(sorted.begin(), sorted.end(), 0);
-    const auto coordinates = [&](std::int32_t k) {
-      return std::array{corners[k].x(), corners[k].y(), corners[k].z()};
+    struct Corner {
+      std::array<double, 3> place;
+      std::int32_t number;
+      bool operator<(const Corner& other) const {
+        return place != other.place ? place < other.place : number < other.number;
+      }
     };
-    std::sort(sorted.begin(), sorted.end(), [&](std::int32_t a, std::int32_t b) {
-      const auto p = coordinates(a);
-      const auto q = coordinates(b);
-      return p != q ? p < q : a < b;
-    });
-    point_.resize(corners.size());
-    for (std::size_t k = 0; k < sorted.size(); ++k) {
-      const bool is_new = k == 0 || coordinates(sorted[k]) != coordinates(sorted[k - 1]);
-      point_[sorted[k]] = is_new ? representative(sorted[k]) : point_[sorted[k - 1]];
+    // Of those that are one vertex the first stands for all.
+    std::vector<Corner> sorted;
+    std::vector<std::int32_t> first_of(
+        vertex_.empty() ? 0 : *std::max_element(vertex_.begin(), vertex_.end()) + 1, -1);
+    for (std::size_t k = 0; k < vertex_.size(); ++k) {
+      std::int32_t& first = first_of[vertex_[k]];
+      if (first >= 0) continue;
+      first = static_cast<std::int32_t>(k);
+      const Vec3& corner = result_.corners[k];
+      sorted.push_back({{corner.x(), corner.y(), corner.z()}, first});
     }
+    std::sort(sorted.begin(), sorted.end());
+    point_.resize(vertex_.size());
+    earlier_.resize(vertex_.size());
+    latest_in_.reserve(sorted.size());
+    for (std::size_t k = 0; k < sorted.size(); ++k) {
+      const bool is_new = k == 0 || sorted[k].place != sorted[k - 1].place;
+      point_[sorted[k].number] =
+          is_new ? representative(sorted[k].number) : point_[sorted[k - 1].number];
+    }
+    for (std::size_t k = 0; k < vertex_.size(); ++k) point_[k] = point_[first_of[vertex_[k]]];
+    latest_in_ = {};
+    earlier_ = {};
   }
-
-  using Place = std::array<std::int64_t, 3>;
 
   /// The first point found within the thickness, or the point itself.
   std::int32_t representative(std::int32_t k) {
@@ -81,12 +109,8 @@ class Joiner {
     for (std::int64_t x = low[0]; x <= high[0]; ++x) {
       for (std::int64_t y = low[1]; y <= high[1]; ++y) {
         for (std::int64_t z = low[2]; z <= high[2]; ++z) {
-          const auto cell = cells_.find(Place{x, y, z});
-          if (cell == cells_.end()) continue;
-          for (const std::int32_t other : cell->second) {
-            const double square = (result_.corners[other] - result_.corners[k]).squaredNorm();
-            if (square <= thickness_ * thickness_) return other;
-          }
+          const std::int32_t found = first_near(k, Place{x, y, z});
+          if (found >= 0) return found;
         }
       }
     }
@@ -94,8 +118,22 @@ class Joiner {
     for (int axis = 0; axis < 3; ++axis) {
       own[axis] = static_cast<std::int64_t>(std::floor(place[axis]));
     }
-    cells_[own].push_back(k);
+    const auto [latest, is_new] = latest_in_.try_emplace(own, k);
+    earlier_[k] = is_new ? -1 : latest->second;
+    latest->second = k;
     return k;
+  }
+
+  /// The point that came first of those in a cell within the thickness of another; -1 if none is.
+  [[nodiscard]] std::int32_t first_near(std::int32_t k, const Place& cell) const {
+    const auto latest = latest_in_.find(cell);
+    std::int32_t first = -1;
+    if (latest == latest_in_.end()) return first;
+    for (std::int32_t other = latest->second; other >= 0; other = earlier_[other]) {
+      const double square = (result_.corners[other] - result_.corners[k]).squaredNorm();
+      if (square <= thickness_ * thickness_) first = other;
+    }
+    return first;
   }
 
   struct Edge {
@@ -105,15 +143,7 @@ class Joiner {
   };
 
   void join_edges() {
-    std::vector<Edge> edges;
-    for (std::int32_t h = 0; h < static_cast<std::int32_t>(point_.size()); ++h) {
-      const std::int32_t a = point_[h];
-      const std::int32_t b = point_[result_.next(h)];
-      if (a != b) edges.push_back({std::min(a, b), std::max(a, b), h});
-    }
-    std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
-      return a.key() != b.key() ? a.key() < b.key() : a.half_edge < b.half_edge;
-    });
+    const std::vector<Edge> edges = sorted_edges();
     for (std::size_t first = 0; first < edges.size();) {
       std::size_t last = first + 1;
       while (last < edges.size() && edges[last].key() == edges[first].key()) ++last;
@@ -122,20 +152,46 @@ class Joiner {
     }
   }
 
+  /// All edges by their points, first in buckets by the lower one.
+  [[nodiscard]] std::vector<Edge> sorted_edges() const {
+    const auto n = static_cast<std::int32_t>(point_.size());
+    const auto edge = [this](std::int32_t h) {
+      const std::int32_t a = point_[h];
+      const std::int32_t b = point_[result_.next(h)];
+      return Edge{std::min(a, b), std::max(a, b), h};
+    };
+    std::vector<std::int32_t> end_of(point_.size() + 1, 0);
+    for (std::int32_t h = 0; h < n; ++h) {
+      const Edge e = edge(h);
+      if (e.low != e.high) ++end_of[e.low + 1];
+    }
+    std::partial_sum(end_of.begin(), end_of.end(), end_of.begin());
+    std::vector<Edge> edges(end_of.back());
+    for (std::int32_t h = 0; h < n; ++h) {
+      const Edge e = edge(h);
+      if (e.low != e.high) edges[end_of[e.low]++] = e;
+    }
+    std::int32_t begin = 0;
+    for (std::int32_t point = 0; point < n; ++point) {
+      std::sort(edges.begin() + begin, edges.begin() + end_of[point],
+                [](const Edge& a, const Edge& b) {
+                  return a.high != b.high ? a.high < b.high : a.half_edge < b.half_edge;
+                });
+      begin = end_of[point];
+    }
+    return edges;
+  }
+
   /// Where facets were divided otherwise than their neighbours, the ends of some edges lie within
   /// others: makes them corners there, too.
   void split_edges() {
-    std::vector<std::int32_t> points;
-    std::vector<Box3> boxes;
-    for (std::int32_t k = 0; k < static_cast<std::int32_t>(point_.size()); ++k) {
-      if (point_[k] != k) continue;
-      points.push_back(k);
-      boxes.emplace_back(result_.corners[k], result_.corners[k]);
-    }
-    const BoxTree tree(std::move(boxes));
+    const std::vector<std::vector<PointWithin>> within = points_within_edges();
+    if (std::all_of(within.begin(), within.end(), [](const auto& some) { return some.empty(); }))
+      return;
     SurfacePieces split;
     std::vector<std::int32_t> split_point;
     std::vector<std::int32_t> corner_of(point_.size());  // in `split`
+    std::size_t next = 0;                                // of the points within, in their chunk
     for (std::int32_t h = 0; h < static_cast<std::int32_t>(point_.size()); ++h) {
       const std::int32_t f = result_.facet[h];
       if (h == result_.first_corner[f]) {
@@ -148,9 +204,12 @@ class Joiner {
         split_point.push_back(point_[corner]);
       };
       add(h);
-      for (const std::int32_t point : points_within(h, points, tree)) add(point);
+      const std::vector<PointWithin>& of_chunk = within[f / kChunk];
+      if (h == result_.first_corner[f] && f % kChunk == 0) next = 0;
+      for (; next < of_chunk.size() && of_chunk[next].half_edge == h; ++next) {
+        add(of_chunk[next].point);
+      }
     }
-    if (split.corners.size() == point_.size()) return;
     split.first_corner.push_back(static_cast<std::int32_t>(split.corners.size()));
     for (std::int32_t& point : split_point) point = corner_of[point];
     split.normal = std::move(result_.normal);
@@ -159,29 +218,65 @@ class Joiner {
     point_ = std::move(split_point);
   }
 
-  /// The points on a half-edge but for its ends, along it.
-  [[nodiscard]] std::vector<std::int32_t> points_within(std::int32_t h,
-                                                        const std::vector<std::int32_t>& points,
-                                                        const BoxTree& tree) const {
+  /// A point on a half-edge that is none of its ends.
+  struct PointWithin {
+    std::int32_t half_edge;
+    double along;  // from its start, m
+    std::int32_t point;
+    auto operator<=>(const PointWithin&) const = default;
+  };
+  /// Facets that are looked at one after the other.
+  static constexpr std::int32_t kChunk = 256;
+
+  /// The points on half-edges, for each chunk of facets, by the half-edge and along it.
+  [[nodiscard]] std::vector<std::vector<PointWithin>> points_within_edges() const {
+    const auto n = static_cast<std::int32_t>(point_.size());
+    std::vector<std::int32_t> points;
+    std::vector<Box3> boxes;
+    for (std::int32_t k = 0; k < n; ++k) {
+      if (point_[k] != k) continue;
+      points.push_back(k);
+      boxes.emplace_back(result_.corners[k], result_.corners[k]);
+    }
+    const BoxTree tree(std::move(boxes));
+    const auto n_facets = static_cast<std::int32_t>(result_.normal.size());
+    std::vector<std::vector<PointWithin>> within((n_facets + kChunk - 1) / kChunk);
+    parallel_for(static_cast<std::ptrdiff_t>(within.size()), [&](std::ptrdiff_t chunk) {
+      const auto begin = static_cast<std::int32_t>(chunk) * kChunk;
+      std::vector<std::int32_t> near;
+      for (std::int32_t f = begin; f < std::min(n_facets, begin + kChunk); ++f) {
+        Box3 box;
+        for (const Vec3& corner : result_.outline(f)) box.extend(corner);
+        near.clear();
+        tree.for_each_meeting(grown(box, thickness_),
+                              [&](std::int32_t k) { near.push_back(points[k]); });
+        for (std::int32_t h = result_.first_corner[f]; h < result_.first_corner[f + 1]; ++h) {
+          add_points_within(h, near, within[chunk]);
+        }
+      }
+      std::sort(within[chunk].begin(), within[chunk].end());
+    });
+    return within;
+  }
+
+  void add_points_within(std::int32_t h, const std::vector<std::int32_t>& near,
+                         std::vector<PointWithin>& within) const {
     const Vec3& start = result_.corners[h];
-    const Vec3 way = result_.corners[result_.next(h)] - start;
+    const Vec3& end = result_.corners[result_.next(h)];
+    const Vec3 way = end - start;
     const double length = way.norm();
-    std::vector<std::pair<double, std::int32_t>> found;
-    if (length <= 2 * thickness_) return {};
+    if (length <= 2 * thickness_) return;
     Box3 box(start, start);
-    box.extend(result_.corners[result_.next(h)]);
-    tree.for_each_meeting(grown(box, thickness_), [&](std::int32_t k) {
-      const std::int32_t point = points[k];
-      if (point == point_[h] || point == point_[result_.next(h)]) return;
+    box.extend(end);
+    box = grown(box, thickness_);
+    for (const std::int32_t point : near) {
+      if (point == point_[h] || point == point_[result_.next(h)]) continue;
+      if (!box.contains(result_.corners[point])) continue;
       const Vec3 off = result_.corners[point] - start;
       const double along = off.dot(way) / length;
-      if (along <= thickness_ || along >= length - thickness_) return;
-      if ((off - along / length * way).norm() <= thickness_) found.emplace_back(along, point);
-    });
-    std::sort(found.begin(), found.end());
-    std::vector<std::int32_t> result;
-    for (const auto& [along, point] : found) result.push_back(point);
-    return result;
+      if (along <= thickness_ || along >= length - thickness_) continue;
+      if ((off - along / length * way).norm() <= thickness_) within.push_back({h, along, point});
+    }
   }
 
   void join(std::int32_t a, std::int32_t b) {
@@ -270,8 +365,11 @@ class Joiner {
 
   double thickness_;
   SurfacePieces result_;
-  std::vector<std::int32_t> point_;  // per corner: the first one in the same place
-  std::map<Place, std::vector<std::int32_t>> cells_;
+  std::vector<std::int32_t> vertex_;  // per corner: of the mesh
+  std::vector<std::int32_t> point_;   // per corner: the first one in the same place
+  // Points by the cell that they are in: the latest of each, and before each point the earlier one.
+  std::unordered_map<Place, std::int32_t, PlaceHash> latest_in_;
+  std::vector<std::int32_t> earlier_;
 };
 
 }  // namespace
@@ -281,21 +379,24 @@ SurfacePieces find_surface_pieces(const PatchMesh& mesh, const std::vector<std::
   return Joiner(mesh, patches, thickness).run();
 }
 
+double solid_angle(std::span<const Vec3> outline, const Vec3& point) {
+  double angle = 0;
+  const Vec3 a = outline[0] - point;
+  for (std::size_t k = 2; k < outline.size(); ++k) {
+    const Vec3 b = outline[k - 1] - point;
+    const Vec3 c = outline[k] - point;
+    const double la = a.norm();
+    const double lb = b.norm();
+    const double lc = c.norm();
+    angle += 2 * std::atan2(a.dot(b.cross(c)),
+                            la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+  }
+  return angle;
+}
+
 int winding_number(const SurfacePieces& pieces, const SurfacePiece& piece, const Vec3& point) {
   double angle = 0;
-  for (const std::int32_t f : piece.facets) {
-    const std::span<const Vec3> outline = pieces.outline(f);
-    const Vec3 a = outline[0] - point;
-    for (std::size_t k = 2; k < outline.size(); ++k) {
-      const Vec3 b = outline[k - 1] - point;
-      const Vec3 c = outline[k] - point;
-      const double la = a.norm();
-      const double lb = b.norm();
-      const double lc = c.norm();
-      angle += 2 * std::atan2(a.dot(b.cross(c)),
-                              la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
-    }
-  }
+  for (const std::int32_t f : piece.facets) angle += solid_angle(pieces.outline(f), point);
   return static_cast<int>(std::lround(angle / (4 * kPi)));
 }
 

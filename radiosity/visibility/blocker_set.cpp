@@ -57,9 +57,10 @@ class BlockerSetBuilder {
       (mesh_.twin[i] < 0 ? one_sided : loose).push_back(i);
     }
     const SurfacePieces pieces = find_surface_pieces(mesh_, one_sided, thickness_);
+    const VertexBlocks vertices(mesh_);
     std::vector<std::int32_t> items;
     for (const SurfacePiece& piece : pieces.pieces) {
-      if (const auto body = find_body(pieces, piece, mesh_, thickness_)) {
+      if (const auto body = find_body(pieces, piece, vertices, thickness_)) {
         items.push_back(add_leaf(body->blocker));
         continue;
       }

@@ -17,9 +17,9 @@ constexpr double kLeastInner = 0.25;
 
 class BodyFinder {
  public:
-  BodyFinder(const SurfacePieces& pieces, const SurfacePiece& piece, const PatchMesh& mesh,
+  BodyFinder(const SurfacePieces& pieces, const SurfacePiece& piece, const VertexBlocks& vertices,
              double thickness)
-      : pieces_(pieces), piece_(piece), mesh_(mesh), thickness_(thickness) {}
+      : pieces_(pieces), piece_(piece), vertices_(vertices), thickness_(thickness) {}
 
   std::optional<FoundBody> find() {
     if (piece_.facets.size() < 3 || !find_faces()) return std::nullopt;
@@ -113,10 +113,7 @@ class BodyFinder {
     }
     const HalfSpace plane{normal, offset};
     if (normal.squaredNorm() == 0 || !is_in(plane, rim)) return false;
-    const bool is_outer =
-        std::all_of(mesh_.vertices.begin(), mesh_.vertices.end(),
-                    [&](const Vec3& vertex) { return normal.dot(vertex) <= offset + thickness_; });
-    if (!is_outer) return false;
+    if (!vertices_.are_all_behind(normal, offset + thickness_)) return false;
     // A face that the cap goes on in would end at an edge that is none.
     const bool goes_on = std::any_of(
         body_.faces.begin(), body_.faces.end(),
@@ -165,7 +162,7 @@ class BodyFinder {
 
   const SurfacePieces& pieces_;
   const SurfacePiece& piece_;
-  const PatchMesh& mesh_;
+  const VertexBlocks& vertices_;
   double thickness_;
   Blocker body_;
   std::map<std::int32_t, int> face_of_;  // per facet
@@ -176,8 +173,8 @@ class BodyFinder {
 }  // namespace
 
 std::optional<FoundBody> find_body(const SurfacePieces& pieces, const SurfacePiece& piece,
-                                   const PatchMesh& mesh, double thickness) {
-  std::optional<FoundBody> found = BodyFinder(pieces, piece, mesh, thickness).find();
+                                   const VertexBlocks& vertices, double thickness) {
+  std::optional<FoundBody> found = BodyFinder(pieces, piece, vertices, thickness).find();
   if (!found || found->blocker.faces.size() <= kManyFaces) return found;
   Blocker& body = found->blocker;
   if (std::optional<Blocker> outer = enclosing_polytope(body.corners)) {

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "radiosity/base/geometry.h"
-#include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/surface_pieces.h"
 #include "radiosity/visibility/blocker.h"
+#include "radiosity/visibility/outer_planes.h"
 
 namespace radiosity {
 
@@ -18,9 +18,10 @@ struct FoundBody {
 };
 
 /// Makes a body of a piece that is closed and faces outwards, or whose open edges lie in one plane
-/// that has the whole mesh behind. `thickness` is how far off a plane points may be, m.
+/// that has the whole mesh behind, whose `vertices` are given. `thickness` is how far off a plane
+/// points may be, m.
 std::optional<FoundBody> find_body(const SurfacePieces& pieces, const SurfacePiece& piece,
-                                   const PatchMesh& mesh, double thickness);
+                                   const VertexBlocks& vertices, double thickness);
 
 /// A body of few faces within a closed solid, shrunk from one around it; empty if there is none of
 /// a size worth the while.

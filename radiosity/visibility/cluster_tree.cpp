@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
+#include "radiosity/base/parallel.h"
 #include "radiosity/polygon/convex_hull.h"
 
 namespace radiosity {
@@ -15,12 +17,15 @@ constexpr double kNormalWeight = 2;
 /// Outlines with more corners are not worth their tests.
 constexpr std::size_t kMostOutlineCorners = 8;
 
+/// Halves of clusters of at least so many patches are built in parallel.
+constexpr Index kParallelPatches = 4096;
+
 using Point6 = std::array<double, 6>;
 
 class ClusterTreeBuilder {
  public:
   ClusterTreeBuilder(const PatchMesh& mesh, Index leaf_size, double thickness)
-      : mesh_(mesh), leaf_size_(leaf_size), thickness_(thickness) {
+      : mesh_(mesh), leaf_size_(leaf_size), thickness_(thickness), order_(mesh.size()) {
     const Box3 box = bounds(mesh);
     const double scale = mesh.size() > 0 ? 1 / std::max(box.sizes().maxCoeff(), 1e-300) : 1;
     points_.resize(mesh.size());
@@ -30,62 +35,69 @@ class ClusterTreeBuilder {
         points_[i][3 + axis] = 0.5 * kNormalWeight * mesh.normal[i][axis];
       }
     }
-    tree_.order.resize(mesh.size());
-    std::iota(tree_.order.begin(), tree_.order.end(), 0);
+    std::iota(order_.begin(), order_.end(), 0);
   }
 
   ClusterTree build() {
-    if (!tree_.order.empty()) add_cluster(0, mesh_.size());
-    return std::move(tree_);
+    ClusterTree tree;
+    if (!order_.empty()) add_cluster(0, mesh_.size(), tree.clusters);
+    for (std::size_t k = 0; k < tree.clusters.size(); ++k) {
+      if (tree.clusters[k].is_leaf()) tree.leaves.push_back(static_cast<std::int32_t>(k));
+    }
+    tree.order = std::move(order_);
+    return tree;
   }
 
  private:
-  std::int32_t add_cluster(Index begin, Index end) {
-    const auto self = static_cast<std::int32_t>(tree_.clusters.size());
-    Cluster cluster;
+  /// Appends a cluster, and then all in it, as numbered in `clusters`.
+  std::int32_t add_cluster(Index begin, Index end, std::vector<Cluster>& clusters) {
+    const auto self = static_cast<std::int32_t>(clusters.size());
+    Cluster& cluster = clusters.emplace_back();
     cluster.begin = begin;
     cluster.end = end;
-    for (Index k = begin; k < end; ++k) {
-      const std::int32_t patch = tree_.order[k];
-      cluster.box.extend(patch_box(mesh_, patch));
-    }
+    for (Index k = begin; k < end; ++k) cluster.box.extend(patch_box(mesh_, order_[k]));
     find_outline(cluster);
-    tree_.clusters.push_back(cluster);
-    if (end - begin <= leaf_size_) {
-      tree_.leaves.push_back(self);
-      return self;
-    }
+    if (end - begin <= leaf_size_) return self;
+
     const Index middle = split(begin, end);
-    const std::int32_t left = add_cluster(begin, middle);
-    const std::int32_t right = add_cluster(middle, end);
-    tree_.clusters[self].left = left;
-    tree_.clusters[self].right = right;
+    std::int32_t left = -1;
+    std::int32_t right = -1;
+    if (end - begin < kParallelPatches) {
+      left = add_cluster(begin, middle, clusters);
+      right = add_cluster(middle, end, clusters);
+    } else {
+      std::array<std::vector<Cluster>, 2> halves;
+      parallel_for(2, [&](std::ptrdiff_t side) {
+        side == 0 ? add_cluster(begin, middle, halves[0]) : add_cluster(middle, end, halves[1]);
+      });
+      left = append(halves[0], clusters);
+      right = append(halves[1], clusters);
+    }
+    clusters[self].left = left;
+    clusters[self].right = right;
     return self;
   }
 
-  void find_outline(Cluster& cluster) const {
-    const std::int32_t first = tree_.order[cluster.begin];
-    const HalfSpace plane{mesh_.normal[first], mesh_.normal[first].dot(mesh_.centroid[first])};
-    const Vec3 u = plane.normal.unitOrthogonal();
-    const Vec3 v = plane.normal.cross(u);
-    std::vector<Vec3> corners;
-    std::vector<Point2> points;
-    bool is_planar = true;
-    for (Index k = cluster.begin; k < cluster.end && is_planar; ++k) {
-      const std::int32_t patch = tree_.order[k];
-      is_planar &= mesh_.normal[patch].dot(plane.normal) > 0;
-      for (int c = 0; c < mesh_.n_corners(patch); ++c) {
-        const Vec3& corner = mesh_.corner(patch, c);
-        is_planar &= std::abs(plane.normal.dot(corner) - plane.offset) <= thickness_;
-        corners.push_back(corner);
-        points.emplace_back(u.dot(corner), v.dot(corner));
+  /// Moves a tree behind others; returns the number that its root has there.
+  static std::int32_t append(std::vector<Cluster>& tree, std::vector<Cluster>& clusters) {
+    const auto first = static_cast<std::int32_t>(clusters.size());
+    for (Cluster& cluster : tree) {
+      if (!cluster.is_leaf()) {
+        cluster.left += first;
+        cluster.right += first;
       }
+      clusters.push_back(std::move(cluster));
     }
-    if (is_planar) {
+    tree = {};
+    return first;
+  }
+
+  void find_outline(Cluster& cluster) const {
+    const std::int32_t first = order_[cluster.begin];
+    const HalfSpace plane{mesh_.normal[first], mesh_.normal[first].dot(mesh_.centroid[first])};
+    if (is_in(cluster, plane)) {
       cluster.plane = plane;
-      const std::vector<std::int32_t> hull = convex_hull(points, thickness_);
-      if (!hull.empty() && hull.size() <= kMostOutlineCorners) {
-        for (const std::int32_t k : hull) cluster.outline.push_back(corners[k]);
+      if (find_hull(cluster, plane.normal)) {
         cluster.is_flat = true;
         return;
       }
@@ -94,6 +106,59 @@ class ClusterTreeBuilder {
     for (int k = 0; k < 8; ++k) {
       cluster.outline.push_back(cluster.box.corner(static_cast<Box3::CornerType>(k)));
     }
+  }
+
+  /// Whether all patches lie in a plane and face its outside.
+  [[nodiscard]] bool is_in(const Cluster& cluster, const HalfSpace& plane) const {
+    for (Index k = cluster.begin; k < cluster.end; ++k) {
+      const std::int32_t patch = order_[k];
+      if (!(mesh_.normal[patch].dot(plane.normal) > 0)) return false;
+      for (int c = 0; c < mesh_.n_corners(patch); ++c) {
+        const double height = plane.normal.dot(mesh_.corner(patch, c)) - plane.offset;
+        if (!(std::abs(height) <= thickness_)) return false;
+      }
+    }
+    return true;
+  }
+
+  /// Makes the hull of a cluster in a plane its outline, if that has few corners.
+  bool find_hull(Cluster& cluster, const Vec3& normal) const {
+    const Vec3 u = normal.unitOrthogonal();
+    const Vec3 v = normal.cross(u);
+    const std::vector<std::int32_t> vertices = vertices_of(cluster);
+    std::vector<Point2> points;
+    points.reserve(vertices.size());
+    for (const std::int32_t vertex : vertices) {
+      const Vec3& corner = mesh_.vertices[vertex];
+      points.emplace_back(u.dot(corner), v.dot(corner));
+    }
+    const std::vector<std::int32_t> hull = convex_hull(points, thickness_, kMostOutlineCorners);
+    for (const std::int32_t k : hull) cluster.outline.push_back(mesh_.vertices[vertices[k]]);
+    return !hull.empty();
+  }
+
+  /// The corners of a cluster's patches; each once, where their numbers are close together.
+  [[nodiscard]] std::vector<std::int32_t> vertices_of(const Cluster& cluster) const {
+    constexpr std::size_t kWidestRange = 64;
+    std::vector<std::int32_t> vertices;
+    vertices.reserve(4 * (cluster.end - cluster.begin));
+    for (Index k = cluster.begin; k < cluster.end; ++k) {
+      const std::int32_t patch = order_[k];
+      for (int c = 0; c < mesh_.n_corners(patch); ++c) {
+        vertices.push_back(mesh_.corners[patch][c]);
+      }
+    }
+    const auto [low, high] = std::minmax_element(vertices.begin(), vertices.end());
+    const std::int32_t first = *low;
+    const auto range = static_cast<std::size_t>(*high - first) + 1;
+    if (range > kWidestRange * vertices.size()) return vertices;
+    std::vector<bool> is_known(range, false);
+    std::vector<std::int32_t> once;
+    for (const std::int32_t vertex : vertices) {
+      if (!is_known[vertex - first]) once.push_back(vertex);
+      is_known[vertex - first] = true;
+    }
+    return once;
   }
 
   /// Sorts order[begin..end) along its longest axis; returns where to cut: the widest gap near the
@@ -105,40 +170,39 @@ class ClusterTreeBuilder {
     high.fill(-1e300);
     for (Index k = begin; k < end; ++k) {
       for (int axis = 0; axis < 6; ++axis) {
-        low[axis] = std::min(low[axis], points_[tree_.order[k]][axis]);
-        high[axis] = std::max(high[axis], points_[tree_.order[k]][axis]);
+        low[axis] = std::min(low[axis], points_[order_[k]][axis]);
+        high[axis] = std::max(high[axis], points_[order_[k]][axis]);
       }
     }
     int longest = 0;
     for (int axis = 1; axis < 6; ++axis) {
       if (high[axis] - low[axis] > high[longest] - low[longest]) longest = axis;
     }
-    std::sort(tree_.order.begin() + begin, tree_.order.begin() + end,
-              [&](std::int32_t a, std::int32_t b) {
-                const double x = points_[a][longest];
-                const double y = points_[b][longest];
-                return x != y ? x < y : a < b;
-              });
+    std::vector<std::pair<double, std::int32_t>> sorted;
+    sorted.reserve(end - begin);
+    for (Index k = begin; k < end; ++k) {
+      sorted.emplace_back(points_[order_[k]][longest], order_[k]);
+    }
+    std::sort(sorted.begin(), sorted.end());
+    for (Index k = begin; k < end; ++k) order_[k] = sorted[k - begin].second;
     const Index quarter = (end - begin) / 4;
-    Index best = begin + (end - begin) / 2;
-    const auto gap = [&](Index k) {
-      return points_[tree_.order[k]][longest] - points_[tree_.order[k - 1]][longest];
-    };
+    Index best = (end - begin) / 2;
+    const auto gap = [&](Index k) { return sorted[k].first - sorted[k - 1].first; };
     double widest = gap(best) + 1e-9;
-    for (Index k = begin + quarter + 1; k < end - quarter; ++k) {
+    for (Index k = quarter + 1; k < end - begin - quarter; ++k) {
       if (gap(k) > widest) {
         widest = gap(k);
         best = k;
       }
     }
-    return best;
+    return begin + best;
   }
 
   const PatchMesh& mesh_;
   Index leaf_size_;
   double thickness_;
   std::vector<Point6> points_;
-  ClusterTree tree_;
+  std::vector<std::int32_t> order_;
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "radiosity/base/box_tree.h"
 #include "radiosity/scene/surface_pieces.h"
+#include "radiosity/scene/winding.h"
 #include "radiosity/visibility/body_finder.h"
 #include "radiosity/visibility/outer_planes.h"
 
@@ -143,21 +144,36 @@ class CoverFinder {
     const SurfacePiece& around = pieces_.pieces[hollow];
     const std::vector<std::int32_t>& facets = pieces_.pieces[solid].facets;
     const std::size_t step = std::max<std::size_t>(1, facets.size() / kTriedFacets);
-    // Walled in by others, a solid is in the hollow that has all of it within, and more.
-    bool is_within = pieces_.pieces[solid].volume < (1 - kSameVolume) * -around.volume;
-    for (std::size_t k = 0; k < facets.size() && !known->second; k += step) {
-      const std::span<const Vec3> outline = pieces_.outline(facets[k]);
-      Vec3 point = Vec3::Zero();
-      for (const Vec3& corner : outline) point += corner;
-      point /= static_cast<double>(outline.size());
-      const Vec3& normal = pieces_.normal[facets[k]];
-      const double gap = kGap * (outline[1] - outline[0]).norm() + kGaps * thickness_;
-      known->second = winding_number(pieces_, around, point + gap * normal) != 0 &&
-                      !is_back_to_back(point, normal);
-      is_within = is_within && winding_number(pieces_, around, point - gap * normal) != 0;
+    const WindingNumber& winding = windings_.try_emplace(hollow, pieces_, around).first->second;
+    bool has_free_front = false;
+    for (std::size_t k = 0; k < facets.size() && !has_free_front; k += step) {
+      const FacetSides sides = sides_of(facets[k]);
+      has_free_front =
+          winding.about(sides.front) != 0 && !is_back_to_back(sides.middle, sides.normal);
     }
-    known->second = known->second || is_within;
+    // Walled in by others, a solid is in the hollow that has all of it within, and more.
+    bool is_within =
+        !has_free_front && pieces_.pieces[solid].volume < (1 - kSameVolume) * -around.volume;
+    for (std::size_t k = 0; k < facets.size() && is_within; k += step) {
+      is_within = winding.about(sides_of(facets[k]).back) != 0;
+    }
+    known->second = has_free_front || is_within;
     return known->second;
+  }
+
+  /// A facet's middle, and points just off it.
+  struct FacetSides {
+    Vec3 middle, normal, front, back;
+  };
+
+  [[nodiscard]] FacetSides sides_of(std::int32_t facet) const {
+    const std::span<const Vec3> outline = pieces_.outline(facet);
+    Vec3 point = Vec3::Zero();
+    for (const Vec3& corner : outline) point += corner;
+    point /= static_cast<double>(outline.size());
+    const Vec3& normal = pieces_.normal[facet];
+    const double gap = kGap * (outline[1] - outline[0]).norm() + kGaps * thickness_;
+    return {point, normal, point + gap * normal, point - gap * normal};
   }
 
   /// Whether a point of a facet lies on one that faces the other way, as on walls without thickness
@@ -188,9 +204,10 @@ class CoverFinder {
       if (mesh_.twin[i] < 0) one_sided.push_back(i);
     }
     const SurfacePieces pieces = find_surface_pieces(mesh_, one_sided, thickness_);
+    const VertexBlocks vertices(mesh_);
     for (const SurfacePiece& piece : pieces.pieces) {
       if (piece.open_edges.empty()) continue;
-      const auto body = find_body(pieces, piece, mesh_, thickness_);
+      const auto body = find_body(pieces, piece, vertices, thickness_);
       if (!body || body->cap.size() < 3) continue;
       add_cap(*body);
     }
@@ -298,6 +315,7 @@ class CoverFinder {
   std::vector<Cover> covers_;
   std::optional<BoxTree> tree_;  // of the covers
   std::map<std::pair<std::int32_t, std::int32_t>, bool> stands_in_;
+  std::map<std::int32_t, WindingNumber> windings_;  // of hollows
 };
 
 }  // namespace

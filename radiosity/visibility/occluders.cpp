@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "radiosity/base/box_tree.h"
 #include "radiosity/base/disjoint_sets.h"
 #include "radiosity/base/median_split.h"
 #include "radiosity/polygon/convex_hull.h"
@@ -163,8 +164,8 @@ class Merger {
       for (const Group* part : parts) add_outline(part->outline);
     }
     if (group.patches.size() == 1) return corners;  // collinear corners or not, its own outline
-    const std::vector<std::int32_t> hull = convex_hull(points, thickness_);
-    if (hull.empty() || hull.size() > kMaxCorners) return {};
+    const std::vector<std::int32_t> hull = convex_hull(points, thickness_, kMaxCorners);
+    if (hull.empty()) return {};
     double area = 0;
     double perimeter = 0;
     for (std::size_t k = 0; k < hull.size(); ++k) {
@@ -302,16 +303,28 @@ std::vector<Occluder> make_occluders(const PatchMesh& mesh,
 }
 
 void drop_covered_occluders(std::vector<Occluder>& occluders, double thickness) {
-  std::vector<std::size_t> sorted(occluders.size());
+  std::vector<std::int32_t> sorted(occluders.size());
   std::iota(sorted.begin(), sorted.end(), 0);
-  std::stable_sort(sorted.begin(), sorted.end(), [&](std::size_t a, std::size_t b) {
+  std::stable_sort(sorted.begin(), sorted.end(), [&](std::int32_t a, std::int32_t b) {
     return occluders[a].box.min().x() < occluders[b].box.min().x();
   });
+  // At a sharp corner what is within may reach further than the thickness.
+  constexpr double kMargins = 1024;
+  std::vector<Box3> boxes;
+  for (const std::int32_t k : sorted)
+    boxes.push_back(grown(occluders[k].box, kMargins * thickness));
+  const BoxTree tree(boxes);
   std::vector<bool> is_dropped(occluders.size(), false);
-  for (std::size_t i = 0; i < sorted.size(); ++i) {
-    for (std::size_t j = i + 1; j < sorted.size(); ++j) {
-      const std::size_t a = sorted[i];
-      const std::size_t b = sorted[j];
+  std::vector<std::int32_t> later;
+  for (std::int32_t i = 0; i < static_cast<std::int32_t>(sorted.size()); ++i) {
+    later.clear();
+    tree.for_each_meeting(boxes[i], [&](std::int32_t j) {
+      if (j > i) later.push_back(j);
+    });
+    std::sort(later.begin(), later.end());
+    for (const std::int32_t j : later) {
+      const std::int32_t a = sorted[i];
+      const std::int32_t b = sorted[j];
       if (occluders[b].box.min().x() > occluders[a].box.max().x() + thickness) break;
       if (is_dropped[a] || is_dropped[b]) continue;
       if (std::abs(occluders[a].normal.dot(occluders[b].normal)) < 0.5) continue;

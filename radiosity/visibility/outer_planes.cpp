@@ -15,6 +15,18 @@ constexpr double kMaxOuterPlaneTests = 2e9;
 /// Outer planes that are remembered.
 constexpr std::size_t kMostKnown = 64;
 
+/// Vertices in one of the blocks that are tested together.
+constexpr std::size_t kBlock = 64;
+/// Rounding of heights, relative to what they are summed from.
+constexpr double kHeightRounding = 1e-12;
+
+/// Whether all points in a box are behind a plane for sure, whatever is rounded.
+bool is_behind(const Box3& box, const Vec3& normal, double limit) {
+  const Vec3 furthest = (normal.array() > 0).select(box.max(), box.min());
+  const Vec3 most = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs());
+  return normal.dot(furthest) + kHeightRounding * normal.cwiseAbs().dot(most) <= limit;
+}
+
 /// The planes that have the whole scene on one side.
 class OuterPlanes {
  public:
@@ -108,6 +120,28 @@ class OuterPlanes {
 };
 
 }  // namespace
+
+VertexBlocks::VertexBlocks(const PatchMesh& mesh) : mesh_(mesh) {
+  blocks_.resize((mesh.vertices.size() + kBlock - 1) / kBlock);
+  for (std::size_t k = 0; k < mesh.vertices.size(); ++k) {
+    blocks_[k / kBlock].extend(mesh.vertices[k]);
+    box_.extend(mesh.vertices[k]);
+  }
+}
+
+bool VertexBlocks::are_all_behind(const Vec3& normal, double limit) const {
+  if (blocks_.empty() || is_behind(box_, normal, limit)) return true;
+  for (std::size_t block = 0; block < blocks_.size(); ++block) {
+    if (is_behind(blocks_[block], normal, limit)) continue;
+    const auto begin = mesh_.vertices.begin() + static_cast<std::ptrdiff_t>(block * kBlock);
+    const auto rest = static_cast<std::size_t>(mesh_.vertices.end() - begin);
+    const auto end = begin + static_cast<std::ptrdiff_t>(std::min(kBlock, rest));
+    if (!std::all_of(begin, end, [&](const Vec3& x) { return normal.dot(x) <= limit; })) {
+      return false;
+    }
+  }
+  return true;
+}
 
 std::vector<std::int32_t> find_blocking_patches(const PatchMesh& mesh, double thickness) {
   std::vector<std::int32_t> patches;

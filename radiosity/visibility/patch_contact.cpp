@@ -25,15 +25,21 @@ Vec3 PatchContact::inwards(std::int32_t patch, int edge) const {
   return mesh_.normal[patch].cross(along).normalized();
 }
 
+PatchContact::Inwards PatchContact::all_inwards(std::int32_t patch) const {
+  Inwards result;
+  for (int k = 0; k < mesh_.n_corners(patch); ++k) result[k] = inwards(patch, k);
+  return result;
+}
+
 /// Sine of the angle between planes that may be parallel.
 double PatchContact::parallel_sine(std::int32_t i, std::int32_t j) const {
   return kParallel + reach_ / std::sqrt(std::min(mesh_.area[i], mesh_.area[j]));
 }
 
-bool PatchContact::cross_or_cover(std::int32_t i, std::int32_t j) const {
+bool PatchContact::cross_or_cover(std::int32_t i, std::int32_t j, const Inwards& inwards_i) const {
   const Vec3 along = mesh_.normal[i].cross(mesh_.normal[j]);
   const double sine = along.norm();
-  if (sine <= parallel_sine(i, j)) return overlap(i, j);
+  if (sine <= parallel_sine(i, j)) return overlap(i, j, inwards_i);
   const auto segment = meeting(i, j, along);
   if (!segment) return false;
   const double margin = reach_ * (1 + 1 / sine);
@@ -41,7 +47,7 @@ bool PatchContact::cross_or_cover(std::int32_t i, std::int32_t j) const {
 }
 
 /// Whether some of patch j lies on patch i, off its edges, given that they are parallel.
-bool PatchContact::overlap(std::int32_t i, std::int32_t j) const {
+bool PatchContact::overlap(std::int32_t i, std::int32_t j, const Inwards& inwards_i) const {
   const Vec3& normal = mesh_.normal[i];
   const auto flat = [&](const Vec3& x) {
     return Vec3(x - normal.dot(x - mesh_.centroid[i]) * normal);
@@ -54,7 +60,7 @@ bool PatchContact::overlap(std::int32_t i, std::int32_t j) const {
   if (nearest > reach_) return false;
   for (const auto& [a, b] : {std::pair(i, j), std::pair(j, i)}) {
     for (int k = 0; k < mesh_.n_corners(a); ++k) {
-      const Vec3 in = inwards(a, k);
+      const Vec3 in = a == i ? inwards_i[k] : inwards(a, k);
       double most = -std::numeric_limits<double>::infinity();
       for (int m = 0; m < mesh_.n_corners(b); ++m) {
         most = std::max(most, in.dot(flat(corner(b, m)) - corner(a, k)));

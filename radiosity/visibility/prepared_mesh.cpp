@@ -2,10 +2,13 @@
 
 #include <cmath>
 
+#include "radiosity/base/parallel.h"
+
 namespace radiosity {
 namespace {
 
 constexpr Index kLeafSize = 8;
+constexpr Index kPrepareGrain = 1024;
 
 }  // namespace
 
@@ -13,19 +16,22 @@ PreparedMesh::PreparedMesh(const PatchMesh& mesh) : thickness(plane_thickness(me
   const Box3 box = bounds(mesh);
   center = box.isEmpty() ? Vec3(Vec3::Zero()) : box.center();
   const PatchMesh local = centered(mesh);
-  for (Index i = 0; i < local.size(); ++i) {
+  planes.resize(local.size());
+  polygons.resize(local.size());
+  discs.resize(local.size());
+  const auto prepare = [&](Index i) {
     const HalfSpace plane{local.normal[i], local.normal[i].dot(local.centroid[i])};
-    ConvexPolygon polygon;
+    ConvexPolygon& polygon = polygons[i];
     for (int k = 0; k < local.n_corners(i); ++k) {
       const Vec3& corner = local.corner(i, k);
       const double height = plane.normal.dot(corner) - plane.offset;
       const bool is_off = std::abs(height) > thickness;
       polygon.push_back(is_off ? Vec3(corner - height * plane.normal) : corner);
     }
-    planes.push_back(plane);
-    polygons.push_back(polygon);
-    discs.push_back(bounding_disc(polygon.points()));
-  }
+    planes[i] = plane;
+    discs[i] = bounding_disc(polygon.points());
+  };
+  parallel_for(local.size(), prepare, kPrepareGrain);
   tree = make_cluster_tree(local, kLeafSize, thickness);
   blockers = make_blockers(local, thickness);
 }

@@ -101,64 +101,126 @@ class RegionFinder {
   }
 
   void join_around_edges() {
-    constexpr Index kGrain = 64;
-    std::vector<Joints> joints(mesh_.size());
-    parallel_for(
-        mesh_.size(),
-        [&](Index i) {
-          if (!is_second(i)) join_around(static_cast<std::int32_t>(i), joints[i]);
-        },
-        kGrain);
-    for (const Joints& of_patch : joints) {
-      for (const auto& [a, b] : of_patch) sides_.join(a, b);
+    constexpr std::int32_t kMostInGroup = 32;
+    constexpr Index kGrain = 8;
+    const std::vector<BoxTree::Group> groups = tree_.groups(kMostInGroup);
+    std::vector<Joints> joints(groups.size());
+    parallel_ranges(static_cast<std::ptrdiff_t>(groups.size()), kGrain,
+                    [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+                      Around around;
+                      for (std::ptrdiff_t g = begin; g < end; ++g) {
+                        join_around(groups[g], around, joints[g]);
+                      }
+                    });
+    for (const Joints& of_group : joints) {
+      for (const auto& [a, b] : of_group) sides_.join(a, b);
     }
   }
 
-  void join_around(std::int32_t i, Joints& joints) const {
-    std::vector<std::int32_t> near;
-    tree_.for_each_meeting(boxes_[i], [&](std::int32_t j) {
-      if (j != i && !is_second(j)) near.push_back(j);
+  /// A patch near another, at hand.
+  struct Near {
+    std::int32_t patch;
+    Box3 box;
+    int n_corners;
+    std::array<Vec3, 4> corners;
+  };
+
+  /// What is looked at about one patch; kept for the next one, to spare memory's time.
+  struct Around {
+    std::vector<Near> near_group;  // near one of a group of patches
+    std::vector<const Near*> near;
+    std::vector<Spoke> spokes;
+    std::vector<double> ends;
+    std::vector<const Spoke*> here;
+  };
+
+  /// Joins the sides about the patches of a group.
+  void join_around(BoxTree::Group group, Around& around, Joints& joints) const {
+    around.near_group.clear();
+    tree_.for_each_meeting(tree_.box(group), [&](std::int32_t j) {
+      if (is_second(j)) return;
+      Near& near = around.near_group.emplace_back(Near{j, boxes_[j], mesh_.n_corners(j), {}});
+      for (int m = 0; m < near.n_corners; ++m) near.corners[m] = mesh_.corner(j, m);
     });
-    for (const std::int32_t j : near) {
-      if (j > i && contact_.cross_or_cover(i, j)) join_all(i, j, joints);
+    for (const std::int32_t i : tree_.members(group)) {
+      if (!is_second(i)) join_around_patch(i, around, joints);
     }
-    for (int k = 0; k < mesh_.n_corners(i); ++k) join_at_edge(i, k, near, joints);
+  }
+
+  void join_around_patch(std::int32_t i, Around& around, Joints& joints) const {
+    around.near.clear();
+    for (const Near& near : around.near_group) {
+      if (near.patch != i && near.box.intersects(boxes_[i])) around.near.push_back(&near);
+    }
+    const PatchContact::Inwards inwards = contact_.all_inwards(i);
+    for (const Near* near : around.near) {
+      const std::int32_t j = near->patch;
+      if (j > i && contact_.cross_or_cover(i, j, inwards)) join_all(i, j, joints);
+    }
+    for (int k = 0; k < mesh_.n_corners(i); ++k) {
+      join_at_edge(i, k, inwards[k], around, joints);
+    }
   }
 
   /// Joins the sides about edge k of patch i with those next to them.
-  void join_at_edge(std::int32_t i, int k, std::span<const std::int32_t> near,
-                    Joints& joints) const {
+  void join_at_edge(std::int32_t i, int k, const Vec3& zero, Around& around, Joints& joints) const {
     const Vec3& a = contact_.corner(i, k);
     const double length = (contact_.corner(i, k + 1) - a).norm();
+    Box3 box(a, a);
+    box.extend(contact_.corner(i, k + 1));
     if (length <= 2 * reach_) {
       // Too short to tell what is beside it.
-      Box3 box(a, a);
-      box.extend(contact_.corner(i, k + 1));
-      for (const std::int32_t j : near) {
-        if (boxes_[j].intersects(box)) join_all(i, j, joints);
+      for (const Near* near : around.near) {
+        if (near->box.intersects(box)) join_all(i, near->patch, joints);
       }
       return;
     }
     const Vec3 u = (contact_.corner(i, k + 1) - a) / length;
-    std::vector<Spoke> spokes = {spoke(i, k, u, contact_.inwards(i, k), {0, length})};
-    for (const std::int32_t j : near) {
-      for (int m = 0; m < mesh_.n_corners(j); ++m) {
-        const Vec3 p = contact_.corner(j, m) - a;
-        const Vec3 q = contact_.corner(j, m + 1) - a;
-        const double t = u.dot(p);
-        const double s = u.dot(q);
-        if (std::max(t, s) <= 0 || std::min(t, s) >= length) continue;
-        if ((p - t * u).norm() > reach_ || (q - s * u).norm() > reach_) {
-          if (!touches(p, q, u, length)) continue;
-          // Lines at a small angle: beside each other for a while only.
-          join_all(i, j, joints);
-          continue;
-        }
-        const EdgeInterval along{std::max(0.0, std::min(t, s)), std::min(length, std::max(t, s))};
-        spokes.push_back(spoke(j, m, u, contact_.inwards(i, k), along));
-      }
+    around.spokes.clear();
+    around.spokes.push_back(spoke(i, k, u, zero, {0, length}));
+    // Twice the reach, since the others' boxes are grown, too: whatever is rounded, nothing that
+    // touches the edge is outside.
+    const Box3 box_of_edge = grown(box, reach_);
+    for (const Near* near : around.near) {
+      if (near->box.intersects(box_of_edge))
+        add_spokes(i, *near, a, u, length, zero, around, joints);
     }
-    std::vector<double> ends{0, length};
+    join_along_edge(length, around, joints);
+  }
+
+  /// Adds the edges of a patch that lie along an edge of patch i, from `a` on in direction `u`, to
+  /// the spokes there.
+  void add_spokes(std::int32_t i, const Near& near, const Vec3& a, const Vec3& u, double length,
+                  const Vec3& zero, Around& around, Joints& joints) const {
+    std::array<Vec3, 4> off;
+    std::array<double, 4> place;
+    for (int m = 0; m < near.n_corners; ++m) {
+      off[m] = near.corners[m] - a;
+      place[m] = u.dot(off[m]);
+    }
+    for (int m = 0; m < near.n_corners; ++m) {
+      const int next = m + 1 < near.n_corners ? m + 1 : 0;
+      const Vec3& p = off[m];
+      const Vec3& q = off[next];
+      const double t = place[m];
+      const double s = place[next];
+      if (std::max(t, s) <= 0 || std::min(t, s) >= length) continue;
+      if ((p - t * u).norm() > reach_ || (q - s * u).norm() > reach_) {
+        if (!touches(p, q, u, length)) continue;
+        // Lines at a small angle: beside each other for a while only.
+        join_all(i, near.patch, joints);
+        continue;
+      }
+      const EdgeInterval along{std::max(0.0, std::min(t, s)), std::min(length, std::max(t, s))};
+      around.spokes.push_back(spoke(near.patch, m, u, zero, along));
+    }
+  }
+
+  /// Joins the sides of the spokes of an edge with those next to them, wherever they are along it.
+  void join_along_edge(double length, Around& around, Joints& joints) const {
+    std::vector<Spoke>& spokes = around.spokes;
+    std::vector<double>& ends = around.ends;
+    ends.assign({0, length});
     for (const Spoke& s : spokes) {
       ends.push_back(s.along.low);
       ends.push_back(s.along.high);
@@ -166,15 +228,14 @@ class RegionFinder {
     std::sort(ends.begin(), ends.end());
     std::sort(spokes.begin(), spokes.end(),
               [](const Spoke& x, const Spoke& y) { return x.angle < y.angle; });
-    std::vector<const Spoke*> here;
     for (std::size_t e = 0; e + 1 < ends.size(); ++e) {
       if (ends[e + 1] - ends[e] <= 2 * reach_) continue;
       const double middle = (ends[e] + ends[e + 1]) / 2;
-      here.clear();
+      around.here.clear();
       for (const Spoke& s : spokes) {
-        if (s.along.low <= middle && middle <= s.along.high) here.push_back(&s);
+        if (s.along.low <= middle && middle <= s.along.high) around.here.push_back(&s);
       }
-      join_in_turn(here, joints);
+      join_in_turn(around.here, joints);
     }
   }
 

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 namespace {
 
 using meshing::Cell;
@@ -28,10 +30,11 @@ PatchMesh four_squares() {
 }
 
 constexpr radiosity::Index kNoneFixed = 0;
+constexpr std::array<std::int32_t, 4> kAll{0, 1, 2, 3};
 
 TEST(PatchCells, AnEdgeIsSplitOnBothSides) {
   const PatchMesh mesh = four_squares();
-  PatchCells cells(mesh, kNoneFixed);
+  PatchCells cells(mesh, kNoneFixed, kAll);
   cells.split_edge(4, 1, {1, 0.5, 0});
   EXPECT_EQ(cells[0].loop, (Loop{0, 1, 9, 4, 3}));
   EXPECT_EQ(cells[1].loop, (Loop{1, 2, 5, 4, 9}));
@@ -45,7 +48,7 @@ TEST(PatchCells, AnEdgeIsSplitOnBothSides) {
 
 TEST(PatchCells, ACellIsCutIntoTwoOfOnePatch) {
   const PatchMesh mesh = four_squares();
-  PatchCells cells(mesh, kNoneFixed);
+  PatchCells cells(mesh, kNoneFixed, kAll);
   cells.split_cell(0, 1, 3);
   ASSERT_EQ(cells.size(), 5U);
   EXPECT_EQ(cells.of_patch(0), (std::vector<std::int32_t>{0, 4}));
@@ -60,7 +63,7 @@ TEST(PatchCells, ACellIsCutIntoTwoOfOnePatch) {
 
 TEST(PatchCells, CornersMoveWithinThePolygonAndAlongItsOutline) {
   const PatchMesh mesh = four_squares();
-  PatchCells cells(mesh, kNoneFixed);
+  PatchCells cells(mesh, kNoneFixed, kAll);
   EXPECT_FALSE(cells.move(1, {1.2, 0.2, 0})) << "off the outline";
   EXPECT_TRUE(cells.move(1, {1.2, 0, 0}));
   EXPECT_TRUE(cells.move(4, {1.1, 0.9, 0}));
@@ -70,14 +73,14 @@ TEST(PatchCells, CornersMoveWithinThePolygonAndAlongItsOutline) {
 
 TEST(PatchCells, NoMoveSpoilsAPatch) {
   const PatchMesh mesh = four_squares();
-  PatchCells cells(mesh, kNoneFixed);
+  PatchCells cells(mesh, kNoneFixed, kAll);
   EXPECT_FALSE(cells.move(4, {0.2, 0.2, 0}));
   EXPECT_EQ(cells.at(4), Vec3(1, 1, 0));
 }
 
 TEST(PatchCells, FixedVerticesStay) {
   const PatchMesh mesh = four_squares();
-  PatchCells cells(mesh, 5);
+  PatchCells cells(mesh, 5, kAll);
   EXPECT_FALSE(cells.move(4, {1.1, 0.9, 0}));
   EXPECT_TRUE(cells.move(5, {2, 1.1, 0}));
   cells.lock(7);

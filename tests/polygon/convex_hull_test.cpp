@@ -48,6 +48,27 @@ TEST(ConvexHull, LeavesOutWhatLiesOnEdges) {
   for (const std::int32_t k : hull) EXPECT_LT(k, 4);
 }
 
+TEST(ConvexHull, ManyPointsOnACircleAreAllCornersUnlessTheyAreTooMany) {
+  constexpr std::size_t kPoints = 2000;
+  std::vector<Point2> points;
+  for (std::size_t k = 0; k < kPoints; ++k) {
+    const double angle = 2.39996 * static_cast<double>(k);  // in no order
+    points.emplace_back(std::cos(angle), std::sin(angle));
+  }
+  const std::vector<std::int32_t> hull = convex_hull(points, kHullThickness);
+  EXPECT_EQ(hull.size(), kPoints);
+  EXPECT_EQ(convex_hull(points, kHullThickness, kPoints), hull);
+  EXPECT_TRUE(convex_hull(points, kHullThickness, kPoints - 1).empty());
+  // With a limit a hundred times as many are no matter.
+  for (int turn = 1; turn < 100; ++turn) {
+    for (std::size_t k = 0; k < kPoints; ++k) {
+      const double angle = 2.39996 * static_cast<double>(k) + 1e-5 * turn;
+      points.emplace_back(std::cos(angle), std::sin(angle));
+    }
+  }
+  EXPECT_TRUE(convex_hull(points, kHullThickness, 8).empty());
+}
+
 TEST(ConvexHull, PointsInALineHaveNone) {
   EXPECT_TRUE(convex_hull({}, kHullThickness).empty());
   EXPECT_TRUE(convex_hull({{1, 2}}, kHullThickness).empty());
