@@ -54,8 +54,12 @@ RowCheck::Error RowCheck::error(const Eigen::MatrixXd& gathered) const {
   const auto n = static_cast<double>(rows_.size());
   const Eigen::Map<const Eigen::VectorXd> area(areas_.data(), static_cast<Index>(areas_.size()));
   Error result{.n_rows = n_rows()};
+  const Eigen::VectorXd of_ones = gathered.col(0);
   for (Index field = 0; field < gathered.cols(); ++field) {
-    const double size = area.dot(gathered.col(field).cwiseAbs2()) / area.sum();
+    // Of light that may be negative, what all of it would give: signs cancel, and prove nothing.
+    const Eigen::VectorXd all =
+        radiosity_.col(field).minCoeff() < 0 ? of_ones : Eigen::VectorXd(gathered.col(field));
+    const double size = area.dot(all.cwiseAbs2()) / area.sum();
     if (!(size > 0)) continue;
     Eigen::ArrayXd squares(n_rows());
     for (Index k = 0; k < n_rows(); ++k) {

@@ -12,8 +12,8 @@ namespace radiosity {
 /// Gathered light of some rows, exactly, to tell how far off an operator is.
 class RowCheck {
  public:
-  /// `areas` are the patches', m²; `radiosity` holds fields, n x k, in the order of the patches.
-  /// Both are copied; the evaluator must outlive this.
+  /// `areas` are the patches', m²; `radiosity` holds fields, n x k, in the order of the patches:
+  /// the first is 1, others have values of at least 0, or signs. Both are copied; the evaluator must outlive this.
   RowCheck(const ExchangeEvaluator& evaluator, const std::vector<double>& areas,
            Eigen::MatrixXd radiosity, std::uint64_t seed);
 
@@ -23,7 +23,7 @@ class RowCheck {
   [[nodiscard]] const Eigen::MatrixXd& radiosity() const { return radiosity_; }
 
   /// What F B is off by, for an operator that gives `gathered`, n x k: the root of the mean square
-  /// over all area, relative to that of F B; the largest over the fields.
+  /// over all area, relative to that of F B, or of F 1 if B has signs; the largest over the fields.
   struct Error {
     double estimate = 0;
     double limit = 0;  ///< no larger with 95 % confidence, allowing for the samples' skewness

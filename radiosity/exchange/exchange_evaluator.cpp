@@ -8,6 +8,7 @@
 #include "radiosity/base/parallel.h"
 #include "radiosity/polygon/exchange_area.h"
 #include "radiosity/visibility/regions.h"
+#include "radiosity/visibility/shaft.h"
 
 namespace radiosity {
 namespace {

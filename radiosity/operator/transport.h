@@ -57,5 +57,7 @@ class Transport {
 
 /// For methods that need rows. Throws SolveError if the operator does not keep them.
 const FactorRows& rows_of(const Transport& transport);
+/// For methods that need all of them, over and over. Throws SolveError if each takes a product.
+const FactorRows& quick_rows_of(const Transport& transport);
 
 }  // namespace radiosity
