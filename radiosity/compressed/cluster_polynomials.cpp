@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "radiosity/base/parallel.h"
 
@@ -11,62 +12,54 @@ namespace {
 
 /// Polynomials that are so small, next to the coordinates' size, once those before are taken out of
 /// them, are no functions of their own.
-constexpr double kSmallest = 1e-3;
+constexpr double kSmallest = 0.03;
+/// But what a parent's functions are made of is kept down to this share of them.
+constexpr double kNeeded = 1e-3;
 /// Clusters of more patches are built in parallel.
 constexpr Index kSerial = 2048;
 
-/// Orthonormal columns by rising degree out of those of `candidates`, within a degree the largest
-/// first, and their coefficients.
-struct Orthonormal {
-  Eigen::MatrixXd columns;       // rows x count
-  Eigen::MatrixXd coefficients;  // count x candidates: columns = candidates coefficientsᵀ
-  std::array<std::uint8_t, NestedBasis::kMostDegree + 1> counts{};
-};
-
-Orthonormal orthonormalised(const Eigen::MatrixXd& candidates, const PolynomialSpace& space) {
-  const Index n = candidates.cols();
-  const Index most = std::min<Index>({n, candidates.rows(), ClusterPolynomials::kMost});
-  Orthonormal result;
-  result.columns.resize(candidates.rows(), most);
-  result.coefficients = Eigen::MatrixXd::Zero(most, n);
-  Eigen::MatrixXd left = candidates;
-  Eigen::MatrixXd left_coefficients = Eigen::MatrixXd::Identity(n, n);
-  Index count = 0;
-  Index begin = 0;
-  for (int degree = 0; degree <= NestedBasis::kMostDegree; ++degree) {
-    const Index end = degree <= space.degree() ? space.size(degree) : n;
-    std::vector<Index> open;
-    for (Index k = begin; k < end; ++k) open.push_back(k);
-    while (!open.empty() && count < most) {
-      const auto largest = std::max_element(open.begin(), open.end(), [&](Index a, Index b) {
-        return left.col(a).squaredNorm() < left.col(b).squaredNorm();
-      });
-      const Index k = *largest;
-      open.erase(largest);
-      // Once more, for what rounding left.
-      for (Index q = 0; q < count; ++q) {
-        const double share = result.columns.col(q).dot(left.col(k));
-        left.col(k) -= share * result.columns.col(q);
-        left_coefficients.col(k) -= share * result.coefficients.row(q).transpose();
-      }
-      const double norm = left.col(k).norm();
-      if (norm < kSmallest) break;
-      result.columns.col(count) = left.col(k) / norm;
-      result.coefficients.row(count) = left_coefficients.col(k).transpose() / norm;
-      for (Index later = begin; later < n; ++later) {
-        const double share = result.columns.col(count).dot(left.col(later));
-        left.col(later) -= share * result.columns.col(count);
-        left_coefficients.col(later) -= share * result.coefficients.row(count).transpose();
-      }
-      ++count;
-    }
-    begin = end;
-    result.counts[degree] = static_cast<std::uint8_t>(count);
+/// Makes functions orthonormal one by one; they are combinations of monomials whose inner products
+/// are `gram`.
+class Orthonormaliser {
+ public:
+  Orthonormaliser(const Eigen::MatrixXd& gram, Index most) : gram_(gram), most_(most) {
+    rows_.resize(0, gram.rows());
   }
-  result.columns.conservativeResize(Eigen::NoChange, count);
-  result.coefficients.conservativeResize(count, Eigen::NoChange);
-  return result;
-}
+
+  /// What is left of a function without those before, and its norm.
+  [[nodiscard]] std::pair<Eigen::RowVectorXd, double> remainder(Eigen::RowVectorXd function) const {
+    // Twice, for what rounding leaves.
+    for (int k = 0; k < 2; ++k) function -= (function * gram_ * rows_.transpose()) * rows_;
+    return {function, std::sqrt(std::max(0.0, (function * gram_).dot(function)))};
+  }
+
+  /// Adds those of the functions that leave a remainder of at least `smallest`, largest first.
+  void add(std::vector<Eigen::RowVectorXd> functions, double smallest) {
+    while (!functions.empty() && rows_.rows() < most_) {
+      std::size_t largest = 0;
+      double norm = 0;
+      for (std::size_t k = 0; k < functions.size(); ++k) {
+        auto [left, size] = remainder(functions[k]);
+        functions[k] = left;
+        if (size > norm) {
+          largest = k;
+          norm = size;
+        }
+      }
+      if (norm < smallest) return;
+      rows_.conservativeResize(rows_.rows() + 1, Eigen::NoChange);
+      rows_.bottomRows(1) = functions[largest] / norm;
+      functions.erase(functions.begin() + static_cast<std::ptrdiff_t>(largest));
+    }
+  }
+
+  [[nodiscard]] const Eigen::MatrixXd& rows() const { return rows_; }
+
+ private:
+  const Eigen::MatrixXd& gram_;
+  Index most_;
+  Eigen::MatrixXd rows_;
+};
 
 }  // namespace
 
@@ -74,7 +67,7 @@ ClusterPolynomials::ClusterPolynomials(const PatchMesh& mesh, const ClusterTree&
     : mesh_(mesh), tree_(tree), planar_(2, kMostDegree), curved_(6, kMostCurvedDegree) {
   frames_.resize(tree.clusters.size());
   built_.resize(tree.clusters.size());
-  if (!tree.clusters.empty()) build(0, nullptr);
+  if (!tree.clusters.empty()) build(0, -1);
 }
 
 ClusterPolynomials::Frame ClusterPolynomials::make_frame(std::int32_t cluster,
@@ -146,59 +139,78 @@ Eigen::MatrixXd ClusterPolynomials::coordinate_map(const Frame& outer, const Fra
   return result;
 }
 
-Eigen::MatrixXd ClusterPolynomials::build(std::int32_t cluster, const Frame* plane) {
+Eigen::MatrixXd ClusterPolynomials::gram_matrix(std::int32_t cluster) const {
   const Cluster& its = tree_.clusters[cluster];
-  const Frame& frame = frames_[cluster] = make_frame(cluster, plane);
+  const Frame& frame = frames_[cluster];
+  const PolynomialSpace& monomials = space(frame);
+  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(monomials.size(), monomials.size());
+  constexpr Index kAtOnce = 64;
+  Eigen::MatrixXd values(monomials.size(), kAtOnce);
+  std::array<double, 6> point{};
+  double area = 0;
+  for (Index begin = its.begin; begin < its.end; begin += kAtOnce) {
+    const Index n = std::min(kAtOnce, its.end - begin);
+    for (Index k = 0; k < n; ++k) {
+      const std::int32_t patch = tree_.order[begin + k];
+      coordinates(frame, patch, point.data());
+      monomials.evaluate(point.data(), values.col(k).data());
+      values.col(k) *= std::sqrt(mesh_.area[patch]);
+      area += mesh_.area[patch];
+    }
+    gram.selfadjointView<Eigen::Lower>().rankUpdate(values.leftCols(n));
+  }
+  return Eigen::MatrixXd(gram.selfadjointView<Eigen::Lower>()) / area;
+}
+
+void ClusterPolynomials::build(std::int32_t cluster, std::int32_t parent) {
+  const Cluster& its = tree_.clusters[cluster];
+  const Frame* above = parent < 0 ? nullptr : &frames_[parent];
+  frames_[cluster] = make_frame(cluster, above != nullptr && above->is_planar ? above : nullptr);
+  const Frame& frame = frames_[cluster];
   const PolynomialSpace& monomials = space(frame);
   Built& built = built_[cluster];
-  Eigen::MatrixXd candidates;
-  Eigen::VectorXd scale;  // of the rows, so that the columns' norms are means over the area
-  if (its.is_leaf()) {
-    const Index n = its.end - its.begin;
-    candidates.resize(n, monomials.size());
-    scale.resize(n);
-    std::array<double, 6> point{};
-    std::array<double, kMost> values{};
-    for (Index k = 0; k < n; ++k) {
-      const std::int32_t patch = tree_.order[its.begin + k];
-      coordinates(frame, patch, point.data());
-      monomials.evaluate(point.data(), values.data());
-      for (int m = 0; m < monomials.size(); ++m) candidates(k, m) = values[m];
-      scale[k] = std::sqrt(mesh_.area[patch]);
-      built.area += mesh_.area[patch];
-    }
-  } else {
-    const Frame* shared = frame.is_planar ? &frame : nullptr;
-    const std::array<std::int32_t, 2> children{its.left, its.right};
-    std::array<Eigen::MatrixXd, 2> below;
-    const auto build_child = [&](std::ptrdiff_t k) { below[k] = build(children[k], shared); };
-    if (its.end - its.begin > kSerial) {
-      parallel_for(2, build_child);
-    } else {
-      build_child(0);
-      build_child(1);
-    }
-    candidates = Eigen::MatrixXd::Zero(below[0].rows() + below[1].rows(), monomials.size());
-    scale.resize(candidates.rows());
-    Index row = 0;
-    for (int k = 0; k < 2; ++k) {
-      const Frame& inner = frames_[children[k]];
-      const Eigen::MatrixXd substituted =
-          monomials.substituted(coordinate_map(frame, inner), space(inner));
-      candidates.block(row, 0, below[k].rows(), substituted.rows()) =
-          below[k].leftCols(substituted.cols()) * substituted.transpose();
-      scale.segment(row, below[k].rows()).setConstant(std::sqrt(built_[children[k]].area));
-      row += below[k].rows();
-      built.area += built_[children[k]].area;
-    }
+  for (Index k = its.begin; k < its.end; ++k) built.area += mesh_.area[tree_.order[k]];
+
+  Eigen::MatrixXd of_parent(0, monomials.size());
+  if (above != nullptr) {
+    const Eigen::MatrixXd substituted =
+        space(*above).substituted(coordinate_map(*above, frame), monomials);
+    of_parent = Eigen::MatrixXd::Zero(built_[parent].coefficients.rows(), monomials.size());
+    of_parent.leftCols(substituted.cols()) =
+        built_[parent].coefficients.cast<double>().leftCols(substituted.rows()) * substituted;
   }
-  scale /= std::sqrt(built.area);
-  candidates.array().colwise() *= scale.array();
-  const Orthonormal found = orthonormalised(candidates, monomials);
-  built.counts = found.counts;
-  built.coefficients = found.coefficients.cast<float>();
-  built.below = (scale.cwiseInverse().asDiagonal() * found.columns).cast<float>();
-  return found.columns.transpose() * candidates;
+  const Eigen::MatrixXd gram = gram_matrix(cluster);
+  Orthonormaliser functions(gram, std::min<Index>({monomials.size(), its.end - its.begin, kMost}));
+  for (int degree = 0; degree <= kMostDegree; ++degree) {
+    if (degree <= monomials.degree()) {
+      std::vector<Eigen::RowVectorXd> own;
+      for (int m = degree > 0 ? monomials.size(degree - 1) : 0; m < monomials.size(degree); ++m) {
+        own.push_back(Eigen::RowVectorXd::Unit(monomials.size(), m));
+      }
+      functions.add(std::move(own), kSmallest);
+    }
+    if (above != nullptr) {
+      std::vector<Eigen::RowVectorXd> needed;
+      const auto& counts = built_[parent].counts;
+      for (int k = degree > 0 ? counts[degree - 1] : 0; k < counts[degree]; ++k) {
+        needed.emplace_back(of_parent.row(k));
+      }
+      functions.add(std::move(needed), kNeeded);
+    }
+    built.counts[degree] = static_cast<std::uint8_t>(functions.rows().rows());
+  }
+  built.coefficients = functions.rows().cast<float>();
+  built.transfer = (of_parent * gram * functions.rows().transpose()).cast<float>();
+
+  if (its.is_leaf()) return;
+  const std::array<std::int32_t, 2> children{its.left, its.right};
+  const auto build_child = [&](std::ptrdiff_t k) { build(children[k], cluster); };
+  if (its.end - its.begin > kSerial) {
+    parallel_for(2, build_child);
+  } else {
+    build_child(0);
+    build_child(1);
+  }
 }
 
 void ClusterPolynomials::evaluate(std::int32_t cluster, std::int32_t patch, int degree,
@@ -257,19 +269,18 @@ NestedBasis ClusterPolynomials::make_basis(const std::vector<std::int8_t>& degre
   basis.numbers.resize(size);
   parallel_for(static_cast<std::ptrdiff_t>(basis.nodes.size()), [&](std::ptrdiff_t c) {
     const NestedBasis::Node& node = basis.nodes[c];
-    float* values = &basis.numbers[node.values];
     if (node.is_leaf()) {
-      for (Index row = 0; row < node.end - node.begin; ++row) {
-        for (int k = 0; k < node.used; ++k) *values++ = built_[c].below(row, k);
+      std::array<double, kMost> values{};
+      float* value = basis.numbers.data() + node.values;
+      for (std::int32_t row = node.begin; row < node.end; ++row) {
+        evaluate(static_cast<std::int32_t>(c), tree_.order[row], kMostDegree, values.data());
+        for (int k = 0; k < node.used; ++k) *value++ = static_cast<float>(values[k]);
       }
     }
     if (parent[c] < 0) return;
-    const NestedBasis::Node& above = basis.nodes[parent[c]];
-    const bool is_right = above.right == c;
-    const Index first = is_right ? built_[above.left].counts.back() : 0;
-    float* transfer = &basis.numbers[node.transfer];
-    for (int k = 0; k < above.used; ++k) {
-      for (int l = 0; l < node.used; ++l) *transfer++ = built_[parent[c]].below(first + l, k);
+    float* transfer = basis.numbers.data() + node.transfer;
+    for (int k = 0; k < basis.nodes[parent[c]].used; ++k) {
+      for (int l = 0; l < node.used; ++l) *transfer++ = built_[c].transfer(k, l);
     }
   }, 256);
   return basis;

@@ -56,10 +56,12 @@ class ClusterPolynomials {
     std::array<std::uint8_t, kMostDegree + 1> counts{};
     double area = 0;
     Eigen::MatrixXf coefficients;  // of the monomials: count x monomials
-    Eigen::MatrixXf below;         // on both children, or at the patches: (rows) x count
+    Eigen::MatrixXf transfer;      // the parent's as combinations of these: its count x count
   };
-  /// What a parent needs: the monomials as combinations of the polynomials, count x monomials.
-  Eigen::MatrixXd build(std::int32_t cluster, const Frame* plane);
+  /// `parent` is -1 of the root.
+  void build(std::int32_t cluster, std::int32_t parent);
+  /// Σ_i A_i z_k(i) z_l(i) / A of the monomials.
+  [[nodiscard]] Eigen::MatrixXd gram_matrix(std::int32_t cluster) const;
   [[nodiscard]] Frame make_frame(std::int32_t cluster, const Frame* plane) const;
   [[nodiscard]] const PolynomialSpace& space(const Frame& frame) const {
     return frame.is_planar ? planar_ : curved_;

@@ -44,7 +44,7 @@ constexpr double kSigmas = 8;
 
 /// Polygons at most that light is taken from exactly, and the error of each pair, in tolerances.
 constexpr std::size_t kMostSources = 32;
-constexpr double kSourceShare = 0.3;
+constexpr double kSourceShare = 0.1;
 
 /// Memory for the assembly of so many patches, bytes: measured on rooms at 1e-2, 1.3 KB for what is
 /// prepared of a patch and up to 1.5 KB for its blocks.
