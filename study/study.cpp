@@ -18,7 +18,7 @@ using namespace radiosity;
 
 /// Throws SolveError if so many patches will not do, of which there may be more in the end.
 void check_expected(Index n_patches, Index n_polygons, const StudyOptions& options) {
-  if (is_compressed(options, n_patches)) {
+  if (is_compressed(options)) {
     check_compressed_memory(n_patches, options.memory);
   } else if (options.storage == Storage::memory) {
     check_memory(n_patches, n_polygons, options.memory);
@@ -29,7 +29,7 @@ void check_expected(Index n_patches, Index n_polygons, const StudyOptions& optio
 }
 
 void check_made(Index n_patches, Index n_polygons, const StudyOptions& options) {
-  if (is_compressed(options, n_patches)) {
+  if (is_compressed(options)) {
     check_compressed_memory(n_patches, options.memory);
   } else if (options.storage == Storage::memory) {
     check_memory(n_patches, n_polygons, options.memory);
@@ -95,10 +95,10 @@ FormFactors make_form_factors(const Scene& scene, const PatchMesh& mesh,
   FormFactors result;
   if (options.patches.adaptive) {
     result = make_adaptive(scene, options, events);
-  } else if (is_compressed(options, mesh.size())) {
-    result.transport = make_compressed_transport(
-        mesh, visibility, transport_options(scene, options, events.progress),
-        {exitance(scene, mesh), reflectance(scene, mesh)});
+  } else if (is_compressed(options)) {
+    result.transport = make_compressed_transport(mesh, visibility,
+                                                 transport_options(scene, options, events.progress),
+                                                 {exitance(scene, mesh), reflectance(scene, mesh)});
     warn_of_unverified(result.transport->report(),
                        options.factor_tolerance.value_or(options.tolerance), events);
   } else {

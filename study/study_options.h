@@ -19,7 +19,6 @@ enum class Storage {
 
 /// How an operator in memory is kept.
 enum class TransportKind {
-  automatic,  ///< dense, unless patches are many and nothing needs its rows
   dense,      ///< all form factors (`radiosity::make_transport`)
   compressed  ///< far and near blocks (`radiosity::make_compressed_transport`)
 };
@@ -34,7 +33,8 @@ struct StudyOptions {
   radiosity::Closed closed = radiosity::Closed::automatic;
   std::uint64_t seed = 0;  ///< of the visibility samples
   Storage storage = Storage::memory;
-  TransportKind transport = TransportKind::automatic;  ///< if it is in memory
+  /// If it is in memory. Of adaptive patches it is dense: their rounds go by rows.
+  TransportKind transport = TransportKind::dense;
   /// Bytes for the form factors; 0 = what the machine has, or half of that for those on disk.
   std::size_t memory = 0;
   radiosity::Method method = radiosity::Method::conjugate_gradients;  ///< of the iteration
@@ -43,9 +43,8 @@ struct StudyOptions {
 /// What the options and the scene's own word on being closed come to.
 radiosity::Closed closedness(const radiosity::Scene& scene, radiosity::Closed asked);
 
-/// Whether the operator of so many patches is to be compressed. It is made anew for each mesh, so
-/// that adaptive patches have a dense one, as have methods that go row by row.
-bool is_compressed(const StudyOptions& options, radiosity::Index n_patches);
+/// Whether the operator is compressed by these options.
+bool is_compressed(const StudyOptions& options);
 
 /// The tolerance of the iteration: it shall add nothing to the error of the form factors, and
 /// digits cost it little.

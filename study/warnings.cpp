@@ -23,8 +23,7 @@ void warn_of_open_rows(const AssemblyReport& report, const StudyEvents& events) 
                   report.open_rows, report.row_sums.size()));
 }
 
-void warn_of_unverified(const AssemblyReport& report, double tolerance,
-                        const StudyEvents& events) {
+void warn_of_unverified(const AssemblyReport& report, double tolerance, const StudyEvents& events) {
   if (!report.compression || report.compression->verified_error <= tolerance) return;
   events.warn(fmt::format(
       "the compressed form factors are off by up to {:.2g}, more than the {:.2g} that was asked; "

@@ -54,9 +54,6 @@ ViewCommand::ViewCommand(CLI::App& program, Interruption& interruption)
       ->capture_default_str()
       ->type_name("N");
   add_compute_options(*command, compute_);
-  // Rows are shown where the mouse points.
-  compute_.transport = study::TransportKind::dense;
-  add_transport_option(*command, compute_);
   add_adaptive_option(*command, compute_);
   command->callback([this] { run(); });
 }

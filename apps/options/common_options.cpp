@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/App.hpp>
-#include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "apps/terminal/number_list.h"
 #include "io/scene/scene_file.h"
@@ -139,21 +137,17 @@ void add_seed_option(CLI::App& command, std::uint64_t& seed) {
 }
 
 void add_transport_option(CLI::App& command, study::StudyOptions& options) {
-  const std::map<std::string, study::TransportKind> kinds = {
-      {"auto", study::TransportKind::automatic},
-      {"dense", study::TransportKind::dense},
-      {"compressed", study::TransportKind::compressed}};
-  const auto chosen = std::find_if(kinds.begin(), kinds.end(), [&](const auto& kind) {
-    return kind.second == options.transport;
-  });
   command
       .add_option_function<std::string>(
           "--transport",
-          [&options, kinds](const std::string& name) { options.transport = kinds.at(name); },
-          "How form factors are kept: dense, all of them; compressed, for many patches, with an "
-          "error that is verified; auto, by the number of patches")
-      ->check(CLI::IsMember({"auto", "dense", "compressed"}))
-      ->default_str(chosen->first)
+          [&options](const std::string& name) {
+            options.transport =
+                name == "dense" ? study::TransportKind::dense : study::TransportKind::compressed;
+          },
+          "How form factors are kept: dense, all of them; compressed, for many patches: memory "
+          "and time hardly grow faster than their number, and the error is verified")
+      ->check(CLI::IsMember({"dense", "compressed"}))
+      ->default_str("dense")
       ->type_name("K");
 }
 
@@ -166,6 +160,9 @@ void add_adaptive_option(CLI::App& command, study::StudyOptions& options) {
       ->group("Patches")
       ->excludes(command.get_option("--max-edge"))
       ->excludes(command.get_option("--as-is"));
+  if (auto* transport = command.get_option_no_throw("--transport")) {
+    command.get_option("--adaptive")->excludes(transport);
+  }
 }
 
 void add_picture_options(CLI::App& command, PictureOptions& options) {

@@ -89,12 +89,11 @@ std::string form_factor_lines(const radiosity::AssemblyReport& report, std::size
   std::string text = line("form factors", fmt::format("{:.3g} s, {}", report.seconds, bytes(size)));
   if (report.compression) {
     const radiosity::CompressionReport& compression = *report.compression;
-    text += line("  compressed",
-                 fmt::format("{:.0f} numbers a patch, {:.0f} form factors evaluated",
-                             compression.coefficients, compression.entries));
-    text += line("  verified",
-                 fmt::format("gathered light off by {:.2g} at most (95 %, {} rows)",
-                             compression.verified_error, compression.n_rows));
+    text +=
+        line("  compressed", fmt::format("{:.0f} numbers a patch, {:.0f} form factors evaluated",
+                                         compression.coefficients, compression.entries));
+    text += line("  verified", fmt::format("gathered light off by {:.2g} at most (95 %, {} rows)",
+                                           compression.verified_error, compression.n_rows));
   }
   text += line("  pairs facing", fmt::format("{}", report.facing));
   text += line("    visible", fmt::format("{}", report.visible));

@@ -24,12 +24,11 @@ BlockFit fit_block(const ClusterPolynomials& polynomials, const std::vector<std:
     const double root = std::sqrt(sample.weight);
     total += sample.weight;
     int row = 0;
-    for_each_function(polynomials.counts(a), polynomials.counts(b), degrees,
-                      [&](int k, int count) {
-                        for (int l = 0; l < count; ++l) {
-                          functions(row++, s) = root * of_a[k] * of_b[l];
-                        }
-                      });
+    for_each_function(polynomials.counts(a), polynomials.counts(b), degrees, [&](int k, int count) {
+      for (int l = 0; l < count; ++l) {
+        functions(row++, s) = root * of_a[k] * of_b[l];
+      }
+    });
     wanted[s] = root * sample.density;
   }
   BlockFit fit;
@@ -40,10 +39,13 @@ BlockFit fit_block(const ClusterPolynomials& polynomials, const std::vector<std:
   } else {
     Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(n, n);
     normal.selfadjointView<Eigen::Lower>().rankUpdate(functions);
-    // A direction that the samples do not see may stay as small as it can.
-    constexpr double kRegular = 1e-9;
+    // A combination that the samples hardly see stays small. What that takes from the others is
+    // given back by a second step. (Tikhonov, iterated)
+    constexpr double kRegular = 1e-3;
     normal.diagonal().array() += kRegular * total;
-    solution = normal.selfadjointView<Eigen::Lower>().ldlt().solve(functions * wanted);
+    const auto solver = normal.selfadjointView<Eigen::Lower>().ldlt();
+    solution = solver.solve(functions * wanted);
+    solution += solver.solve(functions * (wanted - functions.transpose() * solution));
   }
   const Eigen::VectorXd fitted = functions.transpose() * solution;
   const double freedom = are_all ? 1.0

@@ -20,12 +20,12 @@ struct DensitySample {
 /// A polynomial fitted to the densities between two clusters.
 struct BlockFit {
   std::vector<double> coefficients;  ///< as CompressedBlocks::Far has them
-  double error = 0;  ///< what samples are off by, root of the mean square, 1/m²
-  double lowest = 0;  ///< least value at a sample, 1/m²
+  double error = 0;                  ///< what samples are off by, root of the mean square, 1/m²
+  double lowest = 0;                 ///< least value at a sample, 1/m²
 };
 
-/// `order` is the tree's. Fits by weighted least squares; the error allows for the freedom that the fit has, unless the
-/// samples are all pairs there are.
+/// `order` is the tree's. Fits by weighted least squares; the error allows for the freedom that the
+/// fit has, unless the samples are all pairs there are.
 BlockFit fit_block(const ClusterPolynomials& polynomials, const std::vector<std::int32_t>& order,
                    std::int32_t a, std::int32_t b, DegreePair degrees,
                    std::span<const DensitySample> samples, bool are_all);

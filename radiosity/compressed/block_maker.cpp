@@ -75,25 +75,28 @@ BlockMaker::BlockMaker(const ExchangeEvaluator& evaluator, const ClusterPolynomi
   find_extremes();
   cones_.resize(tree.clusters.size());
   diameters_.resize(tree.clusters.size());
-  parallel_for(static_cast<std::ptrdiff_t>(tree.clusters.size()), [&](std::ptrdiff_t c) {
-    const Cluster& cluster = tree.clusters[c];
-    diameters_[c] = cluster.box.diagonal().norm();
-    const auto& planes = evaluator_.prepared().planes;
-    Vec3 axis = Vec3::Zero();
-    for (Index k = cluster.begin; k < cluster.end; ++k) {
-      axis += areas_[tree.order[k]] * planes[tree.order[k]].normal;
-    }
-    const double length = axis.norm();
-    Cone& cone = cones_[c];
-    cone = {Vec3::Zero(), 1};
-    if (length == 0) return;
-    cone.axis = axis / length;
-    double least = 1;
-    for (Index k = cluster.begin; k < cluster.end; ++k) {
-      least = std::min(least, cone.axis.dot(planes[tree.order[k]].normal));
-    }
-    if (least > 0) cone.sine = std::sqrt(std::max(0.0, 1 - least * least));
-  }, 64);
+  parallel_for(
+      static_cast<std::ptrdiff_t>(tree.clusters.size()),
+      [&](std::ptrdiff_t c) {
+        const Cluster& cluster = tree.clusters[c];
+        diameters_[c] = cluster.box.diagonal().norm();
+        const auto& planes = evaluator_.prepared().planes;
+        Vec3 axis = Vec3::Zero();
+        for (Index k = cluster.begin; k < cluster.end; ++k) {
+          axis += areas_[tree.order[k]] * planes[tree.order[k]].normal;
+        }
+        const double length = axis.norm();
+        Cone& cone = cones_[c];
+        cone = {Vec3::Zero(), 1};
+        if (length == 0) return;
+        cone.axis = axis / length;
+        double least = 1;
+        for (Index k = cluster.begin; k < cluster.end; ++k) {
+          least = std::min(least, cone.axis.dot(planes[tree.order[k]].normal));
+        }
+        if (least > 0) cone.sine = std::sqrt(std::max(0.0, 1 - least * least));
+      },
+      64);
 }
 
 /// The patches of each cluster that are furthest in eight directions, each once.
@@ -245,8 +248,8 @@ void BlockMaker::add_corners(const Item& item, const Density& density,
 
 void BlockMaker::accept(const Item& item, DegreePair degrees, const BlockFit& fit, double error,
                         bool is_sampled, MadeBlocks& made) const {
-  made.far.push_back({item.a, item.b, degrees, is_sampled,
-                      static_cast<float>(error), made.coefficients.size()});
+  made.far.push_back(
+      {item.a, item.b, degrees, is_sampled, static_cast<float>(error), made.coefficients.size()});
   for (const double c : fit.coefficients) made.coefficients.push_back(static_cast<float>(c));
 }
 
@@ -254,8 +257,8 @@ bool BlockMaker::fit_visible(const Item& item, double limit, MadeBlocks& made) c
   const Cluster& ca = evaluator_.tree().clusters[item.a];
   const Cluster& cb = evaluator_.tree().clusters[item.b];
   const auto n_pairs = static_cast<double>((ca.end - ca.begin) * (cb.end - cb.begin));
-  const int most = std::min({kVisibleDegree, polynomials_.most_degree(item.a),
-                             polynomials_.most_degree(item.b)});
+  const int most = std::min(
+      {kVisibleDegree, polynomials_.most_degree(item.a), polynomials_.most_degree(item.b)});
   const auto density = [&](std::int32_t i, std::int32_t j) {
     ++made.census.kernels;
     return evaluator_.unoccluded(i, j) / (areas_[i] * areas_[j]);
@@ -266,12 +269,12 @@ bool BlockMaker::fit_visible(const Item& item, double limit, MadeBlocks& made) c
   int before = 0;
   for (int degree = 0; degree <= most; ++degree) {
     const DegreePair degrees{static_cast<std::int8_t>(degree), static_cast<std::int8_t>(degree)};
-    const int n =
-        n_coefficients(polynomials_.counts(item.a), polynomials_.counts(item.b), degrees);
+    const int n = n_coefficients(polynomials_.counts(item.a), polynomials_.counts(item.b), degrees);
     if (degree > 0 && (n == before || 2 * n > n_pairs)) return false;
     before = n;
     const bool are_all = add_samples(item, n_corners + visible_samples(n), density, samples);
-    const BlockFit fit = fit_block(polynomials_, evaluator_.tree().order, item.a, item.b, degrees, samples, are_all);
+    const BlockFit fit =
+        fit_block(polynomials_, evaluator_.tree().order, item.a, item.b, degrees, samples, are_all);
     const double error = action_error(item.a, item.b, fit.error);
     if (error <= limit && fit.lowest >= 0) {
       accept(item, degrees, fit, fit.error, false, made);
@@ -287,8 +290,8 @@ bool BlockMaker::fit_sampled(Item& item, double limit, ExchangeEvaluator::Worker
   const Cluster& ca = evaluator_.tree().clusters[item.a];
   const Cluster& cb = evaluator_.tree().clusters[item.b];
   const auto n_pairs = static_cast<double>((ca.end - ca.begin) * (cb.end - cb.begin));
-  const int most = std::min({kSampledDegree, polynomials_.most_degree(item.a),
-                             polynomials_.most_degree(item.b)});
+  const int most = std::min(
+      {kSampledDegree, polynomials_.most_degree(item.a), polynomials_.most_degree(item.b)});
   const auto density = [&](std::int32_t i, std::int32_t j) {
     ++made.census.samples;
     return evaluator_.entry(i, j, item.between, worker).value / (areas_[i] * areas_[j]);
@@ -400,10 +403,9 @@ void BlockMaker::divide(const Item& item, Items& open) const {
     add(ca.left, ca.left);
     add(ca.left, ca.right);
     add(ca.right, ca.right);
-  } else if (cb.is_leaf() ||
-             (!ca.is_leaf() &&
-              (item.varies_more_in_a ||
-               (!item.varies_more_in_b && diameters_[item.a] >= diameters_[item.b])))) {
+  } else if (cb.is_leaf() || (!ca.is_leaf() && (item.varies_more_in_a ||
+                                                (!item.varies_more_in_b &&
+                                                 diameters_[item.a] >= diameters_[item.b])))) {
     add(ca.left, item.b);
     add(ca.right, item.b);
   } else {
@@ -421,8 +423,8 @@ void BlockMaker::work(Item item, double limit, ExchangeEvaluator::Worker& worker
       gap(item.a, item.b) >= kDistant * std::max(diameters_[item.a], diameters_[item.b]) &&
       evaluator_.is_uniform(item.a) && evaluator_.is_uniform(item.b);
   if (is_distant) {
-    const bool is_visible = item.between.candidates.empty() && is_facing(item.a, item.b) &&
-                            is_facing(item.b, item.a);
+    const bool is_visible =
+        item.between.candidates.empty() && is_facing(item.a, item.b) && is_facing(item.b, item.a);
     if (is_visible ? fit_visible(item, limit, made) : fit_sampled(item, limit, worker, made)) {
       return;
     }
@@ -471,7 +473,8 @@ MadeBlocks BlockMaker::make(Items items, double limit) const {
 
 MadeBlocks BlockMaker::make(double limit) const {
   Items items;
-  if (!evaluator_.tree().clusters.empty()) items.push_back({0, 0, evaluator_.everything(), {}, false, false});
+  if (!evaluator_.tree().clusters.empty())
+    items.push_back({0, 0, evaluator_.everything(), {}, false, false});
   return make(std::move(items), limit);
 }
 
@@ -484,10 +487,9 @@ MadeBlocks BlockMaker::refine(MadeBlocks blocks, double limit) const {
       continue;
     }
     const std::uint64_t first = result.coefficients.size();
-    const int n = n_coefficients(polynomials_.counts(block.a), polynomials_.counts(block.b),
-                                 block.degrees);
-    result.coefficients.insert(result.coefficients.end(),
-                               blocks.coefficients.begin() + block.first,
+    const int n =
+        n_coefficients(polynomials_.counts(block.a), polynomials_.counts(block.b), block.degrees);
+    result.coefficients.insert(result.coefficients.end(), blocks.coefficients.begin() + block.first,
                                blocks.coefficients.begin() + block.first + n);
     result.far.push_back(block);
     result.far.back().first = first;

@@ -16,10 +16,10 @@ namespace radiosity {
 
 /// What became of the pairs of patches, and what it took.
 struct BlockCensus {
-  std::int64_t samples = 0;        ///< entries evaluated for far blocks, some may block
-  std::int64_t kernels = 0;        ///< entries evaluated for far blocks that see each other
-  std::int64_t near_entries = 0;   ///< entries evaluated for near blocks
-  double hidden = 0;               ///< pairs of patches that are proved to exchange nothing
+  std::int64_t samples = 0;       ///< entries evaluated for far blocks, some may block
+  std::int64_t kernels = 0;       ///< entries evaluated for far blocks that see each other
+  std::int64_t near_entries = 0;  ///< entries evaluated for near blocks
+  double hidden = 0;              ///< pairs of patches that are proved to exchange nothing
   BlockCensus& operator+=(const BlockCensus& other);
 };
 
@@ -34,8 +34,8 @@ struct MadeBlocks {
   void append(MadeBlocks&& other);
 };
 
-/// Divides the exchange between all patches into blocks of which each is polynomial but for an error
-/// that is small enough.
+/// Divides the exchange between all patches into blocks of which each is polynomial but for an
+/// error that is small enough.
 class BlockMaker {
  public:
   /// All must outlive this.
@@ -97,7 +97,7 @@ class BlockMaker {
     Vec3 axis;
     double sine;  // of the largest angle between a normal and the axis; 1: anything
   };
-  std::vector<Cone> cones_;       // per cluster
+  std::vector<Cone> cones_;        // per cluster
   std::vector<double> diameters_;  // per cluster
 };
 

@@ -99,8 +99,7 @@ ClusterPolynomials::Frame ClusterPolynomials::make_frame(std::int32_t cluster,
   return frame;
 }
 
-void ClusterPolynomials::coordinates(const Frame& frame, std::int32_t patch,
-                                     double* point) const {
+void ClusterPolynomials::coordinates(const Frame& frame, std::int32_t patch, double* point) const {
   const Vec3 place = (mesh_.centroid[patch] - frame.center) / frame.size;
   if (frame.is_planar) {
     point[0] = frame.u.dot(place);
@@ -267,22 +266,25 @@ NestedBasis ClusterPolynomials::make_basis(const std::vector<std::int8_t>& degre
     }
   }
   basis.numbers.resize(size);
-  parallel_for(static_cast<std::ptrdiff_t>(basis.nodes.size()), [&](std::ptrdiff_t c) {
-    const NestedBasis::Node& node = basis.nodes[c];
-    if (node.is_leaf()) {
-      std::array<double, kMost> values{};
-      float* value = basis.numbers.data() + node.values;
-      for (std::int32_t row = node.begin; row < node.end; ++row) {
-        evaluate(static_cast<std::int32_t>(c), tree_.order[row], kMostDegree, values.data());
-        for (int k = 0; k < node.used; ++k) *value++ = static_cast<float>(values[k]);
-      }
-    }
-    if (parent[c] < 0) return;
-    float* transfer = basis.numbers.data() + node.transfer;
-    for (int k = 0; k < basis.nodes[parent[c]].used; ++k) {
-      for (int l = 0; l < node.used; ++l) *transfer++ = built_[c].transfer(k, l);
-    }
-  }, 256);
+  parallel_for(
+      static_cast<std::ptrdiff_t>(basis.nodes.size()),
+      [&](std::ptrdiff_t c) {
+        const NestedBasis::Node& node = basis.nodes[c];
+        if (node.is_leaf()) {
+          std::array<double, kMost> values{};
+          float* value = basis.numbers.data() + node.values;
+          for (std::int32_t row = node.begin; row < node.end; ++row) {
+            evaluate(static_cast<std::int32_t>(c), tree_.order[row], kMostDegree, values.data());
+            for (int k = 0; k < node.used; ++k) *value++ = static_cast<float>(values[k]);
+          }
+        }
+        if (parent[c] < 0) return;
+        float* transfer = basis.numbers.data() + node.transfer;
+        for (int k = 0; k < basis.nodes[parent[c]].used; ++k) {
+          for (int l = 0; l < node.used; ++l) *transfer++ = built_[c].transfer(k, l);
+        }
+      },
+      256);
   return basis;
 }
 

@@ -135,22 +135,20 @@ void CompressedMatrix::add_product(const double* x, double* result) const {
       const CompressedBlocks::Far& block = blocks_.far[use.block];
       const float* coefficients = &blocks_.coefficients[block.first];
       const double* of_other = &moments[nodes[use.other].first * kColumns];
-      for_each_function(nodes[block.a].counts, nodes[block.b].counts, block.degrees,
-                        [&](int row, int count) {
-                          const float* c = coefficients;
-                          coefficients += count;
-                          if (use.is_a) {
-                            for (int l = 0; l < count; ++l) {
-                              add_scaled<kColumns>(c[l], of_other + l * kColumns,
-                                                   sum + row * kColumns);
-                            }
-                          } else {
-                            for (int l = 0; l < count; ++l) {
-                              add_scaled<kColumns>(c[l], of_other + row * kColumns,
-                                                   sum + l * kColumns);
-                            }
-                          }
-                        });
+      for_each_function(
+          nodes[block.a].counts, nodes[block.b].counts, block.degrees, [&](int row, int count) {
+            const float* c = coefficients;
+            coefficients += count;
+            if (use.is_a) {
+              for (int l = 0; l < count; ++l) {
+                add_scaled<kColumns>(c[l], of_other + l * kColumns, sum + row * kColumns);
+              }
+            } else {
+              for (int l = 0; l < count; ++l) {
+                add_scaled<kColumns>(c[l], of_other + row * kColumns, sum + l * kColumns);
+              }
+            }
+          });
     }
     if (!nodes[k].is_leaf()) return;
     const std::int32_t begin = nodes[k].begin;
@@ -229,19 +227,20 @@ Eigen::MatrixXd CompressedMatrix::sum_over_blocks(const Eigen::MatrixXd& x, cons
       sums[k] = node.is_leaf() ? x.col(column).segment(node.begin, node.end - node.begin).sum()
                                : sums[node.left] + sums[node.right];
     });
-    parallel_for(static_cast<std::ptrdiff_t>(nodes.size()),
-                 [&](std::ptrdiff_t k) {
-                   gathered[k] = 0;
-                   const auto add_all = [&](const Uses& uses, const auto& blocks) {
-                     for (std::int64_t u = uses.first[k]; u < uses.first[k + 1]; ++u) {
-                       const double error = blocks[uses.all[u].block].error;
-                       gathered[k] += add(error, sums[uses.all[u].other]);
-                     }
-                   };
-                   add_all(far_, blocks_.far);
-                   add_all(near_, blocks_.near);
-                 },
-                 kNodeGrain);
+    parallel_for(
+        static_cast<std::ptrdiff_t>(nodes.size()),
+        [&](std::ptrdiff_t k) {
+          gathered[k] = 0;
+          const auto add_all = [&](const Uses& uses, const auto& blocks) {
+            for (std::int64_t u = uses.first[k]; u < uses.first[k + 1]; ++u) {
+              const double error = blocks[uses.all[u].block].error;
+              gathered[k] += add(error, sums[uses.all[u].other]);
+            }
+          };
+          add_all(far_, blocks_.far);
+          add_all(near_, blocks_.near);
+        },
+        kNodeGrain);
     visit_downward([&](std::int32_t k) {
       const NestedBasis::Node& node = nodes[k];
       if (node.is_leaf()) {

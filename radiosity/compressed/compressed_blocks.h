@@ -17,9 +17,7 @@ struct DegreePair {
   std::int8_t a = 0;
   std::int8_t b = 0;
   /// The largest that goes with one of the first cluster.
-  [[nodiscard]] int of_b(int degree_a) const {
-    return std::min<int>(b, std::max(a, b) - degree_a);
-  }
+  [[nodiscard]] int of_b(int degree_a) const { return std::min<int>(b, std::max(a, b) - degree_a); }
 };
 
 /// Calls visit(k, count) for each function k of a: it goes with [0, count) of b. `counts` tell the

@@ -24,18 +24,18 @@ class CompressedTransport final : public Transport, public FactorRows {
     std::vector<std::int32_t> order;  ///< patches in the tree's order
     CompressedBlocks blocks;
     Eigen::VectorXd area;  ///< m², in the order of the patches
-    /// Closes the rows: d_ab² (μ_i + μ_j) is added to each density, n, in the tree's order; empty if
-    /// nothing is.
+    /// Closes the rows: d_ab² (μ_i + μ_j) is added to each density, n, in the tree's order; empty
+    /// if nothing is.
     Eigen::VectorXd multipliers = {};
     /// What the exchange with a part of the scene lacks: r_i is added to the sum of G_ij over its
     /// patches j by the symmetric change r vᵀ + v rᵀ - (Σ_s r) v vᵀ, with v its patches' areas over
     /// their sum.
     struct Source {
       std::vector<std::int32_t> patches;  ///< in rising order
-      Eigen::VectorXd lacking;  ///< r, m², n
+      Eigen::VectorXd lacking;            ///< r, m², n
     };
     std::vector<Source> sources = {};
-    double error_scale = 1;  ///< of the blocks' errors
+    double error_scale = 1;      ///< of the blocks' errors
     AssemblyReport report = {};  ///< with its `compression`
   };
   explicit CompressedTransport(Parts parts);

@@ -96,8 +96,8 @@ class AdjustableBlocks final : public AdjustableExchange {
   }
   void adjust(const Eigen::VectorXd& factors) override {
     multipliers_ += factors;
-    sums_ += factors.cwiseProduct(weighted_sums(Eigen::VectorXd::Ones(size()))) +
-             weighted_sums(factors);
+    sums_ +=
+        factors.cwiseProduct(weighted_sums(Eigen::VectorXd::Ones(size()))) + weighted_sums(factors);
   }
   [[nodiscard]] Eigen::VectorXd row_sums() const override { return sums_; }
   [[nodiscard]] double rounding() const override { return kRounding; }
@@ -142,8 +142,8 @@ class CompressedAssembly {
     RowCheck::Error error = verify(check, *transport);
     int round = 0;
     while (error.limit > options_.tolerance && round < kMostRounds) {
-      limit *= std::clamp(square(kAimedAt * options_.tolerance / error.limit), kLeastStep,
-                          kMostStep);
+      limit *=
+          std::clamp(square(kAimedAt * options_.tolerance / error.limit), kLeastStep, kMostStep);
       transport.reset();
       made_ = maker_.refine(std::move(made_), limit);
       ++round;
@@ -170,11 +170,11 @@ class CompressedAssembly {
       squares += square(maker_.action_error(block.a, block.b, block.error));
     }
     estimate_ = std::sqrt(squares);
-    auto transport = std::make_unique<CompressedTransport>(CompressedTransport::Parts{
-        .order = evaluator_.tree().order,
-        .blocks = {polynomials_.make_basis(degrees), made_.far, made_.coefficients, made_.near,
-                   made_.densities},
-        .area = area_});
+    auto transport = std::make_unique<CompressedTransport>(
+        CompressedTransport::Parts{.order = evaluator_.tree().order,
+                                   .blocks = {polynomials_.make_basis(degrees), made_.far,
+                                              made_.coefficients, made_.near, made_.densities},
+                                   .area = area_});
     add_sources(*transport);
     close_rows(*transport);
     return transport;
@@ -187,8 +187,8 @@ class CompressedAssembly {
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(mesh_.size()); ++i) {
       if (!(light_.exitance.row(i).maxCoeff() > 0)) continue;
       // Two-sided polygons have patches of either side.
-      const std::int32_t key = mesh_.twin[i] >= 0 && mesh_.twin[i] < i ? -1 - mesh_.polygon[i]
-                                                                       : mesh_.polygon[i];
+      const std::int32_t key =
+          mesh_.twin[i] >= 0 && mesh_.twin[i] < i ? -1 - mesh_.polygon[i] : mesh_.polygon[i];
       found[key].push_back(i);
       if (found.size() > kMostSources) return;
     }
@@ -198,9 +198,9 @@ class CompressedAssembly {
       options_.progress.check();
       sources_.push_back({std::move(patches), {}});
       Source& source = sources_.back();
-      source.exchange = polygon_exchange(evaluator_, *polygon, source.patches[0],
-                                         kSourceShare * options_.tolerance, options_.seed,
-                                         options_.progress);
+      source.exchange =
+          polygon_exchange(evaluator_, *polygon, source.patches[0],
+                           kSourceShare * options_.tolerance, options_.seed, options_.progress);
     }
   }
 
@@ -259,8 +259,8 @@ class CompressedAssembly {
     report.closure_max = gap.abs().maxCoeff();
     Eigen::VectorXd present = report.row_sums;
     if (is_closed_) {
-      const Eigen::ArrayXd most = kSigmas * transport.apply_error(ones).col(0).array() +
-                                  kSigmas * options_.tolerance;
+      const Eigen::ArrayXd most =
+          kSigmas * transport.apply_error(ones).col(0).array() + kSigmas * options_.tolerance;
       const Eigen::VectorXd mask = (gap.abs() <= most).cast<double>();
       RowSums sums{transport.to_tree(area_.cwiseProduct(report.row_sums)).col(0),
                    transport.to_tree(area_.array() * (1 - coverage_.share.array())).col(0),
@@ -278,9 +278,9 @@ class CompressedAssembly {
   [[nodiscard]] RowCheck make_check(const CompressedTransport& transport) const {
     Eigen::MatrixXd fields = test_fields(mesh_);
     if (light_.exitance.size() > 0 && light_.exitance.maxCoeff() > 0) {
-      const Solution solution =
-          solve(transport, light_.exitance, light_.reflectance,
-                {.tolerance = kLightTolerance, .progress = {.report = {}, .stop = options_.progress.stop}});
+      const Solution solution = solve(transport, light_.exitance, light_.reflectance,
+                                      {.tolerance = kLightTolerance,
+                                       .progress = {.report = {}, .stop = options_.progress.stop}});
       const Index n = fields.cols();
       fields.conservativeResize(Eigen::NoChange, n + solution.radiosity.cols());
       fields.rightCols(solution.radiosity.cols()) = solution.radiosity;
@@ -309,8 +309,7 @@ class CompressedAssembly {
         .estimated_error = estimate_,
         .n_rows = error.n_rows,
         .n_rounds = round,
-        .coefficients =
-            static_cast<double>(made_.coefficients.size() + made_.densities.size()) / n,
+        .coefficients = static_cast<double>(made_.coefficients.size() + made_.densities.size()) / n,
         .entries = static_cast<double>(made_.census.samples + made_.census.near_entries) / n};
     if (estimate_ > 0) {
       transport.parts_.error_scale = std::max(kLeastScale, error.limit / estimate_);

@@ -13,7 +13,8 @@ namespace radiosity {
 class RowCheck {
  public:
   /// `areas` are the patches', m²; `radiosity` holds fields, n x k, in the order of the patches:
-  /// the first is 1, others have values of at least 0, or signs. Both are copied; the evaluator must outlive this.
+  /// the first is 1, others have values of at least 0, or signs. Both are copied; the evaluator
+  /// must outlive this.
   RowCheck(const ExchangeEvaluator& evaluator, const std::vector<double>& areas,
            Eigen::MatrixXd radiosity, std::uint64_t seed);
 

@@ -92,9 +92,9 @@ void ExchangeEvaluator::find_regions_of_clusters() {
       if (region_[tree().order[k]] != region) region = -1;
     }
     region_of_cluster_.push_back(region);
-    has_covered_.push_back(std::any_of(
-        tree().order.begin() + cluster.begin, tree().order.begin() + cluster.end,
-        [this](std::int32_t patch) { return coverage_.share[patch] > 0; }));
+    has_covered_.push_back(
+        std::any_of(tree().order.begin() + cluster.begin, tree().order.begin() + cluster.end,
+                    [this](std::int32_t patch) { return coverage_.share[patch] > 0; }));
   }
 }
 
@@ -229,8 +229,8 @@ void ExchangeEvaluator::visit_row(std::int32_t patch, const Cluster& alone, std:
   }
 }
 
-ExchangeArea ExchangeEvaluator::entry(std::int32_t first, std::int32_t second, const Between& between,
-                                    Worker& worker) const {
+ExchangeArea ExchangeEvaluator::entry(std::int32_t first, std::int32_t second,
+                                      const Between& between, Worker& worker) const {
   // Whichever comes first, a pair is computed one way round.
   const std::int32_t i = std::min(first, second);
   const std::int32_t j = std::max(first, second);
@@ -356,7 +356,7 @@ std::vector<ConvexPolygon> ExchangeEvaluator::open_parts(std::int32_t i, std::in
 
 /// An entry of patches that solids cover in part.
 ExchangeArea ExchangeEvaluator::entry_in_parts(std::int32_t i, std::int32_t j,
-                                             const Candidates& candidates, Worker& worker) const {
+                                               const Candidates& candidates, Worker& worker) const {
   find_blockers(placed(i), placed(j), candidates, worker);
   PairEstimate sum;
   double variance = 0;

@@ -76,7 +76,7 @@ class ExchangeEvaluator {
   /// The exchange area of two patches, whichever comes first, given what is known of them or of
   /// clusters that hold them.
   [[nodiscard]] ExchangeArea entry(std::int32_t i, std::int32_t j, const Between& between,
-                                 Worker& worker) const;
+                                   Worker& worker) const;
 
   /// The exchange area of two patches that see each other wholly, m².
   [[nodiscard]] double unoccluded(std::int32_t i, std::int32_t j) const {
@@ -99,8 +99,8 @@ class ExchangeEvaluator {
     const ConvexPolygon& polygon;
     const HalfSpace& plane;
   };
-  /// Finds the candidates' blockers for Worker::blockers but for those that lie wholly behind one of
-  /// two polygons; of several together, those that may be between them.
+  /// Finds the candidates' blockers for Worker::blockers but for those that lie wholly behind one
+  /// of two polygons; of several together, those that may be between them.
   void find_blockers(const Placed& a, const Placed& b, const Candidates& candidates,
                      Worker& worker) const;
 
@@ -119,8 +119,8 @@ class ExchangeEvaluator {
   [[nodiscard]] double trial_error(std::int32_t i, std::int32_t j) const;
   [[nodiscard]] std::optional<ExchangeArea> known_entry(std::int32_t i, std::int32_t j) const;
   [[nodiscard]] ExchangeArea occluded_entry(std::int32_t i, std::int32_t j, Blocking front_i,
-                                          Blocking front_j, const Candidates& candidates,
-                                          Worker& worker) const;
+                                            Blocking front_j, const Candidates& candidates,
+                                            Worker& worker) const;
   [[nodiscard]] std::vector<ConvexPolygon> open_parts(std::int32_t i, std::int32_t j) const;
   [[nodiscard]] ExchangeArea entry_in_parts(std::int32_t i, std::int32_t j,
                                             const Candidates& candidates, Worker& worker) const;

@@ -38,8 +38,7 @@ class PolygonRow {
 
   /// Adds what the patches of a cluster exchange with the polygon.
   void visit(std::int32_t cluster, Eigen::VectorXd& result) const {
-    ExchangeEvaluator::Worker worker{
-        OccludedPairEstimator(evaluator_.visibility(), options_)};
+    ExchangeEvaluator::Worker worker{OccludedPairEstimator(evaluator_.visibility(), options_)};
     visit(cluster, evaluator_.everything(), worker, result);
   }
 
@@ -62,7 +61,8 @@ class PolygonRow {
     }
     for (Index c = cluster.begin; c < cluster.end; ++c) {
       const std::int32_t i = prepared.tree.order[c];
-      if (evaluator_.coverage().is_covered(i) || evaluator_.region(i) != evaluator_.region(patch_)) {
+      if (evaluator_.coverage().is_covered(i) ||
+          evaluator_.region(i) != evaluator_.region(patch_)) {
         continue;
       }
       const auto parts = evaluator_.coverage().open.find(i);

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <optional>
 #include <cstdint>
+#include <optional>
 
 #include "radiosity/base/geometry.h"
 #include "radiosity/operator/census.h"

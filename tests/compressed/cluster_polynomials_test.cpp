@@ -38,8 +38,7 @@ TEST(PolynomialSpace, SubstitutesAffineMaps) {
   EXPECT_EQ(PolynomialSpace(6, 2).size(), 28);
   std::mt19937 random(3);
   std::uniform_real_distribution<double> uniform(-1, 1);
-  const Eigen::MatrixXd map =
-      Eigen::MatrixXd::NullaryExpr(2, 3, [&] { return uniform(random); });
+  const Eigen::MatrixXd map = Eigen::MatrixXd::NullaryExpr(2, 3, [&] { return uniform(random); });
   const Eigen::MatrixXd substituted = outer.substituted(map, inner);
   const Eigen::Vector2d z(uniform(random), uniform(random));
   const Eigen::Vector2d mapped = map.col(0) + map.rightCols(2) * z;

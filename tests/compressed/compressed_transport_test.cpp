@@ -117,8 +117,7 @@ TEST_F(CompressedTransportOfARoom, RefusesMethodsThatGoRowByRow) {
 }
 
 TEST_F(CompressedTransportOfARoom, IsTheSameWithAnyNumberOfThreads) {
-  const Eigen::MatrixXd b =
-      Eigen::VectorXd::LinSpaced(compressed_->size(), 0, 1).replicate(1, 5);
+  const Eigen::MatrixXd b = Eigen::VectorXd::LinSpaced(compressed_->size(), 0, 1).replicate(1, 5);
   const Eigen::MatrixXd expected = compressed_->apply(b);
   for (const std::size_t n_threads : {1U, 3U, 7U}) {
     const ThreadLimit limit(n_threads);
@@ -137,8 +136,7 @@ TEST(CompressedTransport, GivesDirectLightOfAPolygonAsIs) {
   const auto dense = make_transport(room.mesh, room.visibility, {.tolerance = 1e-3});
   const auto with = make_compressed_transport(room.mesh, room.visibility, {.tolerance = 5e-2},
                                               {emitted, reflectance(scene, room.mesh)});
-  const auto without =
-      make_compressed_transport(room.mesh, room.visibility, {.tolerance = 5e-2});
+  const auto without = make_compressed_transport(room.mesh, room.visibility, {.tolerance = 5e-2});
   const Eigen::MatrixXd expected = dense->apply(emitted);
   // A patch's direct light is off by a tenth of the tolerance at most, where it is hidden in part.
   const double off = difference(*dense, with->apply(emitted), expected);
