@@ -29,7 +29,8 @@ using namespace radiosity;
 double processor_seconds() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_utime.tv_sec) + 1e-6 * static_cast<double>(usage.ru_utime.tv_usec);
+  return static_cast<double>(usage.ru_utime.tv_sec) +
+         1e-6 * static_cast<double>(usage.ru_utime.tv_usec);
 }
 
 double peak_megabytes() {
@@ -115,10 +116,8 @@ int main(int argc, char** argv) {
   fmt::print("dense {:.1f} MB; F 1 off by {:.2e}\n", 1e-6 * static_cast<double>(dense->bytes()),
              difference(*dense, compressed->apply(ones), dense->apply(ones)));
   if (subject.light.exitance.size() > 0) {
-    const Solution reference =
-        solve(*dense, subject.light.exitance, subject.light.reflectance);
-    fmt::print("B off by {:.2e}\n",
-               difference(*dense, solution.radiosity, reference.radiosity));
+    const Solution reference = solve(*dense, subject.light.exitance, subject.light.reflectance);
+    fmt::print("B off by {:.2e}\n", difference(*dense, solution.radiosity, reference.radiosity));
   }
   return 0;
 }
