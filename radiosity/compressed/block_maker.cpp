@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <utility>
 
 #include "radiosity/base/parallel.h"
@@ -16,7 +17,7 @@ constexpr double kDistant = 0.5;
 /// Degrees tried at most where all is visible, and elsewhere.
 constexpr int kVisibleDegree = 3;
 constexpr int kSampledDegree = 2;
-/// Items that are worked on in parallel, at least, once there are so many.
+/// Items are worked on level by level until there are so many.
 constexpr std::size_t kItems = 4096;
 /// Each degree more may make the error so many times smaller.
 constexpr double kGain = 6;
@@ -46,7 +47,6 @@ BlockCensus& BlockCensus::operator+=(const BlockCensus& other) {
   samples += other.samples;
   kernels += other.kernels;
   near_entries += other.near_entries;
-  hidden += other.hidden;
   return *this;
 }
 
@@ -66,130 +66,16 @@ void MadeBlocks::append(MadeBlocks&& other) {
 
 BlockMaker::BlockMaker(const ExchangeEvaluator& evaluator, const ClusterPolynomials& polynomials,
                        const std::vector<double>& areas, const Progress& progress)
-    : evaluator_(evaluator), polynomials_(polynomials), areas_(areas), progress_(progress) {
-  const ClusterTree& tree = evaluator.tree();
-  area_before_.push_back(0);
-  for (const std::int32_t patch : tree.order) {
-    area_before_.push_back(area_before_.back() + areas[patch]);
-  }
-  find_extremes();
-  cones_.resize(tree.clusters.size());
-  diameters_.resize(tree.clusters.size());
-  parallel_for(
-      static_cast<std::ptrdiff_t>(tree.clusters.size()),
-      [&](std::ptrdiff_t c) {
-        const Cluster& cluster = tree.clusters[c];
-        diameters_[c] = cluster.box.diagonal().norm();
-        const auto& planes = evaluator_.prepared().planes;
-        Vec3 axis = Vec3::Zero();
-        for (Index k = cluster.begin; k < cluster.end; ++k) {
-          axis += areas_[tree.order[k]] * planes[tree.order[k]].normal;
-        }
-        const double length = axis.norm();
-        Cone& cone = cones_[c];
-        cone = {Vec3::Zero(), 1};
-        if (length == 0) return;
-        cone.axis = axis / length;
-        double least = 1;
-        for (Index k = cluster.begin; k < cluster.end; ++k) {
-          least = std::min(least, cone.axis.dot(planes[tree.order[k]].normal));
-        }
-        if (least > 0) cone.sine = std::sqrt(std::max(0.0, 1 - least * least));
-      },
-      64);
-}
-
-/// The patches of each cluster that are furthest in eight directions, each once.
-void BlockMaker::find_extremes() {
-  const ClusterTree& tree = evaluator_.tree();
-  extremes_.resize(tree.clusters.size());
-  const auto& discs = evaluator_.prepared().discs;
-  // Children follow their parents.
-  for (std::size_t c = tree.clusters.size(); c-- > 0;) {
-    const Cluster& cluster = tree.clusters[c];
-    std::vector<std::int32_t> candidates;
-    if (cluster.is_leaf()) {
-      for (Index k = cluster.begin; k < cluster.end; ++k) {
-        candidates.push_back(static_cast<std::int32_t>(k));
-      }
-    } else {
-      for (const std::int32_t child : {cluster.left, cluster.right}) {
-        const Extremes& below = extremes_[child];
-        candidates.insert(candidates.end(), below.places.begin(), below.places.begin() + below.n);
-      }
-    }
-    Extremes& extremes = extremes_[c];
-    for (int direction = 0; direction < 8; ++direction) {
-      // Slightly different weights, so that what is even in one is told apart.
-      const Vec3 way((direction & 1) != 0 ? 1.0 : -1.0, (direction & 2) != 0 ? 1.01 : -1.01,
-                     (direction & 4) != 0 ? 1.02 : -1.02);
-      const auto furthest =
-          std::max_element(candidates.begin(), candidates.end(), [&](auto x, auto y) {
-            return way.dot(discs[tree.order[x]].center) < way.dot(discs[tree.order[y]].center);
-          });
-      const auto end = extremes.places.begin() + extremes.n;
-      if (std::find(extremes.places.begin(), end, *furthest) == end) {
-        extremes.places[extremes.n++] = *furthest;
-      }
-    }
-  }
-}
+    : evaluator_(evaluator),
+      polynomials_(polynomials),
+      areas_(areas),
+      progress_(progress),
+      shapes_(evaluator, areas) {}
 
 double BlockMaker::action_error(std::int32_t a, std::int32_t b, double density_error) const {
   const double area_a = polynomials_.area(a);
   const double area_b = polynomials_.area(b);
-  return density_error * std::sqrt(area_a * area_b * (area_a + area_b) / area_before_.back());
-}
-
-double BlockMaker::gap(std::int32_t a, std::int32_t b) const {
-  const auto& clusters = evaluator_.tree().clusters;
-  return clusters[a].box.exteriorDistance(clusters[b].box);
-}
-
-/// Whether all patches of b are proved to be in front of all of a.
-bool BlockMaker::is_facing(std::int32_t a, std::int32_t b) const {
-  const Cluster& ca = evaluator_.tree().clusters[a];
-  const Cluster& cb = evaluator_.tree().clusters[b];
-  if (ca.plane) {
-    const double least = ca.plane->offset - evaluator_.prepared().thickness;
-    return std::all_of(cb.outline.begin(), cb.outline.end(),
-                       [&](const Vec3& x) { return ca.plane->normal.dot(x) >= least; });
-  }
-  const Cone& cone = cones_[a];
-  if (cone.sine >= 1) return false;
-  // Concave in the way from a to b, so its least value is at a corner of the box of all ways.
-  const Box3 ways(cb.box.min() - ca.box.max(), cb.box.max() - ca.box.min());
-  for (int k = 0; k < 8; ++k) {
-    const Vec3 way = ways.corner(static_cast<Box3::CornerType>(k));
-    if (cone.axis.dot(way) < cone.sine * way.norm()) return false;
-  }
-  return true;
-}
-
-/// No kernel between the clusters is larger, 1/m².
-double BlockMaker::largest_density(std::int32_t a, std::int32_t b) const {
-  const Cluster& ca = evaluator_.tree().clusters[a];
-  const Cluster& cb = evaluator_.tree().clusters[b];
-  const double distance = gap(a, b);
-  const auto largest_cosine = [&](const Cluster& of, const Cluster& to) {
-    if (!of.plane) return 1.0;
-    double height = 0;
-    for (const Vec3& x : to.outline) {
-      height = std::max(height, of.plane->normal.dot(x) - of.plane->offset);
-    }
-    return std::min(1.0, height / distance);
-  };
-  return largest_cosine(ca, cb) * largest_cosine(cb, ca) / (kPi * distance * distance);
-}
-
-/// The place in a cluster that has such a share of its area before it.
-std::int32_t BlockMaker::place_at(std::int32_t cluster, double share) const {
-  const Cluster& its = evaluator_.tree().clusters[cluster];
-  const auto begin = area_before_.begin() + its.begin;
-  const auto end = area_before_.begin() + its.end;
-  const double wanted = *begin + share * (*end - *begin);
-  const auto after = std::upper_bound(begin + 1, end, wanted);
-  return static_cast<std::int32_t>(its.begin + (after - (begin + 1)));
+  return density_error * std::sqrt(area_a * area_b * (area_a + area_b) / shapes_.total_area());
 }
 
 /// Adds samples until there are n, or takes all pairs if these are few: true.
@@ -223,8 +109,8 @@ bool BlockMaker::add_samples(const Item& item, std::size_t n, const Density& den
   while (samples.size() < n) {
     const auto k = static_cast<double>(samples.size());
     double whole = 0;
-    const std::int32_t row = place_at(item.a, std::modf(shift_a + k * kFirst, &whole));
-    const std::int32_t column = place_at(item.b, std::modf(shift_b + k * kSecond, &whole));
+    const std::int32_t row = shapes_.place_at(item.a, std::modf(shift_a + k * kFirst, &whole));
+    const std::int32_t column = shapes_.place_at(item.b, std::modf(shift_b + k * kSecond, &whole));
     add(row, column, 1);
   }
   return false;
@@ -235,8 +121,8 @@ template <typename Density>
 void BlockMaker::add_corners(const Item& item, const Density& density,
                              std::vector<DensitySample>& samples) const {
   const auto& order = evaluator_.tree().order;
-  const Extremes& of_a = extremes_[item.a];
-  const Extremes& of_b = extremes_[item.b];
+  const ClusterShapes::Extremes& of_a = shapes_.extremes(item.a);
+  const ClusterShapes::Extremes& of_b = shapes_.extremes(item.b);
   for (int r = 0; r < of_a.n; ++r) {
     for (int c = 0; c < of_b.n; ++c) {
       const std::int32_t row = of_a.places[r];
@@ -296,7 +182,7 @@ bool BlockMaker::fit_sampled(Item& item, double limit, ExchangeEvaluator::Worker
     ++made.census.samples;
     return evaluator_.entry(i, j, item.between, worker).value / (areas_[i] * areas_[j]);
   };
-  const double bound = largest_density(item.a, item.b);
+  const double bound = shapes_.largest_density(item.a, item.b);
   struct Trial {
     DegreePair degrees{};
     int n = 0;
@@ -403,9 +289,10 @@ void BlockMaker::divide(const Item& item, Items& open) const {
     add(ca.left, ca.left);
     add(ca.left, ca.right);
     add(ca.right, ca.right);
-  } else if (cb.is_leaf() || (!ca.is_leaf() && (item.varies_more_in_a ||
-                                                (!item.varies_more_in_b &&
-                                                 diameters_[item.a] >= diameters_[item.b])))) {
+  } else if (cb.is_leaf() ||
+             (!ca.is_leaf() &&
+              (item.varies_more_in_a ||
+               (!item.varies_more_in_b && shapes_.diameter(item.a) >= shapes_.diameter(item.b))))) {
     add(ca.left, item.b);
     add(ca.right, item.b);
   } else {
@@ -420,11 +307,12 @@ void BlockMaker::work(Item item, double limit, ExchangeEvaluator::Worker& worker
   const auto& clusters = evaluator_.tree().clusters;
   const bool is_distant =
       item.a != item.b &&
-      gap(item.a, item.b) >= kDistant * std::max(diameters_[item.a], diameters_[item.b]) &&
+      shapes_.gap(item.a, item.b) >=
+          kDistant * std::max(shapes_.diameter(item.a), shapes_.diameter(item.b)) &&
       evaluator_.is_uniform(item.a) && evaluator_.is_uniform(item.b);
   if (is_distant) {
-    const bool is_visible =
-        item.between.candidates.empty() && is_facing(item.a, item.b) && is_facing(item.b, item.a);
+    const bool is_visible = item.between.candidates.empty() && shapes_.is_facing(item.a, item.b) &&
+                            shapes_.is_facing(item.b, item.a);
     if (is_visible ? fit_visible(item, limit, made) : fit_sampled(item, limit, worker, made)) {
       return;
     }
@@ -455,6 +343,8 @@ MadeBlocks BlockMaker::make(Items items, double limit) const {
     }
   }
   std::vector<MadeBlocks> made(items.size());
+  std::mutex mutex;
+  double n_done = 0;
   parallel_for(static_cast<std::ptrdiff_t>(items.size()), [&](std::ptrdiff_t k) {
     ExchangeEvaluator::Worker worker = evaluator_.worker();
     Items open;
@@ -466,6 +356,9 @@ MadeBlocks BlockMaker::make(Items items, double limit) const {
       work(std::move(item), limit, worker, made[k], open);
     }
     made[k].pairs += worker.census;
+    if (!progress_.report) return;
+    const std::lock_guard lock(mutex);
+    progress_.report("form factors", ++n_done, static_cast<double>(made.size()), "parts");
   });
   for (MadeBlocks& blocks : made) result.append(std::move(blocks));
   return result;
@@ -473,8 +366,7 @@ MadeBlocks BlockMaker::make(Items items, double limit) const {
 
 MadeBlocks BlockMaker::make(double limit) const {
   Items items;
-  if (!evaluator_.tree().clusters.empty())
-    items.push_back({0, 0, evaluator_.everything(), {}, false, false});
+  if (evaluator_.size() > 0) items.push_back({0, 0, evaluator_.everything(), {}, false, false});
   return make(std::move(items), limit);
 }
 

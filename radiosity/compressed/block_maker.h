@@ -1,14 +1,12 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <functional>
-#include <mutex>
 #include <vector>
 
 #include "radiosity/base/progress.h"
 #include "radiosity/compressed/block_fit.h"
 #include "radiosity/compressed/cluster_polynomials.h"
+#include "radiosity/compressed/cluster_shapes.h"
 #include "radiosity/compressed/compressed_blocks.h"
 #include "radiosity/exchange/exchange_evaluator.h"
 
@@ -19,7 +17,6 @@ struct BlockCensus {
   std::int64_t samples = 0;       ///< entries evaluated for far blocks, some may block
   std::int64_t kernels = 0;       ///< entries evaluated for far blocks that see each other
   std::int64_t near_entries = 0;  ///< entries evaluated for near blocks
-  double hidden = 0;              ///< pairs of patches that are proved to exchange nothing
   BlockCensus& operator+=(const BlockCensus& other);
 };
 
@@ -75,30 +72,14 @@ class BlockMaker {
   template <typename Density>
   void add_corners(const Item& item, const Density& density,
                    std::vector<DensitySample>& samples) const;
-  void find_extremes();
   void accept(const Item& item, DegreePair degrees, const BlockFit& fit, double error,
               bool is_sampled, MadeBlocks& made) const;
-  [[nodiscard]] bool is_facing(std::int32_t a, std::int32_t b) const;
-  [[nodiscard]] double largest_density(std::int32_t a, std::int32_t b) const;
-  [[nodiscard]] double gap(std::int32_t a, std::int32_t b) const;
-  [[nodiscard]] std::int32_t place_at(std::int32_t cluster, double share) const;
 
   const ExchangeEvaluator& evaluator_;
   const ClusterPolynomials& polynomials_;
   const std::vector<double>& areas_;
   const Progress& progress_;
-  std::vector<double> area_before_;  // of the patches before each, in the tree's order; n + 1
-  struct Extremes {
-    std::array<std::int32_t, 8> places;
-    int n = 0;
-  };
-  std::vector<Extremes> extremes_;  // per cluster
-  struct Cone {
-    Vec3 axis;
-    double sine;  // of the largest angle between a normal and the axis; 1: anything
-  };
-  std::vector<Cone> cones_;        // per cluster
-  std::vector<double> diameters_;  // per cluster
+  ClusterShapes shapes_;
 };
 
 }  // namespace radiosity
