@@ -4,6 +4,7 @@
 
 #include "radiosity/assembly/dense_memory.h"
 #include "radiosity/assembly/make_transport.h"
+#include "radiosity/compressed/make_compressed_transport.h"
 #include "radiosity/scene/radiometry.h"
 #include "radiosity/solve/solve.h"
 #include "radiosity/stream/streaming_memory.h"
@@ -17,7 +18,9 @@ using namespace radiosity;
 
 /// Throws SolveError if so many patches will not do, of which there may be more in the end.
 void check_expected(Index n_patches, Index n_polygons, const StudyOptions& options) {
-  if (options.storage == Storage::memory) {
+  if (is_compressed(options)) {
+    check_compressed_memory(n_patches, options.memory);
+  } else if (options.storage == Storage::memory) {
     check_memory(n_patches, n_polygons, options.memory);
   } else {
     // How much must be allowed can be told once their number is known.
@@ -26,7 +29,9 @@ void check_expected(Index n_patches, Index n_polygons, const StudyOptions& optio
 }
 
 void check_made(Index n_patches, Index n_polygons, const StudyOptions& options) {
-  if (options.storage == Storage::memory) {
+  if (is_compressed(options)) {
+    check_compressed_memory(n_patches, options.memory);
+  } else if (options.storage == Storage::memory) {
     check_memory(n_patches, n_polygons, options.memory);
   } else {
     check_streaming_memory(n_patches,
@@ -90,6 +95,12 @@ FormFactors make_form_factors(const Scene& scene, const PatchMesh& mesh,
   FormFactors result;
   if (options.patches.adaptive) {
     result = make_adaptive(scene, options, events);
+  } else if (is_compressed(options)) {
+    result.transport = make_compressed_transport(mesh, visibility,
+                                                 transport_options(scene, options, events.progress),
+                                                 {exitance(scene, mesh), reflectance(scene, mesh)});
+    warn_of_unverified(result.transport->report(),
+                       options.factor_tolerance.value_or(options.tolerance), events);
   } else {
     result.transport =
         make_transport(mesh, visibility, transport_options(scene, options, events.progress));

@@ -17,6 +17,12 @@ enum class Storage {
   disk     ///< a work file (`radiosity::StreamedFactors`): memory is for the patches only
 };
 
+/// How an operator in memory is kept.
+enum class TransportKind {
+  dense,      ///< all form factors (`radiosity::make_transport`)
+  compressed  ///< far and near blocks (`radiosity::make_compressed_transport`)
+};
+
 /// How a scene is divided and how exactly it is solved.
 struct StudyOptions {
   meshing::PatchChoice patches = {};
@@ -27,6 +33,8 @@ struct StudyOptions {
   radiosity::Closed closed = radiosity::Closed::automatic;
   std::uint64_t seed = 0;  ///< of the visibility samples
   Storage storage = Storage::memory;
+  /// If it is in memory. Of adaptive patches it is dense: their rounds go by rows.
+  TransportKind transport = TransportKind::dense;
   /// Bytes for the form factors; 0 = what the machine has, or half of that for those on disk.
   std::size_t memory = 0;
   radiosity::Method method = radiosity::Method::conjugate_gradients;  ///< of the iteration
@@ -34,6 +42,9 @@ struct StudyOptions {
 
 /// What the options and the scene's own word on being closed come to.
 radiosity::Closed closedness(const radiosity::Scene& scene, radiosity::Closed asked);
+
+/// Whether the operator is compressed by these options.
+bool is_compressed(const StudyOptions& options);
 
 /// The tolerance of the iteration: it shall add nothing to the error of the form factors, and
 /// digits cost it little.

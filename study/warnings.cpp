@@ -23,6 +23,14 @@ void warn_of_open_rows(const AssemblyReport& report, const StudyEvents& events) 
                   report.open_rows, report.row_sums.size()));
 }
 
+void warn_of_unverified(const AssemblyReport& report, double tolerance, const StudyEvents& events) {
+  if (!report.compression || report.compression->verified_error <= tolerance) return;
+  events.warn(fmt::format(
+      "the compressed form factors are off by up to {:.2g}, more than the {:.2g} that was asked; "
+      "--transport dense has no such limit",
+      report.compression->verified_error, tolerance));
+}
+
 void warn_of_spent_patches(const meshing::Refinement& refinement, Index n_patches, double tolerance,
                            const StudyEvents& events) {
   if (refinement.is_accurate) return;

@@ -14,6 +14,10 @@ void warn_of_findings(const radiosity::Scene& scene, const StudyEvents& events);
 /// If a scene taken as closed has patches that see an opening.
 void warn_of_open_rows(const radiosity::AssemblyReport& report, const StudyEvents& events);
 
+/// If the error of a compressed operator could not be brought down to `tolerance`.
+void warn_of_unverified(const radiosity::AssemblyReport& report, double tolerance,
+                        const StudyEvents& events);
+
 /// If the patches were spent before their error was as asked.
 void warn_of_spent_patches(const meshing::Refinement& refinement, radiosity::Index n_patches,
                            double tolerance, const StudyEvents& events);

@@ -21,6 +21,7 @@ RenderCommand::RenderCommand(CLI::App& program, Interruption& interruption)
       ->check([](const std::string& path) { return check_extension(path, picture_extensions()); })
       ->type_name("FILE");
   add_compute_options(*command, compute_);
+  add_transport_option(*command, compute_);
   add_adaptive_option(*command, compute_);
   add_picture_options(*command, picture_);
   command->callback([this] { run(); });

@@ -49,6 +49,7 @@ SolveCommand::SolveCommand(CLI::App& program, Interruption& interruption)
       ->default_str(std::string(radiosity::method_name(compute_.method)))
       ->type_name("M");
   add_compute_options(*command, compute_);
+  add_transport_option(*command, compute_);
   add_adaptive_option(*command, compute_);
   add_quantity_options(*command, quantities_);
   add_picture_options(*command, picture_);

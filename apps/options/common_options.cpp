@@ -136,6 +136,21 @@ void add_seed_option(CLI::App& command, std::uint64_t& seed) {
       ->type_name("S");
 }
 
+void add_transport_option(CLI::App& command, study::StudyOptions& options) {
+  command
+      .add_option_function<std::string>(
+          "--transport",
+          [&options](const std::string& name) {
+            options.transport =
+                name == "dense" ? study::TransportKind::dense : study::TransportKind::compressed;
+          },
+          "How form factors are kept: dense, all of them; compressed, for many patches: memory "
+          "and time hardly grow faster than their number, and the error is verified")
+      ->check(CLI::IsMember({"dense", "compressed"}))
+      ->default_str("dense")
+      ->type_name("K");
+}
+
 void add_adaptive_option(CLI::App& command, study::StudyOptions& options) {
   command
       .add_flag("--adaptive", options.patches.adaptive,
@@ -145,6 +160,9 @@ void add_adaptive_option(CLI::App& command, study::StudyOptions& options) {
       ->group("Patches")
       ->excludes(command.get_option("--max-edge"))
       ->excludes(command.get_option("--as-is"));
+  if (auto* transport = command.get_option_no_throw("--transport")) {
+    command.get_option("--adaptive")->excludes(transport);
+  }
 }
 
 void add_picture_options(CLI::App& command, PictureOptions& options) {

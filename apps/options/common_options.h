@@ -49,7 +49,9 @@ void add_precision_option(CLI::App& command, std::optional<double>& precision);
 void add_seed_option(CLI::App& command, std::uint64_t& seed);
 /// Those of a computation, but for how it goes on once there are patches.
 void add_compute_options(CLI::App& command, study::StudyOptions& options);
-/// --adaptive, after add_compute_options.
+/// --transport.
+void add_transport_option(CLI::App& command, study::StudyOptions& options);
+/// --adaptive, after add_compute_options and add_transport_option.
 void add_adaptive_option(CLI::App& command, study::StudyOptions& options);
 void add_picture_options(CLI::App& command, PictureOptions& options);
 

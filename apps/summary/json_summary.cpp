@@ -24,21 +24,32 @@ std::string text(const Json& json) {
   return io::printable_json(json.dump(2, ' ', false, Json::error_handler_t::replace));
 }
 
+Json compression(const radiosity::CompressionReport& report) {
+  return {{"verified_error", report.verified_error},
+          {"estimated_error", report.estimated_error},
+          {"rows", report.n_rows},
+          {"rounds", report.n_rounds},
+          {"numbers_per_patch", report.coefficients},
+          {"entries_per_patch", report.entries}};
+}
+
 Json form_factors(const radiosity::AssemblyReport& report, std::size_t bytes) {
-  return {{"seconds", report.seconds},
-          {"pairs",
-           {{"facing", report.facing},
-            {"visible", report.visible},
-            {"hidden", report.hidden},
-            {"undecided", report.undecided},
-            {"partial", report.partial},
-            {"kept", report.known}}},
-          {"rays", report.rays},
-          {"closed", report.closed},
-          {"open_rows", report.open_rows},
-          {"closure_mean", report.closure_mean},
-          {"closure_max", report.closure_max},
-          {"bytes", bytes}};
+  Json result = {{"seconds", report.seconds},
+                 {"pairs",
+                  {{"facing", report.facing},
+                   {"visible", report.visible},
+                   {"hidden", report.hidden},
+                   {"undecided", report.undecided},
+                   {"partial", report.partial},
+                   {"kept", report.known}}},
+                 {"rays", report.rays},
+                 {"closed", report.closed},
+                 {"open_rows", report.open_rows},
+                 {"closure_mean", report.closure_mean},
+                 {"closure_max", report.closure_max},
+                 {"bytes", bytes}};
+  if (report.compression) result["compressed"] = compression(*report.compression);
+  return result;
 }
 
 Json dropped(double min_factor, const radiosity::DroppedFactors& dropped) {

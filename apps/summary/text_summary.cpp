@@ -87,6 +87,14 @@ std::string surface_factor_table(const radiosity::PatchMesh& mesh, const Eigen::
 
 std::string form_factor_lines(const radiosity::AssemblyReport& report, std::size_t size) {
   std::string text = line("form factors", fmt::format("{:.3g} s, {}", report.seconds, bytes(size)));
+  if (report.compression) {
+    const radiosity::CompressionReport& compression = *report.compression;
+    text +=
+        line("  compressed", fmt::format("{:.0f} numbers a patch, {:.0f} form factors evaluated",
+                                         compression.coefficients, compression.entries));
+    text += line("  verified", fmt::format("gathered light off by {:.2g} at most (95 %, {} rows)",
+                                           compression.verified_error, compression.n_rows));
+  }
   text += line("  pairs facing", fmt::format("{}", report.facing));
   text += line("    visible", fmt::format("{}", report.visible));
   text += line("    hidden", fmt::format("{}", report.hidden));

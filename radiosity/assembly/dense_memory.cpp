@@ -41,10 +41,11 @@ void check_memory(Index n_patches, Index n_polygons, std::size_t memory) {
   const std::size_t needed = dense_transport_bytes(n_patches);
   if (needed <= limit) return;
   const Index fits = largest_problem(limit);
-  const std::string way_out = n_polygons < fits ? "use --patches " + std::to_string(fits)
-                                                : "use a scene of fewer polygons (at most about " +
-                                                      std::to_string(fits) + "; it has " +
-                                                      std::to_string(n_polygons) + ")";
+  const std::string way_out =
+      n_polygons < fits
+          ? "use --patches " + std::to_string(fits) + " or, for more, --transport compressed"
+          : "use a scene of fewer polygons (at most about " + std::to_string(fits) + "; it has " +
+                std::to_string(n_polygons) + ")";
   throw SolveError("the form factors of " + std::to_string(n_patches) + " patches need " +
                    gigabytes(needed) + " of memory, but " + gigabytes(limit) +
                    " can be used: " + way_out);

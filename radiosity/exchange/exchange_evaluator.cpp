@@ -8,6 +8,7 @@
 #include "radiosity/base/parallel.h"
 #include "radiosity/polygon/exchange_area.h"
 #include "radiosity/visibility/regions.h"
+#include "radiosity/visibility/shaft.h"
 
 namespace radiosity {
 namespace {
@@ -91,6 +92,9 @@ void ExchangeEvaluator::find_regions_of_clusters() {
       if (region_[tree().order[k]] != region) region = -1;
     }
     region_of_cluster_.push_back(region);
+    has_covered_.push_back(
+        std::any_of(tree().order.begin() + cluster.begin, tree().order.begin() + cluster.end,
+                    [this](std::int32_t patch) { return coverage_.share[patch] > 0; }));
   }
 }
 
@@ -198,6 +202,33 @@ void ExchangeEvaluator::visit_block(std::int32_t a, std::int32_t b, const Betwee
   }
 }
 
+void ExchangeEvaluator::visit_row(std::int32_t patch, Worker& worker,
+                                  const VisitOfRow& visit) const {
+  if (tree().clusters.empty()) return;
+  visit_row(patch, alone(prepared_, patch), 0, everything(), worker, visit);
+}
+
+void ExchangeEvaluator::visit_row(std::int32_t patch, const Cluster& alone, std::int32_t b,
+                                  const Between& wider, Worker& worker,
+                                  const VisitOfRow& visit) const {
+  const Cluster& cb = tree().clusters[b];
+  if (are_averted(alone, cb, prepared_.thickness)) return;
+  if (region_of_cluster_[b] >= 0 && region_of_cluster_[b] != region_[patch]) return;
+  const Between between = filtered(alone, cb, wider.candidates);
+  if (between.is_hidden) return;
+  if (!cb.is_leaf()) {
+    visit_row(patch, alone, cb.left, between, worker, visit);
+    visit_row(patch, alone, cb.right, between, worker, visit);
+    return;
+  }
+  for (Index c = cb.begin; c < cb.end; ++c) {
+    const std::int32_t other = tree().order[c];
+    if (other == patch) continue;
+    const ExchangeArea found = entry(patch, other, between, worker);
+    if (found.value != 0 || !found.is_certain) visit(c, found);
+  }
+}
+
 ExchangeArea ExchangeEvaluator::entry(std::int32_t first, std::int32_t second,
                                       const Between& between, Worker& worker) const {
   // Whichever comes first, a pair is computed one way round.
@@ -241,21 +272,44 @@ std::optional<ExchangeArea> ExchangeEvaluator::known_entry(std::int32_t i, std::
   return rows_of(*options_.known.transport).pair(earlier_i, earlier_j);
 }
 
-/// The candidates' blockers but for those that lie wholly behind one of the patches.
-void ExchangeEvaluator::find_blockers(std::int32_t i, std::int32_t j, const Candidates& candidates,
-                                      Worker& worker) const {
+void ExchangeEvaluator::find_blockers(const Placed& a, const Placed& b,
+                                      const Candidates& candidates, Worker& worker) const {
   const auto is_behind = [this](const Blocker& blocker, const HalfSpace& plane) {
     const double most = plane.offset + prepared_.thickness;
     return std::all_of(blocker.corners.begin(), blocker.corners.end(),
                        [&](const Vec3& corner) { return plane.normal.dot(corner) <= most; });
   };
+  const auto add = [&](const Blocker& blocker) {
+    if (is_behind(blocker, a.plane) || is_behind(blocker, b.plane)) return;
+    worker.blockers.push_back(&blocker);
+  };
   worker.blockers.clear();
+  worker.groups.clear();
   for (const std::int32_t k : candidates) {
-    const Blocker& blocker = prepared_.blockers.blocker(k);
-    if (is_behind(blocker, prepared_.planes[i]) || is_behind(blocker, prepared_.planes[j])) {
+    if (prepared_.blockers.nodes[k].is_leaf()) {
+      add(prepared_.blockers.blocker(k));
+    } else {
+      worker.groups.push_back(k);
+    }
+  }
+  if (worker.groups.empty()) return;
+  Box3 box_a;
+  Box3 box_b;
+  for (const Vec3& corner : a.polygon) box_a.extend(corner);
+  for (const Vec3& corner : b.polygon) box_b.extend(corner);
+  const BoxShaft shaft(box_a, box_b);
+  while (!worker.groups.empty()) {
+    const std::int32_t k = worker.groups.back();
+    worker.groups.pop_back();
+    const BlockerSet::Node& node = prepared_.blockers.nodes[k];
+    if (shaft.misses(node.box, prepared_.thickness)) continue;
+    if (!node.is_leaf()) {
+      worker.groups.push_back(node.right);
+      worker.groups.push_back(node.left);
       continue;
     }
-    worker.blockers.push_back(&blocker);
+    const Blocker& blocker = prepared_.blockers.blocker(k);
+    if (!shaft.misses(blocker.box, blocker.corners, prepared_.thickness)) add(blocker);
   }
 }
 
@@ -273,7 +327,7 @@ ExchangeArea ExchangeEvaluator::occluded_entry(std::int32_t i, std::int32_t j, B
   };
   const ConvexPolygon polygon_i = part_in_front(i, j, front_j);
   const ConvexPolygon polygon_j = part_in_front(j, i, front_i);
-  find_blockers(i, j, candidates, worker);
+  find_blockers(placed(i), placed(j), candidates, worker);
   if (worker.blockers.empty()) {
     ++worker.census.visible;
     return {kernel_.unoccluded(i, j, front_i, front_j)};
@@ -303,7 +357,7 @@ std::vector<ConvexPolygon> ExchangeEvaluator::open_parts(std::int32_t i, std::in
 /// An entry of patches that solids cover in part.
 ExchangeArea ExchangeEvaluator::entry_in_parts(std::int32_t i, std::int32_t j,
                                                const Candidates& candidates, Worker& worker) const {
-  find_blockers(i, j, candidates, worker);
+  find_blockers(placed(i), placed(j), candidates, worker);
   PairEstimate sum;
   double variance = 0;
   bool all_visible = true;

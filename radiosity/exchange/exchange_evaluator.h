@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -43,6 +44,7 @@ class ExchangeEvaluator {
   struct Worker {
     OccludedPairEstimator estimator;
     std::vector<const Blocker*> blockers{};
+    std::vector<std::int32_t> groups{};  // of blockers, yet to be opened
     Census census{};
   };
   [[nodiscard]] Worker worker() const {
@@ -51,6 +53,17 @@ class ExchangeEvaluator {
 
   [[nodiscard]] Index size() const { return prepared_.size(); }
   [[nodiscard]] const ClusterTree& tree() const { return prepared_.tree; }
+  [[nodiscard]] const PreparedMesh& prepared() const { return prepared_; }
+  [[nodiscard]] const Visibility& visibility() const { return visibility_; }
+  [[nodiscard]] const Coverage& coverage() const { return coverage_; }
+  /// Patches of different regions do not see each other.
+  [[nodiscard]] std::int32_t region(std::int32_t patch) const { return region_[patch]; }
+
+  /// Whether nothing but blockers between makes the exchange with some patches of a cluster differ
+  /// from that with others: they look into one region, and solids cover none.
+  [[nodiscard]] bool is_uniform(std::int32_t cluster) const {
+    return region_of_cluster_[cluster] >= 0 && !has_covered_[cluster];
+  }
 
   /// What is known of the root and itself.
   [[nodiscard]] Between everything() const { return {all_candidates(prepared_.blockers)}; }
@@ -60,10 +73,15 @@ class ExchangeEvaluator {
   /// What is known of two patches by themselves.
   [[nodiscard]] Between between(std::int32_t i, std::int32_t j) const;
 
-  /// The exchange area of two patches, whichever comes first, given what is known of them or of the
-  /// leaves that hold them.
+  /// The exchange area of two patches, whichever comes first, given what is known of them or of
+  /// clusters that hold them.
   [[nodiscard]] ExchangeArea entry(std::int32_t i, std::int32_t j, const Between& between,
                                    Worker& worker) const;
+
+  /// The exchange area of two patches that see each other wholly, m².
+  [[nodiscard]] double unoccluded(std::int32_t i, std::int32_t j) const {
+    return kernel_.unoccluded(std::min(i, j), std::max(i, j), Blocking::all, Blocking::all);
+  }
 
   /// Takes the exchange area of two places in the tree's order.
   using Visit = std::function<void(Index row, Index column, const ExchangeArea& entry)>;
@@ -71,8 +89,27 @@ class ExchangeEvaluator {
   /// those above the diagonal. Descends to the tree's leaves, narrowing on the way.
   void visit_block(std::int32_t a, std::int32_t b, const Between& between, Worker& worker,
                    const Visit& visit) const;
+  /// Takes the exchange area of a patch with the one at a place in the tree's order.
+  using VisitOfRow = std::function<void(Index column, const ExchangeArea& entry)>;
+  /// Visits the entries of a patch with all others that are not proved to be 0.
+  void visit_row(std::int32_t patch, Worker& worker, const VisitOfRow& visit) const;
+
+  /// What has a place in space and a plane that it faces away from.
+  struct Placed {
+    const ConvexPolygon& polygon;
+    const HalfSpace& plane;
+  };
+  /// Finds the candidates' blockers for Worker::blockers but for those that lie wholly behind one
+  /// of two polygons; of several together, those that may be between them.
+  void find_blockers(const Placed& a, const Placed& b, const Candidates& candidates,
+                     Worker& worker) const;
 
  private:
+  [[nodiscard]] Placed placed(std::int32_t patch) const {
+    return {prepared_.polygons[patch], prepared_.planes[patch]};
+  }
+  void visit_row(std::int32_t patch, const Cluster& alone, std::int32_t b, const Between& wider,
+                 Worker& worker, const VisitOfRow& visit) const;
   void find_regions_of_clusters();
   void find_known_clusters();
   void find_budget();
@@ -81,8 +118,6 @@ class ExchangeEvaluator {
   [[nodiscard]] bool are_apart(std::int32_t a, std::int32_t b) const;
   [[nodiscard]] double trial_error(std::int32_t i, std::int32_t j) const;
   [[nodiscard]] std::optional<ExchangeArea> known_entry(std::int32_t i, std::int32_t j) const;
-  void find_blockers(std::int32_t i, std::int32_t j, const Candidates& candidates,
-                     Worker& worker) const;
   [[nodiscard]] ExchangeArea occluded_entry(std::int32_t i, std::int32_t j, Blocking front_i,
                                             Blocking front_j, const Candidates& candidates,
                                             Worker& worker) const;
@@ -98,6 +133,7 @@ class ExchangeEvaluator {
   OccludedPairOptions pair_options_;
   std::vector<std::int32_t> region_;             // per patch
   std::vector<std::int32_t> region_of_cluster_;  // -1 where there are several
+  std::vector<bool> has_covered_;                // per cluster
   std::vector<bool> is_known_;                   // per cluster: an earlier operator had all patches
 };
 

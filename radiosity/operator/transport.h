@@ -2,9 +2,11 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 
 #include "radiosity/base/geometry.h"
 #include "radiosity/operator/census.h"
+#include "radiosity/operator/compression_report.h"
 #include "radiosity/operator/factor_rows.h"
 
 namespace radiosity {
@@ -20,6 +22,7 @@ struct AssemblyReport : Census {
   Eigen::VectorXd covered;
   /// Share of each patch's power that meets the backs of one-sided surfaces, n_patches, by rays.
   Eigen::VectorXd backs;
+  std::optional<CompressionReport> compression = {};  ///< of a compressed operator
   double closure_mean = 0;  ///< mean |1 - covered - Σ_j F_ij|, before any correction
   double closure_max = 0;   ///< max |1 - covered - Σ_j F_ij|, before any correction
 };
@@ -46,11 +49,15 @@ class Transport {
   [[nodiscard]] virtual std::size_t bytes() const = 0;
   /// How the operator was made.
   [[nodiscard]] virtual const AssemblyReport& report() const = 0;
-  /// Its rows, if it keeps them.
+  /// Its rows, if it can tell them.
   [[nodiscard]] virtual const FactorRows* rows() const { return nullptr; }
+  /// Whether a row takes much less than a product.
+  [[nodiscard]] virtual bool has_quick_rows() const { return rows() != nullptr; }
 };
 
 /// For methods that need rows. Throws SolveError if the operator does not keep them.
 const FactorRows& rows_of(const Transport& transport);
+/// For methods that need all of them, over and over. Throws SolveError if each takes a product.
+const FactorRows& quick_rows_of(const Transport& transport);
 
 }  // namespace radiosity

@@ -126,8 +126,10 @@ DiscretisationError discretisation_error(const PatchMesh& mesh, const Transport&
   Eigen::MatrixXd left = (squared + around) / (2 * (ratio - 1) * (ratio - 1));
   const std::vector<Index> lone = find_lone(groups);
   assume_for_lone(lone, area, reflected, left);
-  result.error =
-      (left + uneven_light_error(mesh, transport, solution, quiet).cwiseAbs2()).cwiseSqrt();
+  if (transport.has_quick_rows()) {
+    left += uneven_light_error(mesh, transport, solution, quiet).cwiseAbs2();
+  }
+  result.error = left.cwiseSqrt();
   result.n_unknown = static_cast<Index>(lone.size());
   // Where no light arrives at all there is none to be wrong about.
   result.error = (solution.irradiance.array() == 0).select(0, result.error);

@@ -30,10 +30,10 @@ struct DiscretisationError {
 /// show, the error that is left is κ δ, κ = 1 / (2^p - 1) (Richardson 1911), of which the mean
 /// square of a patch's own and of all around it is taken. That holds for light that varies over
 /// several patches; `uneven_light_error` is what varies within one, as in gaps narrower than a
-/// patch. One standard error is both in quadrature; more than 95 % of patches lie within two.
-/// Patches alone in their group get at least the mean relative square of the others in place of the
-/// first. Costs two solves to 1e-4, all rows of F twice and a solve to 1e-2 with four columns per
-/// band.
+/// patch, and is left out of operators whose rows take a product each. One standard error is both
+/// in quadrature; more than 95 % of patches lie within two. Patches alone in their group get at
+/// least the mean relative square of the others in place of the first. Costs two solves to 1e-4,
+/// all rows of F twice and a solve to 1e-2 with four columns per band.
 DiscretisationError discretisation_error(const PatchMesh& mesh, const Transport& transport,
                                          const Solution& solution, const Progress& progress = {});
 

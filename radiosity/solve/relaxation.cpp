@@ -34,7 +34,7 @@ Sweep sweep(const IrradianceSystem& system, Eigen::MatrixXd irradiance,
   Eigen::VectorXd squared = Eigen::VectorXd::Zero(system.n_columns());
   for (Index i = 0; i < system.size(); ++i) {
     monitor.check();
-    const Eigen::VectorXd row = rows_of(*system.transport).row(i);
+    const Eigen::VectorXd row = quick_rows_of(*system.transport).row(i);
     const Eigen::RowVectorXd gathered = row.transpose() * b;
     for (Index c = 0; c < system.n_columns(); ++c) {
       const double rho = system.rho(c)[i];
@@ -60,7 +60,7 @@ struct Shooting {
     Index source = 0;
     unshot.cwiseAbs().rowwise().sum().cwiseProduct(area).maxCoeff(&source);
     const Eigen::VectorXd received =
-        area[source] * rows_of(*system.transport).row(source).cwiseQuotient(area);
+        area[source] * quick_rows_of(*system.transport).row(source).cwiseQuotient(area);
     for (Index c = 0; c < system.n_columns(); ++c) {
       const double sent = unshot(source, c);
       unshot(source, c) = 0;

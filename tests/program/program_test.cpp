@@ -101,6 +101,8 @@ TEST_F(Program, BadUsageExitsWithTwo) {
       {{"solve", scene, "--tolerance", "0"}, "--tolerance"},
       {{"solve", scene, "--tolerance", "nan"}, "--tolerance"},
       {{"solve", scene, "--method", "magic"}, "--method"},
+      {{"solve", scene, "--transport", "sparse"}, "--transport"},
+      {{"solve", scene, "--transport", "compressed", "--adaptive"}, "--adaptive"},
       {{"solve", scene, "--closed", "maybe"}, "--closed"},
       {{"solve", scene, "--unit", "parsec"}, "parsec"},
       {{"solve", scene, "--threads", "-1"}, "--threads"},
@@ -119,6 +121,8 @@ TEST_F(Program, WhatCannotBeDoneExitsWithOne) {
   const std::string scene = write_cube(0.5, 1);
   const std::string empty = write_file("empty.obj", "# nothing\n");
   const std::vector<std::pair<Arguments, std::string>> cases = {
+      {{"solve", scene, "--transport", "compressed", "--method", "gauss-seidel"},
+       "--transport dense"},
       {{"solve", "no-such-scene.obj"}, "no-such-scene.obj"},
       {{"inspect", "no-such-scene.obj"}, "no-such-scene.obj"},
       {{"solve", empty}, "empty.obj"},
@@ -181,6 +185,17 @@ TEST_F(Program, FurnaceComesOutInTheCsvFile) {
     // The default tolerance, 1e-2, bounds the relative error of the result.
     for (const double b : radiosity) EXPECT_NEAR(b, 2, 2e-2);
   }
+}
+
+TEST_F(Program, CompressedFormFactorsTellAVerifiedError) {
+  const Outcome outcome = run({"solve", write_cube(0.5, 1 / M_PI), "--patches", "600",
+                               "--transport", "compressed", "--json", "-o", result("a.csv")});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json compressed = Json::parse(outcome.out)["form_factors"]["compressed"];
+  EXPECT_GT(compressed["verified_error"], 0);
+  EXPECT_LE(compressed["verified_error"], 1e-2);
+  EXPECT_GE(compressed["rows"], 64);
+  for (const double b : csv_columns(result("a.csv"), "B_")) EXPECT_NEAR(b, 2, 2e-2);
 }
 
 TEST_F(Program, AsIsKeepsEachPolygon) {

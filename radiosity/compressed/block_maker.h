@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "radiosity/base/progress.h"
+#include "radiosity/compressed/block_fit.h"
+#include "radiosity/compressed/cluster_polynomials.h"
+#include "radiosity/compressed/cluster_shapes.h"
+#include "radiosity/compressed/compressed_blocks.h"
+#include "radiosity/exchange/exchange_evaluator.h"
+
+namespace radiosity {
+
+/// What became of the pairs of patches, and what it took.
+struct BlockCensus {
+  std::int64_t samples = 0;       ///< entries evaluated for far blocks, some may block
+  std::int64_t kernels = 0;       ///< entries evaluated for far blocks that see each other
+  std::int64_t near_entries = 0;  ///< entries evaluated for near blocks
+  BlockCensus& operator+=(const BlockCensus& other);
+};
+
+/// Blocks of a symmetric matrix of exchange areas.
+struct MadeBlocks {
+  std::vector<CompressedBlocks::Far> far;
+  std::vector<float> coefficients;
+  std::vector<CompressedBlocks::Near> near;
+  std::vector<float> densities;
+  BlockCensus census;
+  Census pairs;
+  void append(MadeBlocks&& other);
+};
+
+/// Divides the exchange between all patches into blocks of which each is polynomial but for an
+/// error that is small enough.
+class BlockMaker {
+ public:
+  /// All must outlive this.
+  BlockMaker(const ExchangeEvaluator& evaluator, const ClusterPolynomials& polynomials,
+             const std::vector<double>& areas, const Progress& progress);
+
+  /// What a density error, in common to a block, comes to in F 1, next to 1: root of the mean
+  /// square over all area.
+  [[nodiscard]] double action_error(std::int32_t a, std::int32_t b, double density_error) const;
+
+  /// Blocks of at most `limit` action_error() each, or entries.
+  [[nodiscard]] MadeBlocks make(double limit) const;
+  /// The same from blocks of a larger limit: those that are off by more are divided.
+  [[nodiscard]] MadeBlocks refine(MadeBlocks blocks, double limit) const;
+
+ private:
+  struct Item {
+    std::int32_t a;
+    std::int32_t b;
+    Between between;  // of a and b
+    std::vector<DensitySample> samples;
+    bool varies_more_in_a = false;  ///< if known; else the larger is divided
+    bool varies_more_in_b = false;
+  };
+  using Items = std::vector<Item>;
+  [[nodiscard]] MadeBlocks make(Items items, double limit) const;
+  void work(Item item, double limit, ExchangeEvaluator::Worker& worker, MadeBlocks& made,
+            Items& open) const;
+  bool fit_visible(const Item& item, double limit, MadeBlocks& made) const;
+  bool fit_sampled(Item& item, double limit, ExchangeEvaluator::Worker& worker,
+                   MadeBlocks& made) const;
+  void evaluate_near(const Item& item, ExchangeEvaluator::Worker& worker, MadeBlocks& made) const;
+  void divide(const Item& item, Items& open) const;
+  template <typename Density>
+  bool add_samples(const Item& item, std::size_t n, const Density& density,
+                   std::vector<DensitySample>& samples) const;
+  template <typename Density>
+  void add_corners(const Item& item, const Density& density,
+                   std::vector<DensitySample>& samples) const;
+  void accept(const Item& item, DegreePair degrees, const BlockFit& fit, double error,
+              bool is_sampled, MadeBlocks& made) const;
+
+  const ExchangeEvaluator& evaluator_;
+  const ClusterPolynomials& polynomials_;
+  const std::vector<double>& areas_;
+  const Progress& progress_;
+  ClusterShapes shapes_;
+};
+
+}  // namespace radiosity

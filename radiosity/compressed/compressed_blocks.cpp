@@ -1,0 +1,337 @@
+#include "radiosity/compressed/compressed_blocks.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "radiosity/base/parallel.h"
+
+namespace radiosity {
+namespace {
+
+/// Parts of a tree that are worked on in parallel, at least, if it is large.
+constexpr Index kSubtrees = 256;
+constexpr Index kSmallSubtree = 512;
+constexpr std::ptrdiff_t kNodeGrain = 64;
+/// Columns that go through the matrix at once.
+constexpr Index kColumnsAtOnce = 4;
+
+/// sum += values[k] * x, for kColumns columns.
+template <int kColumns>
+inline void add_scaled(double factor, const double* x, double* sum) {
+  for (int c = 0; c < kColumns; ++c) sum[c] += factor * x[c];
+}
+
+}  // namespace
+
+CompressedMatrix::CompressedMatrix(CompressedBlocks blocks) : blocks_(std::move(blocks)) {
+  far_ = find_uses(blocks_.far);
+  near_ = find_uses(blocks_.near);
+  find_subtrees();
+}
+
+Index CompressedMatrix::size() const {
+  return blocks_.basis.nodes.empty() ? 0 : blocks_.basis.nodes[0].end;
+}
+
+std::size_t CompressedMatrix::bytes() const {
+  return blocks_.basis.bytes() + blocks_.far.size() * sizeof(CompressedBlocks::Far) +
+         blocks_.near.size() * sizeof(CompressedBlocks::Near) +
+         (blocks_.coefficients.size() + blocks_.densities.size()) * sizeof(float) +
+         (far_.all.size() + near_.all.size()) * sizeof(Use) +
+         (far_.first.size() + near_.first.size()) * sizeof(std::int64_t) +
+         end_.size() * sizeof(std::int32_t);
+}
+
+template <typename Block>
+CompressedMatrix::Uses CompressedMatrix::find_uses(const std::vector<Block>& blocks) const {
+  Uses uses;
+  uses.first.assign(blocks_.basis.nodes.size() + 1, 0);
+  for (const Block& block : blocks) {
+    ++uses.first[block.a + 1];
+    if (block.a != block.b) ++uses.first[block.b + 1];
+  }
+  for (std::size_t k = 1; k < uses.first.size(); ++k) uses.first[k] += uses.first[k - 1];
+  uses.all.resize(uses.first.back());
+  std::vector<std::int64_t> next(uses.first.begin(), uses.first.end() - 1);
+  for (std::size_t k = 0; k < blocks.size(); ++k) {
+    const Block& block = blocks[k];
+    const auto number = static_cast<std::int32_t>(k);
+    uses.all[next[block.a]++] = {block.b, number, true};
+    if (block.a != block.b) uses.all[next[block.b]++] = {block.a, number, false};
+  }
+  return uses;
+}
+
+void CompressedMatrix::find_subtrees() {
+  const auto& nodes = blocks_.basis.nodes;
+  end_.resize(nodes.size());
+  for (auto k = static_cast<std::int32_t>(nodes.size()) - 1; k >= 0; --k) {
+    end_[k] = nodes[k].is_leaf() ? k + 1 : end_[nodes[k].right];
+  }
+  const Index largest = std::max(size() / kSubtrees, kSmallSubtree);
+  for (std::int32_t k = 0; k < static_cast<std::int32_t>(nodes.size());) {
+    if (nodes[k].is_leaf() || nodes[k].end - nodes[k].begin <= largest) {
+      subtrees_.push_back(k);
+      k = end_[k];
+    } else {
+      top_.push_back(k++);
+    }
+  }
+}
+
+/// visit(node) for all nodes, each after those below it.
+template <typename Visit>
+void CompressedMatrix::visit_upward(const Visit& visit) const {
+  parallel_for(static_cast<std::ptrdiff_t>(subtrees_.size()), [&](std::ptrdiff_t s) {
+    for (std::int32_t k = end_[subtrees_[s]] - 1; k >= subtrees_[s]; --k) visit(k);
+  });
+  for (auto k = top_.rbegin(); k != top_.rend(); ++k) visit(*k);
+}
+
+/// visit(node) for all nodes, each before those below it.
+template <typename Visit>
+void CompressedMatrix::visit_downward(const Visit& visit) const {
+  for (const std::int32_t k : top_) visit(k);
+  parallel_for(static_cast<std::ptrdiff_t>(subtrees_.size()), [&](std::ptrdiff_t s) {
+    for (std::int32_t k = subtrees_[s]; k < end_[subtrees_[s]]; ++k) visit(k);
+  });
+}
+
+template <int kColumns>
+void CompressedMatrix::add_product(const double* x, double* result) const {
+  const auto& nodes = blocks_.basis.nodes;
+  const float* numbers = blocks_.basis.numbers.data();
+  std::vector<double> moments(blocks_.basis.n_functions * kColumns);
+  std::vector<double> gathered(blocks_.basis.n_functions * kColumns);
+
+  const auto gather_moments = [&](std::int32_t k) {
+    const NestedBasis::Node& node = nodes[k];
+    double* own = &moments[node.first * kColumns];
+    if (node.is_leaf()) {
+      const float* value = numbers + node.values;
+      for (std::int32_t row = node.begin; row < node.end; ++row) {
+        for (int f = 0; f < node.used; ++f) {
+          add_scaled<kColumns>(*value++, x + row * kColumns, own + f * kColumns);
+        }
+      }
+      return;
+    }
+    for (const std::int32_t child : {node.left, node.right}) {
+      const float* transfer = numbers + nodes[child].transfer;
+      const double* below = &moments[nodes[child].first * kColumns];
+      for (int f = 0; f < node.used; ++f) {
+        for (int g = 0; g < nodes[child].used; ++g) {
+          add_scaled<kColumns>(*transfer++, below + g * kColumns, own + f * kColumns);
+        }
+      }
+    }
+  };
+  visit_upward(gather_moments);
+
+  const auto exchange_far = [&](std::ptrdiff_t k) {
+    double* sum = &gathered[nodes[k].first * kColumns];
+    for (std::int64_t u = far_.first[k]; u < far_.first[k + 1]; ++u) {
+      const Use& use = far_.all[u];
+      const CompressedBlocks::Far& block = blocks_.far[use.block];
+      const float* coefficients = &blocks_.coefficients[block.first];
+      const double* of_other = &moments[nodes[use.other].first * kColumns];
+      for_each_function(
+          nodes[block.a].counts, nodes[block.b].counts, block.degrees, [&](int row, int count) {
+            const float* c = coefficients;
+            coefficients += count;
+            if (use.is_a) {
+              for (int l = 0; l < count; ++l) {
+                add_scaled<kColumns>(c[l], of_other + l * kColumns, sum + row * kColumns);
+              }
+            } else {
+              for (int l = 0; l < count; ++l) {
+                add_scaled<kColumns>(c[l], of_other + row * kColumns, sum + l * kColumns);
+              }
+            }
+          });
+    }
+    if (!nodes[k].is_leaf()) return;
+    const std::int32_t begin = nodes[k].begin;
+    const std::int32_t n_rows = nodes[k].end - begin;
+    for (std::int64_t u = near_.first[k]; u < near_.first[k + 1]; ++u) {
+      const Use& use = near_.all[u];
+      const std::int32_t other = nodes[use.other].begin;
+      const std::int32_t n_other = nodes[use.other].end - other;
+      const float* densities = &blocks_.densities[blocks_.near[use.block].first];
+      for (std::int32_t r = 0; r < n_rows; ++r) {
+        for (std::int32_t c = 0; c < n_other; ++c) {
+          const float density = use.is_a ? densities[r * n_other + c] : densities[c * n_rows + r];
+          add_scaled<kColumns>(density, x + (other + c) * kColumns,
+                               result + (begin + r) * kColumns);
+        }
+      }
+    }
+  };
+  parallel_for(static_cast<std::ptrdiff_t>(nodes.size()), exchange_far, kNodeGrain);
+
+  const auto hand_down = [&](std::int32_t k) {
+    const NestedBasis::Node& node = nodes[k];
+    const double* own = &gathered[node.first * kColumns];
+    if (node.is_leaf()) {
+      const float* value = numbers + node.values;
+      for (std::int32_t row = node.begin; row < node.end; ++row) {
+        for (int f = 0; f < node.used; ++f) {
+          add_scaled<kColumns>(*value++, own + f * kColumns, result + row * kColumns);
+        }
+      }
+      return;
+    }
+    for (const std::int32_t child : {node.left, node.right}) {
+      const float* transfer = numbers + nodes[child].transfer;
+      double* below = &gathered[nodes[child].first * kColumns];
+      for (int f = 0; f < node.used; ++f) {
+        for (int g = 0; g < nodes[child].used; ++g) {
+          add_scaled<kColumns>(*transfer++, own + f * kColumns, below + g * kColumns);
+        }
+      }
+    }
+  };
+  visit_downward(hand_down);
+}
+
+Eigen::MatrixXd CompressedMatrix::product(const Eigen::MatrixXd& x) const {
+  const Index n = x.rows();
+  Eigen::MatrixXd result(n, x.cols());
+  for (Index first = 0; first < x.cols(); first += kColumnsAtOnce) {
+    const Index n_columns = std::min(kColumnsAtOnce, x.cols() - first);
+    using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    const Index width = n_columns == 1 ? 1 : kColumnsAtOnce;
+    Rows in = Rows::Zero(n, width);
+    Rows out = Rows::Zero(n, width);
+    in.leftCols(n_columns) = x.middleCols(first, n_columns);
+    if (n_columns == 1) {
+      add_product<1>(in.data(), out.data());
+    } else {
+      add_product<kColumnsAtOnce>(in.data(), out.data());
+    }
+    result.middleCols(first, n_columns) = out.leftCols(n_columns);
+  }
+  return result;
+}
+
+/// Σ add(d_ab, Σ_{j ∈ b} x_j) over the blocks that hold each row.
+template <typename Add>
+Eigen::MatrixXd CompressedMatrix::sum_over_blocks(const Eigen::MatrixXd& x, const Add& add) const {
+  const auto& nodes = blocks_.basis.nodes;
+  Eigen::MatrixXd result(x.rows(), x.cols());
+  std::vector<double> sums(nodes.size());
+  std::vector<double> gathered(nodes.size());
+  for (Index column = 0; column < x.cols(); ++column) {
+    visit_upward([&](std::int32_t k) {
+      const NestedBasis::Node& node = nodes[k];
+      sums[k] = node.is_leaf() ? x.col(column).segment(node.begin, node.end - node.begin).sum()
+                               : sums[node.left] + sums[node.right];
+    });
+    parallel_for(
+        static_cast<std::ptrdiff_t>(nodes.size()),
+        [&](std::ptrdiff_t k) {
+          gathered[k] = 0;
+          const auto add_all = [&](const Uses& uses, const auto& blocks) {
+            for (std::int64_t u = uses.first[k]; u < uses.first[k + 1]; ++u) {
+              const double error = blocks[uses.all[u].block].error;
+              gathered[k] += add(error, sums[uses.all[u].other]);
+            }
+          };
+          add_all(far_, blocks_.far);
+          add_all(near_, blocks_.near);
+        },
+        kNodeGrain);
+    visit_downward([&](std::int32_t k) {
+      const NestedBasis::Node& node = nodes[k];
+      if (node.is_leaf()) {
+        result.col(column).segment(node.begin, node.end - node.begin).setConstant(gathered[k]);
+        return;
+      }
+      gathered[node.left] += gathered[k];
+      gathered[node.right] += gathered[k];
+    });
+  }
+  return result;
+}
+
+Eigen::MatrixXd CompressedMatrix::squared_errors(const Eigen::MatrixXd& x) const {
+  return sum_over_blocks(x, [](double error, double sum) { return square(error * sum); });
+}
+
+Eigen::MatrixXd CompressedMatrix::variance_product(const Eigen::MatrixXd& x) const {
+  return sum_over_blocks(x, [](double error, double sum) { return square(error) * sum; });
+}
+
+std::pair<double, double> CompressedMatrix::entry(Index row, Index column) const {
+  const auto& nodes = blocks_.basis.nodes;
+  const float* numbers = blocks_.basis.numbers.data();
+  if (row > column) std::swap(row, column);
+  /// The nodes that hold a row, from the root down, and their functions there.
+  struct Path {
+    std::vector<std::int32_t> nodes;
+    std::vector<std::vector<double>> values;
+  };
+  const auto find_path = [&](Index at) {
+    Path path;
+    std::int32_t k = 0;
+    while (true) {
+      path.nodes.push_back(k);
+      if (nodes[k].is_leaf()) break;
+      k = at < nodes[nodes[k].left].end ? nodes[k].left : nodes[k].right;
+    }
+    path.values.resize(path.nodes.size());
+    const NestedBasis::Node& leaf = nodes[k];
+    const float* value = numbers + leaf.values + (at - leaf.begin) * leaf.used;
+    path.values.back().assign(value, value + leaf.used);
+    for (std::size_t level = path.nodes.size() - 1; level > 0; --level) {
+      const NestedBasis::Node& node = nodes[path.nodes[level]];
+      const NestedBasis::Node& above = nodes[path.nodes[level - 1]];
+      const float* transfer = numbers + node.transfer;
+      path.values[level - 1].assign(above.used, 0.0);
+      for (int f = 0; f < above.used; ++f) {
+        for (int g = 0; g < node.used; ++g) {
+          path.values[level - 1][f] += *transfer++ * path.values[level][g];
+        }
+      }
+    }
+    return path;
+  };
+  const Path path = find_path(row);
+  const Path other = find_path(column);
+  const auto level_of = [&](std::int32_t node) -> std::ptrdiff_t {
+    const auto found = std::find(other.nodes.begin(), other.nodes.end(), node);
+    return found == other.nodes.end() ? -1 : found - other.nodes.begin();
+  };
+  for (std::size_t level = 0; level < path.nodes.size(); ++level) {
+    const std::int32_t k = path.nodes[level];
+    for (std::int64_t u = far_.first[k]; u < far_.first[k + 1]; ++u) {
+      const std::ptrdiff_t at = level_of(far_.all[u].other);
+      if (at < 0) continue;
+      const CompressedBlocks::Far& block = blocks_.far[far_.all[u].block];
+      const auto& of_a = far_.all[u].is_a ? path.values[level] : other.values[at];
+      const auto& of_b = far_.all[u].is_a ? other.values[at] : path.values[level];
+      double sum = 0;
+      const float* coefficient = &blocks_.coefficients[block.first];
+      for_each_function(nodes[block.a].counts, nodes[block.b].counts, block.degrees,
+                        [&](int f, int count) {
+                          for (int g = 0; g < count; ++g) {
+                            sum += *coefficient++ * (of_a[f] * of_b[g]);
+                          }
+                        });
+      return {sum, block.error};
+    }
+  }
+  const std::int32_t k = path.nodes.back();
+  for (std::int64_t u = near_.first[k]; u < near_.first[k + 1]; ++u) {
+    if (near_.all[u].other != other.nodes.back()) continue;
+    const CompressedBlocks::Near& block = blocks_.near[near_.all[u].block];
+    const NestedBasis::Node& a = nodes[block.a];
+    const NestedBasis::Node& b = nodes[block.b];
+    const Index in_a = (near_.all[u].is_a ? row : column) - a.begin;
+    const Index in_b = (near_.all[u].is_a ? column : row) - b.begin;
+    return {blocks_.densities[block.first + in_a * (b.end - b.begin) + in_b], block.error};
+  }
+  return {0, 0};
+}
+
+}  // namespace radiosity

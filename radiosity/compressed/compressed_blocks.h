@@ -1,0 +1,121 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "radiosity/base/geometry.h"
+#include "radiosity/compressed/nested_basis.h"
+
+namespace radiosity {
+
+/// Degrees of functions of two clusters: up to one each, and up to the larger together.
+struct DegreePair {
+  std::int8_t a = 0;
+  std::int8_t b = 0;
+  /// The largest that goes with one of the first cluster.
+  [[nodiscard]] int of_b(int degree_a) const { return std::min<int>(b, std::max(a, b) - degree_a); }
+};
+
+/// Calls visit(k, count) for each function k of a: it goes with [0, count) of b. `counts` tell the
+/// functions up to each degree.
+template <typename Counts, typename Visit>
+void for_each_function(const Counts& counts_a, const Counts& counts_b, DegreePair degrees,
+                       const Visit& visit) {
+  int k = 0;
+  for (int degree = 0; degree <= degrees.a; ++degree) {
+    const int count = counts_b[degrees.of_b(degree)];
+    for (; k < counts_a[degree]; ++k) visit(k, count);
+  }
+}
+
+/// How many pairs of functions that makes.
+template <typename Counts>
+int n_coefficients(const Counts& counts_a, const Counts& counts_b, DegreePair degrees) {
+  int n = 0;
+  for_each_function(counts_a, counts_b, degrees, [&n](int, int count) { n += count; });
+  return n;
+}
+
+/// A symmetric matrix of exchange areas G, in the order of a tree of clusters, as blocks: between
+/// distant clusters the density G_ij / (A_i A_j) is a polynomial in both, between near ones all of
+/// it is there. Each pair of clusters is kept once and used both ways.
+struct CompressedBlocks {
+  /// The density between clusters a and b: Σ_kl c_kl p_k(i) q_l(j), 1/m², over the pairs of
+  /// functions of `degrees`.
+  struct Far {
+    std::int32_t a = 0;
+    std::int32_t b = 0;
+    DegreePair degrees;
+    bool is_sampled = false;  ///< something may block some pairs
+    float error = 0;          ///< one standard error of the density, in common to the block, 1/m²
+    std::uint64_t first = 0;  ///< into `coefficients`
+  };
+  /// The densities themselves between two leaves, by rows.
+  struct Near {
+    std::int32_t a = 0;
+    std::int32_t b = 0;
+    float error = 0;
+    std::uint64_t first = 0;  ///< into `densities`
+  };
+  NestedBasis basis;
+  std::vector<Far> far;
+  std::vector<float> coefficients;
+  std::vector<Near> near;
+  std::vector<float> densities;  ///< 1/m²
+};
+
+/// Products with such a matrix.
+class CompressedMatrix {
+ public:
+  explicit CompressedMatrix(CompressedBlocks blocks);
+
+  [[nodiscard]] Index size() const;
+  [[nodiscard]] const CompressedBlocks& blocks() const { return blocks_; }
+  [[nodiscard]] std::size_t bytes() const;
+
+  /// Σ_j G_ij / (A_i A_j) x_j for all columns of x, n x k, in the tree's order. Parallel, with the
+  /// same bits at any number of threads.
+  [[nodiscard]] Eigen::MatrixXd product(const Eigen::MatrixXd& x) const;
+  /// Σ_b (d_ab Σ_{j ∈ b} x_j)² over the blocks that hold row i, with their errors d: n x k.
+  [[nodiscard]] Eigen::MatrixXd squared_errors(const Eigen::MatrixXd& x) const;
+  /// Σ_b d_ab² Σ_{j ∈ b} x_j over the same, n x k.
+  [[nodiscard]] Eigen::MatrixXd variance_product(const Eigen::MatrixXd& x) const;
+  /// Density between two rows, and the error of its block, 1/m².
+  [[nodiscard]] std::pair<double, double> entry(Index row, Index column) const;
+
+ private:
+  struct Use {
+    std::int32_t other;  // node
+    std::int32_t block;
+    bool is_a;  // whether this node is the block's a
+  };
+  /// The blocks of each node.
+  struct Uses {
+    std::vector<std::int64_t> first;
+    std::vector<Use> all;
+  };
+  template <typename Block>
+  [[nodiscard]] Uses find_uses(const std::vector<Block>& blocks) const;
+  void find_subtrees();
+  template <typename Visit>
+  void visit_upward(const Visit& visit) const;
+  template <typename Visit>
+  void visit_downward(const Visit& visit) const;
+  template <typename Add>
+  [[nodiscard]] Eigen::MatrixXd sum_over_blocks(const Eigen::MatrixXd& x, const Add& add) const;
+  template <int kColumns>
+  void add_product(const double* x, double* result) const;
+
+  CompressedBlocks blocks_;
+  Uses far_;
+  Uses near_;
+  std::vector<std::int32_t> end_;       // per node: after the last one below
+  std::vector<std::int32_t> subtrees_;  // nodes that are worked on in parallel with all below them
+  std::vector<std::int32_t> top_;       // nodes above them
+};
+
+}  // namespace radiosity

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "radiosity/assembly/transport_options.h"
+#include "radiosity/base/geometry.h"
+#include "radiosity/compressed/compressed_blocks.h"
+#include "radiosity/operator/factor_rows.h"
+#include "radiosity/operator/transport.h"
+#include "radiosity/scene/patch_mesh.h"
+#include "radiosity/visibility/visibility.h"
+
+namespace radiosity {
+
+/// The radiosity transport operator as far and near blocks (CompressedBlocks): memory and time
+/// hardly grow faster than the number of patches. Its error is verified against exact rows.
+class CompressedTransport final : public Transport, public FactorRows {
+ public:
+  /// All that it consists of.
+  struct Parts {
+    std::vector<std::int32_t> order;  ///< patches in the tree's order
+    CompressedBlocks blocks;
+    Eigen::VectorXd area;  ///< m², in the order of the patches
+    /// Closes the rows: d_ab² (μ_i + μ_j) is added to each density, n, in the tree's order; empty
+    /// if nothing is.
+    Eigen::VectorXd multipliers = {};
+    /// What the exchange with a part of the scene lacks: r_i is added to the sum of G_ij over its
+    /// patches j by the symmetric change r vᵀ + v rᵀ - (Σ_s r) v vᵀ, with v its patches' areas over
+    /// their sum.
+    struct Source {
+      std::vector<std::int32_t> patches;  ///< in rising order
+      Eigen::VectorXd lacking;            ///< r, m², n
+    };
+    std::vector<Source> sources = {};
+    double error_scale = 1;      ///< of the blocks' errors
+    AssemblyReport report = {};  ///< with its `compression`
+  };
+  explicit CompressedTransport(Parts parts);
+
+  [[nodiscard]] Index size() const override { return parts_.area.size(); }
+  [[nodiscard]] const Eigen::VectorXd& area() const override { return parts_.area; }
+  [[nodiscard]] Eigen::MatrixXd apply(const Eigen::MatrixXd& radiosity) const override;
+  /// Errors are taken as common to a block.
+  [[nodiscard]] Eigen::MatrixXd apply_error(const Eigen::MatrixXd& radiosity) const override;
+  /// Twice the largest standard error of a row of F 1: what the norm of a symmetric matrix of
+  /// independent errors comes to. (Bandeira & van Handel 2016)
+  [[nodiscard]] double error() const override;
+  [[nodiscard]] std::size_t bytes() const override;
+  [[nodiscard]] const AssemblyReport& report() const override { return parts_.report; }
+  /// A row takes a product.
+  [[nodiscard]] const FactorRows* rows() const override { return this; }
+  [[nodiscard]] bool has_quick_rows() const override { return false; }
+
+  [[nodiscard]] Eigen::VectorXd row(Index i) const override;
+  [[nodiscard]] Eigen::VectorXd row_error(Index i) const override;
+  [[nodiscard]] ExchangeArea pair(Index i, Index j) const override;
+
+ private:
+  friend class CompressedAssembly;
+  void add_lacking(const Parts::Source& source, const Eigen::MatrixXd& x,
+                   Eigen::MatrixXd& result) const;
+  [[nodiscard]] double lacking_density(const Parts::Source& source, Index i, Index j) const;
+  [[nodiscard]] Eigen::MatrixXd to_tree(const Eigen::MatrixXd& x) const;
+  [[nodiscard]] Eigen::MatrixXd from_tree(const Eigen::MatrixXd& x) const;
+
+  Parts parts_;
+  CompressedMatrix matrix_;
+  std::vector<std::int32_t> place_;  // in the tree's order, of each patch
+};
+
+}  // namespace radiosity

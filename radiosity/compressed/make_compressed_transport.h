@@ -1,0 +1,33 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+
+#include "radiosity/assembly/transport_options.h"
+#include "radiosity/compressed/compressed_transport.h"
+#include "radiosity/scene/patch_mesh.h"
+#include "radiosity/visibility/visibility.h"
+
+namespace radiosity {
+
+/// The light that an operator is made for, besides B = 1 and others: what F B is off by is verified
+/// for it, too. Both n x k as solve() takes them, or empty.
+struct ExpectedLight {
+  Eigen::MatrixXd exitance = {};     ///< W/m²
+  Eigen::MatrixXd reflectance = {};  ///< in [0, 1]
+};
+
+/// Makes a compressed operator in rounds, until its verified error is no more than
+/// TransportOptions::tolerance or rounds no longer help (CompressionReport tells). Same input, same
+/// bits, at any number of threads. KnownPairs are not used. Throws SolveError if it will not fit
+/// into memory; Interrupted if asked to stop.
+std::unique_ptr<CompressedTransport> make_compressed_transport(const PatchMesh& mesh,
+                                                               const Visibility& visibility,
+                                                               const TransportOptions& options = {},
+                                                               const ExpectedLight& light = {});
+
+/// Throws SolveError, with the figures and the way out, if so many patches will not fit into
+/// `memory` bytes (0 = what the machine has).
+void check_compressed_memory(Index n_patches, std::size_t memory = 0);
+
+}  // namespace radiosity

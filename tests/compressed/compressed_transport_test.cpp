@@ -1,0 +1,182 @@
+#include "radiosity/compressed/compressed_transport.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stop_token>
+
+#include "io/scene/scene_file.h"
+#include "meshing/patches/patches.h"
+#include "radiosity/assembly/make_transport.h"
+#include "radiosity/base/error.h"
+#include "radiosity/base/parallel.h"
+#include "radiosity/compressed/make_compressed_transport.h"
+#include "radiosity/scene/radiometry.h"
+#include "radiosity/solve/solve.h"
+#include "tests/support/shapes.h"
+
+namespace radiosity {
+namespace {
+
+using test::add_box;
+using test::box_in_box;
+using test::Facing;
+
+/// ‖x - y‖ / ‖y‖ with the areas as weights.
+double difference(const Transport& transport, const Eigen::MatrixXd& x, const Eigen::MatrixXd& y) {
+  const auto norm = [&](const Eigen::MatrixXd& z) {
+    return std::sqrt(transport.area().dot(z.cwiseAbs2().rowwise().sum()));
+  };
+  return norm(x - y) / norm(y);
+}
+
+struct Room {
+  explicit Room(PatchMesh patches) : mesh(std::move(patches)), visibility(mesh) {}
+  PatchMesh mesh;
+  Visibility visibility;
+};
+
+class CompressedTransportOfARoom : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    room_ = new Room(box_in_box(16, 8));
+    compressed_ =
+        make_compressed_transport(room_->mesh, room_->visibility, {.tolerance = 1e-2}).release();
+  }
+  static void TearDownTestSuite() {
+    delete compressed_;
+    delete room_;
+  }
+  inline static Room* room_ = nullptr;
+  inline static CompressedTransport* compressed_ = nullptr;
+};
+
+TEST_F(CompressedTransportOfARoom, ActsLikeTheDenseOneWithinItsVerifiedError) {
+  const auto dense = make_transport(room_->mesh, room_->visibility, {.tolerance = 1e-3});
+  const Index n = dense->size();
+  Eigen::MatrixXd b(n, 2);
+  b.col(0).setOnes();
+  for (Index i = 0; i < n; ++i) b(i, 1) = 1 + room_->mesh.centroid[i].x();
+  ASSERT_TRUE(compressed_->report().compression);
+  const double verified = compressed_->report().compression->verified_error;
+  EXPECT_LE(verified, 1e-2);
+  for (Index c = 0; c < 2; ++c) {
+    EXPECT_LE(difference(*dense, compressed_->apply(b.col(c)), dense->apply(b.col(c))),
+              verified + 1e-3);
+  }
+  EXPECT_LT(compressed_->bytes(), dense->bytes());
+}
+
+TEST_F(CompressedTransportOfARoom, IsReciprocalToTheLastBit) {
+  const Index n = compressed_->size();
+  for (Index i = 0; i < n; i += 37) {
+    for (Index j = 0; j < n; j += 41) {
+      EXPECT_EQ(compressed_->pair(i, j).value, compressed_->pair(j, i).value);
+    }
+  }
+}
+
+TEST_F(CompressedTransportOfARoom, HasRowsThatMakeUpItsAction) {
+  const Index n = compressed_->size();
+  Eigen::VectorXd b(n);
+  for (Index i = 0; i < n; ++i) b[i] = 1 + std::sin(static_cast<double>(i));
+  const Eigen::VectorXd gathered = compressed_->apply(b);
+  for (Index i = 5; i < n; i += 397) {
+    const Eigen::VectorXd row = compressed_->row(i);
+    EXPECT_NEAR(row.dot(b), gathered[i], 1e-9);
+    for (Index j = 0; j < n; j += 53) {
+      EXPECT_NEAR(row[j], compressed_->pair(i, j).value / compressed_->area()[i], 1e-9);
+    }
+  }
+}
+
+TEST_F(CompressedTransportOfARoom, ClosesItsRows) {
+  const Eigen::VectorXd sums = compressed_->apply(Eigen::VectorXd::Ones(compressed_->size()));
+  EXPECT_TRUE(compressed_->report().closed);
+  EXPECT_EQ(compressed_->report().open_rows, 0);
+  // A row that nothing uncertain adds to keeps its sum: fits are as good as the tolerance.
+  EXPECT_LT((sums.array() - 1).abs().mean(), 1e-4);
+}
+
+TEST_F(CompressedTransportOfARoom, KeepsTheEnergyOfAFurnace) {
+  // ρ = ½ and M_e = 1 everywhere: B = 2 but for the rows' errors.
+  const Index n = compressed_->size();
+  const Solution solution = solve(*compressed_, Eigen::MatrixXd::Ones(n, 1),
+                                  Eigen::MatrixXd::Constant(n, 1, 0.5), {.tolerance = 1e-8});
+  EXPECT_LT(difference(*compressed_, solution.radiosity, Eigen::MatrixXd::Constant(n, 1, 2)),
+            compressed_->report().compression->verified_error);
+}
+
+TEST_F(CompressedTransportOfARoom, RefusesMethodsThatGoRowByRow) {
+  const Index n = compressed_->size();
+  for (const Method method : {Method::gauss_seidel, Method::southwell}) {
+    EXPECT_THROW(solve(*compressed_, Eigen::MatrixXd::Ones(n, 1),
+                       Eigen::MatrixXd::Constant(n, 1, 0.5), {.method = method}),
+                 SolveError);
+  }
+}
+
+TEST_F(CompressedTransportOfARoom, IsTheSameWithAnyNumberOfThreads) {
+  const Eigen::MatrixXd b = Eigen::VectorXd::LinSpaced(compressed_->size(), 0, 1).replicate(1, 5);
+  const Eigen::MatrixXd expected = compressed_->apply(b);
+  for (const std::size_t n_threads : {1U, 3U, 7U}) {
+    const ThreadLimit limit(n_threads);
+    const auto again =
+        make_compressed_transport(room_->mesh, room_->visibility, {.tolerance = 1e-2});
+    EXPECT_EQ(again->apply(b), expected) << n_threads;
+    EXPECT_EQ(again->error(), compressed_->error());
+  }
+}
+
+TEST(CompressedTransport, GivesDirectLightOfAPolygonAsIs) {
+  // Exact where the operator by itself may be off by its tolerance, which is loose here.
+  const Scene scene = io::read_scene(RADIOSITY_SCENES "/cornell-box.json");
+  const Room room(meshing::make_patches(scene, {.n_patches = 1500}));
+  const Eigen::MatrixXd emitted = exitance(scene, room.mesh);
+  const auto dense = make_transport(room.mesh, room.visibility, {.tolerance = 1e-3});
+  const auto with = make_compressed_transport(room.mesh, room.visibility, {.tolerance = 5e-2},
+                                              {emitted, reflectance(scene, room.mesh)});
+  const auto without = make_compressed_transport(room.mesh, room.visibility, {.tolerance = 5e-2});
+  const Eigen::MatrixXd expected = dense->apply(emitted);
+  // A patch's direct light is off by a tenth of the tolerance at most, where it is hidden in part.
+  const double off = difference(*dense, with->apply(emitted), expected);
+  EXPECT_LT(off, 0.1 * 5e-2);
+  EXPECT_GT(difference(*dense, without->apply(emitted), expected), 3 * off);
+}
+
+TEST(CompressedTransport, LeavesSealedRoomsDark) {
+  PatchMesh mesh;
+  add_box(mesh, Vec3::Zero(), Vec3::Ones(), 14, Facing::inwards);
+  const Index n_first = mesh.size();
+  add_box(mesh, Vec3(1, 0, 0), Vec3(2, 1, 1), 14, Facing::inwards);
+  const Room rooms(std::move(mesh));
+  const auto compressed =
+      make_compressed_transport(rooms.mesh, rooms.visibility, {.tolerance = 1e-2});
+  Eigen::VectorXd b = Eigen::VectorXd::Zero(rooms.mesh.size());
+  b.head(n_first).setOnes();
+  const Eigen::VectorXd gathered = compressed->apply(b);
+  EXPECT_EQ(gathered.tail(rooms.mesh.size() - n_first).cwiseAbs().maxCoeff(), 0);
+  EXPECT_LT((gathered.head(n_first).array() - 1).abs().maxCoeff(), 5e-2);
+}
+
+TEST(CompressedTransport, RefusesWhatWillNotFit) {
+  const Room room(box_in_box(4, 2));
+  try {
+    make_compressed_transport(room.mesh, room.visibility, {.memory = 1000});
+    FAIL();
+  } catch (const SolveError& error) {
+    EXPECT_NE(std::string(error.what()).find("--patches"), std::string::npos) << error.what();
+  }
+}
+
+TEST(CompressedTransport, StopsWhenAsked) {
+  const Room room(box_in_box(8, 4));
+  std::stop_source source;
+  source.request_stop();
+  EXPECT_THROW(make_compressed_transport(room.mesh, room.visibility,
+                                         {.progress = {.report = {}, .stop = source.get_token()}}),
+               Interrupted);
+}
+
+}  // namespace
+}  // namespace radiosity
