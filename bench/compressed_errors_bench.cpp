@@ -59,8 +59,8 @@ int main(int argc, char** argv) {
     const Eigen::MatrixXd expected = dense->apply(fields);
     for (const double tolerance : {3e-2, 1e-2}) {
       for (const std::uint64_t seed : {1, 2}) {
-        const auto compressed = make_compressed_transport(
-            mesh, visibility, {.tolerance = tolerance, .seed = seed});
+        const auto compressed =
+            make_compressed_transport(mesh, visibility, {.tolerance = tolerance, .seed = seed});
         const Eigen::MatrixXd off = compressed->apply(fields) - expected;
         const Eigen::RowVectorXd relative =
             ((dense->area().transpose() * off.cwiseAbs2()).array() /
@@ -78,8 +78,8 @@ int main(int argc, char** argv) {
         fmt::print(
             "{:<16} {} patches, asked {:g}: verified {:.2e}, true {:.2e}{}; within one error "
             "{:.1f} %, two {:.1f} %\n",
-            name, mesh.size(), tolerance, verified, relative.maxCoeff(),
-            is_beyond ? " BEYOND" : "", within(1), within(2));
+            name, mesh.size(), tolerance, verified, relative.maxCoeff(), is_beyond ? " BEYOND" : "",
+            within(1), within(2));
       }
     }
   }

@@ -26,9 +26,10 @@ namespace {
 /// What a limit of the blocks' errors comes to in F 1 was measured on rooms and streets: some
 /// kOfRoot times its root. The first is chosen so that it just may do.
 constexpr double kOfRoot = 1.8;
-/// The next one aims at so much of what is asked, since errors go like its root.
+/// The next one aims at so much of what is asked, since errors go like its root; in steps, since a
+/// single row far off makes an error look larger than it is.
 constexpr double kAimedAt = 0.85;
-constexpr double kLeastStep = 1.0 / 30;
+constexpr double kLeastStep = 0.2;
 constexpr double kMostStep = 0.6;
 constexpr int kMostRounds = 6;
 /// Rows that verify it, and as many again as long as they do not decide.
