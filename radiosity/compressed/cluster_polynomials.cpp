@@ -188,16 +188,12 @@ void ClusterPolynomials::build(std::int32_t cluster, std::int32_t parent) {
       }
       functions.add(std::move(own), kSmallest);
     }
-    if (above != nullptr) {
-      std::vector<Eigen::RowVectorXd> needed;
-      const auto& counts = built_[parent].counts;
-      for (int k = degree > 0 ? counts[degree - 1] : 0; k < counts[degree]; ++k) {
-        needed.emplace_back(of_parent.row(k));
-      }
-      functions.add(std::move(needed), kNeeded);
-    }
     built.counts[degree] = static_cast<std::uint8_t>(functions.rows().rows());
   }
+  // What vary less than makes a function, but are parts of the parent's, come last.
+  std::vector<Eigen::RowVectorXd> needed;
+  for (Index k = 0; k < of_parent.rows(); ++k) needed.emplace_back(of_parent.row(k));
+  functions.add(std::move(needed), kNeeded);
   built.coefficients = functions.rows().cast<float>();
   built.transfer = (of_parent * gram * functions.rows().transpose()).cast<float>();
 
@@ -214,21 +210,24 @@ void ClusterPolynomials::build(std::int32_t cluster, std::int32_t parent) {
 
 void ClusterPolynomials::evaluate(std::int32_t cluster, std::int32_t patch, int degree,
                                   double* values) const {
+  evaluate_first(cluster, patch, built_[cluster].counts[degree], values);
+}
+
+void ClusterPolynomials::evaluate_first(std::int32_t cluster, std::int32_t patch, int n,
+                                        double* values) const {
   const Frame& frame = frames_[cluster];
   const PolynomialSpace& monomials = space(frame);
   std::array<double, 6> point{};
   std::array<double, kMost> powers{};
   coordinates(frame, patch, point.data());
   monomials.evaluate(point.data(), powers.data());
-  const Eigen::MatrixXf& coefficients = built_[cluster].coefficients;
-  int k = 0;
-  for (int d = 0; d <= degree; ++d) {
-    const int n_powers = monomials.size(std::min(d, monomials.degree()));
-    for (; k < built_[cluster].counts[d]; ++k) {
-      double sum = 0;
-      for (int m = 0; m < n_powers; ++m) sum += coefficients(k, m) * powers[m];
-      values[k] = sum;
-    }
+  const Built& built = built_[cluster];
+  int degree = 0;
+  for (int k = 0; k < n; ++k) {
+    while (degree < monomials.degree() && k >= built.counts[degree]) ++degree;
+    double sum = 0;
+    for (int m = 0; m < monomials.size(degree); ++m) sum += built.coefficients(k, m) * powers[m];
+    values[k] = sum;
   }
 }
 
@@ -248,7 +247,8 @@ NestedBasis ClusterPolynomials::make_basis(const std::vector<std::int8_t>& degre
     node.counts = built_[c].counts;
     node.area = built_[c].area;
     // The constants always: errors are told by them.
-    node.used = node.counts[std::max<int>(needed[c], 0)];
+    const auto n_all = static_cast<std::uint8_t>(built_[c].coefficients.rows());
+    node.used = needed[c] > kMostDegree ? n_all : node.counts[std::max<int>(needed[c], 0)];
     node.first = basis.n_functions;
     basis.n_functions += node.used;
     if (parent[c] >= 0) {
@@ -261,7 +261,9 @@ NestedBasis ClusterPolynomials::make_basis(const std::vector<std::int8_t>& degre
       continue;
     }
     for (const std::int32_t child : {its.left, its.right}) {
-      needed[child] = std::max(needed[child], needed[c]);
+      // Polynomials in a plane are of the same degree below; others may take all there are.
+      const bool is_planar = frames_[c].is_planar || needed[c] <= 0;
+      needed[child] = std::max<std::int8_t>(needed[child], is_planar ? needed[c] : kMostDegree + 1);
       parent[child] = static_cast<std::int32_t>(c);
     }
   }
@@ -274,7 +276,8 @@ NestedBasis ClusterPolynomials::make_basis(const std::vector<std::int8_t>& degre
           std::array<double, kMost> values{};
           float* value = basis.numbers.data() + node.values;
           for (std::int32_t row = node.begin; row < node.end; ++row) {
-            evaluate(static_cast<std::int32_t>(c), tree_.order[row], kMostDegree, values.data());
+            evaluate_first(static_cast<std::int32_t>(c), tree_.order[row], node.used,
+                           values.data());
             for (int k = 0; k < node.used; ++k) *value++ = static_cast<float>(values[k]);
           }
         }

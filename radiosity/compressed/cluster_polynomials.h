@@ -58,6 +58,8 @@ class ClusterPolynomials {
     Eigen::MatrixXf coefficients;  // of the monomials: count x monomials
     Eigen::MatrixXf transfer;      // the parent's as combinations of these: its count x count
   };
+  /// The first n of all functions, with those that only the parent's are made of.
+  void evaluate_first(std::int32_t cluster, std::int32_t patch, int n, double* values) const;
   /// `parent` is -1 of the root.
   void build(std::int32_t cluster, std::int32_t parent);
   /// Σ_i A_i z_k(i) z_l(i) / A of the monomials.
