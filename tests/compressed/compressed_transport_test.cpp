@@ -39,7 +39,7 @@ struct Room {
 class CompressedTransportOfARoom : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    room_ = new Room(box_in_box(16, 8));
+    room_ = new Room(box_in_box(12, 6));
     compressed_ =
         make_compressed_transport(room_->mesh, room_->visibility, {.tolerance = 1e-2}).release();
   }
