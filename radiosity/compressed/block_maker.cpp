@@ -133,9 +133,9 @@ void BlockMaker::add_corners(const Item& item, const Density& density,
 }
 
 void BlockMaker::accept(const Item& item, DegreePair degrees, const BlockFit& fit, double error,
-                        bool is_sampled, MadeBlocks& made) const {
+                        MadeBlocks& made) const {
   made.far.push_back(
-      {item.a, item.b, degrees, is_sampled, static_cast<float>(error), made.coefficients.size()});
+      {item.a, item.b, degrees, static_cast<float>(error), made.coefficients.size()});
   for (const double c : fit.coefficients) made.coefficients.push_back(static_cast<float>(c));
 }
 
@@ -163,7 +163,7 @@ bool BlockMaker::fit_visible(const Item& item, double limit, MadeBlocks& made) c
         fit_block(polynomials_, evaluator_.tree().order, item.a, item.b, degrees, samples, are_all);
     const double error = action_error(item.a, item.b, fit.error);
     if (error <= limit && fit.lowest >= 0) {
-      accept(item, degrees, fit, fit.error, false, made);
+      accept(item, degrees, fit, fit.error, made);
       return true;
     }
     if (error > limit * std::pow(kGain, most - degree)) return false;
@@ -212,7 +212,7 @@ bool BlockMaker::fit_sampled(Item& item, double limit, ExchangeEvaluator::Worker
   while (true) {
     const double error = action_error(item.a, item.b, best.off);
     if (error <= limit && best.fit.lowest >= 0) {
-      accept(item, best.degrees, best.fit, best.off, true, made);
+      accept(item, best.degrees, best.fit, best.off, made);
       return true;
     }
     const int left = 2 * most - best.degrees.a - best.degrees.b;
@@ -263,7 +263,8 @@ void BlockMaker::evaluate_near(const Item& item, ExchangeEvaluator::Worker& work
   const double area_a = polynomials_.area(item.a);
   const double area_b = polynomials_.area(item.b);
   const double error = std::sqrt(variance / (area_a * area_b * (area_a + area_b)));
-  made.near.push_back({item.a, item.b, static_cast<float>(error), first});
+  const bool may_change = evaluator_.is_uniform(item.a) && evaluator_.is_uniform(item.b);
+  made.near.push_back({item.a, item.b, static_cast<float>(error), may_change, first});
 }
 
 void BlockMaker::divide(const Item& item, Items& open) const {

@@ -73,7 +73,7 @@ class BlockMaker {
   void add_corners(const Item& item, const Density& density,
                    std::vector<DensitySample>& samples) const;
   void accept(const Item& item, DegreePair degrees, const BlockFit& fit, double error,
-              bool is_sampled, MadeBlocks& made) const;
+              MadeBlocks& made) const;
 
   const ExchangeEvaluator& evaluator_;
   const ClusterPolynomials& polynomials_;

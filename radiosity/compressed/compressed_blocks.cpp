@@ -214,7 +214,7 @@ Eigen::MatrixXd CompressedMatrix::product(const Eigen::MatrixXd& x) const {
   return result;
 }
 
-/// Σ add(d_ab, Σ_{j ∈ b} x_j) over the blocks that hold each row.
+/// Σ add(block, Σ_{j ∈ b} x_j) over the blocks that hold each row.
 template <typename Add>
 Eigen::MatrixXd CompressedMatrix::sum_over_blocks(const Eigen::MatrixXd& x, const Add& add) const {
   const auto& nodes = blocks_.basis.nodes;
@@ -233,8 +233,7 @@ Eigen::MatrixXd CompressedMatrix::sum_over_blocks(const Eigen::MatrixXd& x, cons
           gathered[k] = 0;
           const auto add_all = [&](const Uses& uses, const auto& blocks) {
             for (std::int64_t u = uses.first[k]; u < uses.first[k + 1]; ++u) {
-              const double error = blocks[uses.all[u].block].error;
-              gathered[k] += add(error, sums[uses.all[u].other]);
+              gathered[k] += add(blocks[uses.all[u].block], sums[uses.all[u].other]);
             }
           };
           add_all(far_, blocks_.far);
@@ -255,14 +254,17 @@ Eigen::MatrixXd CompressedMatrix::sum_over_blocks(const Eigen::MatrixXd& x, cons
 }
 
 Eigen::MatrixXd CompressedMatrix::squared_errors(const Eigen::MatrixXd& x) const {
-  return sum_over_blocks(x, [](double error, double sum) { return square(error * sum); });
+  return sum_over_blocks(
+      x, [](const auto& block, double sum) { return square(double{block.error} * sum); });
 }
 
 Eigen::MatrixXd CompressedMatrix::variance_product(const Eigen::MatrixXd& x) const {
-  return sum_over_blocks(x, [](double error, double sum) { return square(error) * sum; });
+  return sum_over_blocks(x, [](const auto& block, double sum) {
+    return block.may_change ? square(double{block.error}) * sum : 0.0;
+  });
 }
 
-std::pair<double, double> CompressedMatrix::entry(Index row, Index column) const {
+CompressedMatrix::Entry CompressedMatrix::entry(Index row, Index column) const {
   const auto& nodes = blocks_.basis.nodes;
   const float* numbers = blocks_.basis.numbers.data();
   if (row > column) std::swap(row, column);
@@ -318,7 +320,7 @@ std::pair<double, double> CompressedMatrix::entry(Index row, Index column) const
                             sum += *coefficient++ * (of_a[f] * of_b[g]);
                           }
                         });
-      return {sum, block.error};
+      return {sum, block.error, block.may_change};
     }
   }
   const std::int32_t k = path.nodes.back();
@@ -329,9 +331,10 @@ std::pair<double, double> CompressedMatrix::entry(Index row, Index column) const
     const NestedBasis::Node& b = nodes[block.b];
     const Index in_a = (near_.all[u].is_a ? row : column) - a.begin;
     const Index in_b = (near_.all[u].is_a ? column : row) - b.begin;
-    return {blocks_.densities[block.first + in_a * (b.end - b.begin) + in_b], block.error};
+    return {blocks_.densities[block.first + in_a * (b.end - b.begin) + in_b], block.error,
+            block.may_change};
   }
-  return {0, 0};
+  return {};
 }
 
 }  // namespace radiosity

@@ -50,15 +50,16 @@ struct CompressedBlocks {
     std::int32_t a = 0;
     std::int32_t b = 0;
     DegreePair degrees;
-    bool is_sampled = false;  ///< something may block some pairs
     float error = 0;          ///< one standard error of the density, in common to the block, 1/m²
     std::uint64_t first = 0;  ///< into `coefficients`
+    static constexpr bool may_change = true;
   };
   /// The densities themselves between two leaves, by rows.
   struct Near {
     std::int32_t a = 0;
     std::int32_t b = 0;
     float error = 0;
+    bool may_change = true;   ///< not if solids or what shuts off regions may make some exactly 0
     std::uint64_t first = 0;  ///< into `densities`
   };
   NestedBasis basis;
@@ -82,10 +83,15 @@ class CompressedMatrix {
   [[nodiscard]] Eigen::MatrixXd product(const Eigen::MatrixXd& x) const;
   /// Σ_b (d_ab Σ_{j ∈ b} x_j)² over the blocks that hold row i, with their errors d: n x k.
   [[nodiscard]] Eigen::MatrixXd squared_errors(const Eigen::MatrixXd& x) const;
-  /// Σ_b d_ab² Σ_{j ∈ b} x_j over the same, n x k.
+  /// Σ_b d_ab² Σ_{j ∈ b} x_j over those of them that may change, n x k.
   [[nodiscard]] Eigen::MatrixXd variance_product(const Eigen::MatrixXd& x) const;
-  /// Density between two rows, and the error of its block, 1/m².
-  [[nodiscard]] std::pair<double, double> entry(Index row, Index column) const;
+  struct Entry {
+    double density = 0;       ///< 1/m²
+    double error = 0;         ///< of its block, 1/m²
+    bool may_change = false;  ///< as its block
+  };
+  /// What is between two rows.
+  [[nodiscard]] Entry entry(Index row, Index column) const;
 
  private:
   struct Use {

@@ -111,8 +111,8 @@ double CompressedTransport::lacking_density(const Parts::Source& source, Index i
 }
 
 ExchangeArea CompressedTransport::pair(Index i, Index j) const {
-  auto [density, error] = matrix_.entry(place_[i], place_[j]);
-  if (parts_.multipliers.size() > 0) {
+  auto [density, error, may_change] = matrix_.entry(place_[i], place_[j]);
+  if (may_change && parts_.multipliers.size() > 0) {
     density += square(error) * (parts_.multipliers[place_[i]] + parts_.multipliers[place_[j]]);
   }
   const double areas = parts_.area[i] * parts_.area[j];

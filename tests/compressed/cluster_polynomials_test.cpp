@@ -92,7 +92,7 @@ TEST_P(Polynomials, OfParentsAreThoseOfTheirChildren) {
     degrees[0] = std::max<std::int8_t>(degrees[0], 0);
     CompressedBlocks blocks;
     blocks.basis = polynomials_.make_basis(degrees);
-    blocks.far.push_back({c, 0, {degree, 0}, false, 0, 0});
+    blocks.far.push_back({c, 0, {degree, 0}, 0, 0});
     const int n = polynomials_.counts(c)[degree];
     for (int k = 0; k < n; ++k) blocks.coefficients.push_back(static_cast<float>(1 + k));
     const CompressedMatrix matrix(blocks);
@@ -105,7 +105,7 @@ TEST_P(Polynomials, OfParentsAreThoseOfTheirChildren) {
       const Index other = k == 0 ? matrix.size() - 1 : 0;
       if (other >= tree_.clusters[c].begin && other < tree_.clusters[c].end) continue;
       // What is no function of its own on a child (1e-3 of its size) is left out there.
-      EXPECT_NEAR(matrix.entry(k, other).first, expected, 2e-3 * n * n) << c;
+      EXPECT_NEAR(matrix.entry(k, other).density, expected, 2e-3 * n * n) << c;
     }
   }
 }

@@ -159,6 +159,23 @@ TEST(CompressedTransport, LeavesSealedRoomsDark) {
   EXPECT_LT((gathered.head(n_first).array() - 1).abs().maxCoeff(), 5e-2);
 }
 
+TEST(CompressedTransport, LeavesCoveredPatchesDark) {
+  PatchMesh mesh;
+  add_box(mesh, Vec3::Zero(), Vec3::Ones(), 10, Facing::inwards);
+  add_box(mesh, Vec3(0.3, 0.3, 0), Vec3(0.7, 0.7, 0.4), 4, Facing::outwards);
+  const Room room(std::move(mesh));
+  const auto compressed =
+      make_compressed_transport(room.mesh, room.visibility, {.tolerance = 1e-2});
+  const Eigen::VectorXd& covered = compressed->report().covered;
+  ASSERT_TRUE(compressed->report().closed);
+  ASSERT_EQ((covered.array() == 1).count(), 2 * 4 * 4);
+  const Eigen::VectorXd gathered = compressed->apply(Eigen::VectorXd::Ones(room.mesh.size()));
+  for (Index i = 0; i < room.mesh.size(); ++i) {
+    if (covered[i] < 1) continue;
+    EXPECT_EQ(gathered[i], 0) << i;
+  }
+}
+
 TEST(CompressedTransport, RefusesWhatWillNotFit) {
   const Room room(box_in_box(4, 2));
   try {
