@@ -1,23 +1,12 @@
 #include "radiosity/assembly/dense_memory.h"
 
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "radiosity/base/error.h"
 #include "radiosity/base/machine_memory.h"
 
 namespace radiosity {
-namespace {
-
-/// 0 becomes what the machine has, and what the machine does not tell has no limit.
-std::size_t memory_limit(std::size_t memory) {
-  if (memory == 0) memory = usable_memory();
-  return memory > 0 ? memory : std::numeric_limits<std::size_t>::max();
-}
-
-}  // namespace
-
 std::size_t dense_transport_bytes(Index n_patches) {
   const auto n = static_cast<double>(n_patches);
   return static_cast<std::size_t>(2.4 * n * n);

@@ -75,19 +75,10 @@ class TileMaker final : public BlockVisitor {
   }
 
   void find_strips() {
+    strips_ = largest_clusters(evaluator_.tree(), kTileSize);
     strip_of_cluster_.assign(evaluator_.tree().clusters.size(), -1);
-    std::vector<std::int32_t> open;
-    if (!strip_of_cluster_.empty()) open.push_back(0);
-    while (!open.empty()) {
-      const std::int32_t k = open.back();
-      open.pop_back();
-      if (cluster(k).end - cluster(k).begin <= kTileSize) {
-        strip_of_cluster_[k] = static_cast<std::int32_t>(strips_.size());
-        strips_.push_back(k);
-      } else {
-        open.push_back(cluster(k).right);
-        open.push_back(cluster(k).left);
-      }
+    for (std::size_t strip = 0; strip < strips_.size(); ++strip) {
+      strip_of_cluster_[strips_[strip]] = static_cast<std::int32_t>(strip);
     }
   }
 

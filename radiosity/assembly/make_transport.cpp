@@ -7,6 +7,7 @@
 #include "radiosity/assembly/closure.h"
 #include "radiosity/assembly/dense_memory.h"
 #include "radiosity/assembly/memory_sink.h"
+#include "radiosity/operator/patch_order.h"
 #include "radiosity/visibility/coverage.h"
 
 namespace radiosity {
@@ -19,11 +20,7 @@ class DenseTransport final : public Transport, public FactorRows {
         tiles_(std::move(assembly.tiles)),
         area_(std::move(area)),
         report_(std::move(assembly.report)) {
-    place_.resize(order_.size());
-    for (std::size_t row = 0; row < order_.size(); ++row) {
-      place_[order_[row]] = static_cast<std::int32_t>(row);
-    }
-    const Eigen::MatrixXd inverse_area = to_tree(area_.cwiseInverse());
+    const Eigen::MatrixXd inverse_area = order_.to_rows(area_.cwiseInverse());
     // ‖ΔF̂‖_F² = Σ σ_ij² / (A_i A_j)
     error_ = std::sqrt(inverse_area.col(0).dot(tiles_.error_product(inverse_area).col(0)));
   }
@@ -32,26 +29,26 @@ class DenseTransport final : public Transport, public FactorRows {
   [[nodiscard]] const Eigen::VectorXd& area() const override { return area_; }
 
   [[nodiscard]] Eigen::MatrixXd apply(const Eigen::MatrixXd& radiosity) const override {
-    Eigen::MatrixXd result = from_tree(tiles_.product(to_tree(radiosity)));
+    Eigen::MatrixXd result = order_.to_patches(tiles_.product(order_.to_rows(radiosity)));
     result.array().colwise() /= area_.array();
     return result;
   }
 
   [[nodiscard]] Eigen::VectorXd row(Index i) const override {
-    return from_tree(tiles_.row(place_[i])) / area_[i];
+    return order_.to_patches(tiles_.row(order_.row(i))) / area_[i];
   }
 
   [[nodiscard]] Eigen::VectorXd row_error(Index i) const override {
-    return from_tree(tiles_.row_error(place_[i])) / area_[i];
+    return order_.to_patches(tiles_.row_error(order_.row(i))) / area_[i];
   }
 
   [[nodiscard]] ExchangeArea pair(Index i, Index j) const override {
-    return tiles_.entry(place_[i], place_[j]);
+    return tiles_.entry(order_.row(i), order_.row(j));
   }
 
   [[nodiscard]] Eigen::MatrixXd apply_error(const Eigen::MatrixXd& radiosity) const override {
-    const Eigen::MatrixXd squares = to_tree(radiosity.cwiseAbs2());
-    Eigen::MatrixXd result = from_tree(tiles_.error_product(squares)).cwiseSqrt();
+    const Eigen::MatrixXd squares = order_.to_rows(radiosity.cwiseAbs2());
+    Eigen::MatrixXd result = order_.to_patches(tiles_.error_product(squares)).cwiseSqrt();
     result.array().colwise() /= area_.array();
     return result;
   }
@@ -62,17 +59,7 @@ class DenseTransport final : public Transport, public FactorRows {
   [[nodiscard]] const FactorRows* rows() const override { return this; }
 
  private:
-  [[nodiscard]] Eigen::MatrixXd to_tree(const Eigen::MatrixXd& x) const {
-    return x(order_, Eigen::all);
-  }
-  [[nodiscard]] Eigen::MatrixXd from_tree(const Eigen::MatrixXd& x) const {
-    Eigen::MatrixXd result(x.rows(), x.cols());
-    result(order_, Eigen::all) = x;
-    return result;
-  }
-
-  std::vector<std::int32_t> order_;  // patch of each row of the tiles
-  std::vector<std::int32_t> place_;  // row of each patch
+  PatchOrder order_;  // of the tiles' rows
   ExchangeMatrix tiles_;
   Eigen::VectorXd area_;
   AssemblyReport report_;

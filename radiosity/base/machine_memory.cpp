@@ -67,6 +67,11 @@ std::size_t usable_memory() {
       1, static_cast<std::size_t>(kUsableShare * static_cast<double>(available)));
 }
 
+std::size_t memory_limit(std::size_t memory) {
+  if (memory == 0) memory = usable_memory();
+  return memory > 0 ? memory : std::numeric_limits<std::size_t>::max();
+}
+
 std::string memory_text(std::size_t bytes) {
   const double megabytes = std::ceil(static_cast<double>(bytes) * 1e-6);
   std::ostringstream text;

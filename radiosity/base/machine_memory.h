@@ -10,6 +10,10 @@ namespace radiosity {
 /// the ray tracer and the result. 0 if the system does not tell.
 std::size_t usable_memory();
 
+/// What `memory` bytes allow: 0 stands for `usable_memory`, and what the machine does not tell has
+/// no limit.
+std::size_t memory_limit(std::size_t memory);
+
 /// A size rounded up to whole megabytes or, from 1000 on, hundredths of a gigabyte: "40MB",
 /// "1.25GB".
 std::string memory_text(std::size_t bytes);

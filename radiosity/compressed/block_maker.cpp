@@ -45,7 +45,6 @@ std::size_t sampled_samples(int n_coefficients) {
 
 BlockCensus& BlockCensus::operator+=(const BlockCensus& other) {
   samples += other.samples;
-  kernels += other.kernels;
   near_entries += other.near_entries;
   return *this;
 }
@@ -78,13 +77,19 @@ double BlockMaker::action_error(std::int32_t a, std::int32_t b, double density_e
   return density_error * std::sqrt(area_a * area_b * (area_a + area_b) / shapes_.total_area());
 }
 
+std::size_t BlockMaker::n_pairs_of(const Item& item) const {
+  const Cluster& ca = evaluator_.tree().clusters[item.a];
+  const Cluster& cb = evaluator_.tree().clusters[item.b];
+  return static_cast<std::size_t>((ca.end - ca.begin) * (cb.end - cb.begin));
+}
+
 /// Adds samples until there are n, or takes all pairs if these are few: true.
 template <typename Density>
 bool BlockMaker::add_samples(const Item& item, std::size_t n, const Density& density,
                              std::vector<DensitySample>& samples) const {
   const Cluster& ca = evaluator_.tree().clusters[item.a];
   const Cluster& cb = evaluator_.tree().clusters[item.b];
-  const auto n_pairs = static_cast<std::size_t>((ca.end - ca.begin) * (cb.end - cb.begin));
+  const std::size_t n_pairs = n_pairs_of(item);
   const auto& order = evaluator_.tree().order;
   const auto add = [&](std::int32_t row, std::int32_t column, double weight) {
     samples.push_back({row, column, density(order[row], order[column]), weight});
@@ -140,13 +145,10 @@ void BlockMaker::accept(const Item& item, DegreePair degrees, const BlockFit& fi
 }
 
 bool BlockMaker::fit_visible(const Item& item, double limit, MadeBlocks& made) const {
-  const Cluster& ca = evaluator_.tree().clusters[item.a];
-  const Cluster& cb = evaluator_.tree().clusters[item.b];
-  const auto n_pairs = static_cast<double>((ca.end - ca.begin) * (cb.end - cb.begin));
+  const auto n_pairs = static_cast<double>(n_pairs_of(item));
   const int most = std::min(
       {kVisibleDegree, polynomials_.most_degree(item.a), polynomials_.most_degree(item.b)});
   const auto density = [&](std::int32_t i, std::int32_t j) {
-    ++made.census.kernels;
     return evaluator_.unoccluded(i, j) / (areas_[i] * areas_[j]);
   };
   std::vector<DensitySample> samples;
@@ -173,9 +175,7 @@ bool BlockMaker::fit_visible(const Item& item, double limit, MadeBlocks& made) c
 
 bool BlockMaker::fit_sampled(Item& item, double limit, ExchangeEvaluator::Worker& worker,
                              MadeBlocks& made) const {
-  const Cluster& ca = evaluator_.tree().clusters[item.a];
-  const Cluster& cb = evaluator_.tree().clusters[item.b];
-  const auto n_pairs = static_cast<double>((ca.end - ca.begin) * (cb.end - cb.begin));
+  const auto n_pairs = static_cast<double>(n_pairs_of(item));
   const int most = std::min(
       {kSampledDegree, polynomials_.most_degree(item.a), polynomials_.most_degree(item.b)});
   const auto density = [&](std::int32_t i, std::int32_t j) {
@@ -227,7 +227,6 @@ bool BlockMaker::fit_sampled(Item& item, double limit, ExchangeEvaluator::Worker
       if (next.n == 0 || trial.off < next.off) {
         next = std::move(trial);
         item.varies_more_in_a = in_a;
-        item.varies_more_in_b = !in_a;
       }
     }
     if (next.n == 0 || next.off > kLeastGain * best.off) return false;
@@ -272,7 +271,7 @@ void BlockMaker::divide(const Item& item, Items& open) const {
   const Cluster& ca = clusters[item.a];
   const Cluster& cb = clusters[item.b];
   const auto add = [&](std::int32_t a, std::int32_t b) {
-    Item child{a, b, {}, {}, false, false};
+    Item child{a, b};
     if (are_averted(clusters[a], clusters[b], evaluator_.prepared().thickness)) return;
     child.between = evaluator_.narrowed(a, b, item.between);
     if (child.between.is_hidden) return;
@@ -291,9 +290,8 @@ void BlockMaker::divide(const Item& item, Items& open) const {
     add(ca.left, ca.right);
     add(ca.right, ca.right);
   } else if (cb.is_leaf() ||
-             (!ca.is_leaf() &&
-              (item.varies_more_in_a ||
-               (!item.varies_more_in_b && shapes_.diameter(item.a) >= shapes_.diameter(item.b))))) {
+             (!ca.is_leaf() && item.varies_more_in_a.value_or(shapes_.diameter(item.a) >=
+                                                              shapes_.diameter(item.b)))) {
     add(ca.left, item.b);
     add(ca.right, item.b);
   } else {
@@ -367,7 +365,7 @@ MadeBlocks BlockMaker::make(Items items, double limit) const {
 
 MadeBlocks BlockMaker::make(double limit) const {
   Items items;
-  if (evaluator_.size() > 0) items.push_back({0, 0, evaluator_.everything(), {}, false, false});
+  if (evaluator_.size() > 0) items.push_back({0, 0, evaluator_.everything()});
   return make(std::move(items), limit);
 }
 
@@ -376,7 +374,7 @@ MadeBlocks BlockMaker::refine(MadeBlocks blocks, double limit) const {
   Items items;
   for (const CompressedBlocks::Far& block : blocks.far) {
     if (action_error(block.a, block.b, block.error) > limit) {
-      items.push_back({block.a, block.b, {}, {}, false, false});
+      items.push_back({block.a, block.b});
       continue;
     }
     const std::uint64_t first = result.coefficients.size();

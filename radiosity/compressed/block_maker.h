@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "radiosity/base/progress.h"
@@ -15,7 +16,6 @@ namespace radiosity {
 /// What became of the pairs of patches, and what it took.
 struct BlockCensus {
   std::int64_t samples = 0;       ///< entries evaluated for far blocks, some may block
-  std::int64_t kernels = 0;       ///< entries evaluated for far blocks that see each other
   std::int64_t near_entries = 0;  ///< entries evaluated for near blocks
   BlockCensus& operator+=(const BlockCensus& other);
 };
@@ -43,6 +43,8 @@ class BlockMaker {
   /// square over all area.
   [[nodiscard]] double action_error(std::int32_t a, std::int32_t b, double density_error) const;
 
+  [[nodiscard]] const ClusterShapes& shapes() const { return shapes_; }
+
   /// Blocks of at most `limit` action_error() each, or entries.
   [[nodiscard]] MadeBlocks make(double limit) const;
   /// The same from blocks of a larger limit: those that are off by more are divided.
@@ -52,12 +54,12 @@ class BlockMaker {
   struct Item {
     std::int32_t a;
     std::int32_t b;
-    Between between;  // of a and b
-    std::vector<DensitySample> samples;
-    bool varies_more_in_a = false;  ///< if known; else the larger is divided
-    bool varies_more_in_b = false;
+    Between between{};  // of a and b
+    std::vector<DensitySample> samples{};
+    std::optional<bool> varies_more_in_a{};  // if known; else the larger is divided
   };
   using Items = std::vector<Item>;
+  [[nodiscard]] std::size_t n_pairs_of(const Item& item) const;
   [[nodiscard]] MadeBlocks make(Items items, double limit) const;
   void work(Item item, double limit, ExchangeEvaluator::Worker& worker, MadeBlocks& made,
             Items& open) const;

@@ -7,27 +7,12 @@
 namespace radiosity {
 
 CompressedTransport::CompressedTransport(Parts parts)
-    : parts_(std::move(parts)), matrix_(std::move(parts_.blocks)) {
-  place_.resize(parts_.order.size());
-  for (std::size_t row = 0; row < parts_.order.size(); ++row) {
-    place_[parts_.order[row]] = static_cast<std::int32_t>(row);
-  }
-}
-
-Eigen::MatrixXd CompressedTransport::to_tree(const Eigen::MatrixXd& x) const {
-  return x(parts_.order, Eigen::all);
-}
-
-Eigen::MatrixXd CompressedTransport::from_tree(const Eigen::MatrixXd& x) const {
-  Eigen::MatrixXd result(x.rows(), x.cols());
-  result(parts_.order, Eigen::all) = x;
-  return result;
-}
+    : parts_(std::move(parts)), order_(parts_.order), matrix_(std::move(parts_.blocks)) {}
 
 Eigen::MatrixXd CompressedTransport::apply(const Eigen::MatrixXd& radiosity) const {
   Eigen::MatrixXd power = radiosity;
   power.array().colwise() *= parts_.area.array();
-  power = to_tree(power);
+  power = order_.to_rows(power);
   Eigen::MatrixXd gathered = matrix_.product(power);
   if (parts_.multipliers.size() > 0) {
     const auto& mu = parts_.multipliers.array();
@@ -35,7 +20,7 @@ Eigen::MatrixXd CompressedTransport::apply(const Eigen::MatrixXd& radiosity) con
     power.array().colwise() *= mu;
     gathered += matrix_.variance_product(power);
   }
-  Eigen::MatrixXd result = from_tree(gathered);
+  Eigen::MatrixXd result = order_.to_patches(gathered);
   for (const Parts::Source& source : parts_.sources) add_lacking(source, radiosity, result);
   return result;
 }
@@ -60,7 +45,8 @@ void CompressedTransport::add_lacking(const Parts::Source& source, const Eigen::
 Eigen::MatrixXd CompressedTransport::apply_error(const Eigen::MatrixXd& radiosity) const {
   Eigen::MatrixXd power = radiosity.cwiseAbs();
   power.array().colwise() *= parts_.area.array();
-  return parts_.error_scale * from_tree(matrix_.squared_errors(to_tree(power))).cwiseSqrt();
+  return parts_.error_scale *
+         order_.to_patches(matrix_.squared_errors(order_.to_rows(power))).cwiseSqrt();
 }
 
 double CompressedTransport::error() const {
@@ -71,24 +57,20 @@ double CompressedTransport::error() const {
 std::size_t CompressedTransport::bytes() const {
   return matrix_.bytes() + sizeof(double) * (parts_.area.size() + parts_.multipliers.size()) +
          sizeof(double) * parts_.area.size() * parts_.sources.size() +
-         sizeof(std::int32_t) * (parts_.order.size() + place_.size());
+         sizeof(std::int32_t) * parts_.order.size() + order_.bytes();
 }
 
 Eigen::VectorXd CompressedTransport::row(Index i) const {
-  // F_ij = G_ij / A_i, and G is symmetric.
-  Eigen::VectorXd one = Eigen::VectorXd::Zero(size());
-  one[i] = 1;
-  Eigen::VectorXd result = apply(one);
-  result.array() *= parts_.area.array() / parts_.area[i];
-  return result;
+  return row_of_column(i, apply(Eigen::VectorXd::Unit(size(), i)));
 }
 
 Eigen::VectorXd CompressedTransport::row_error(Index i) const {
-  Eigen::VectorXd one = Eigen::VectorXd::Zero(size());
-  one[i] = 1;
-  Eigen::VectorXd result = apply_error(one);
-  result.array() *= parts_.area.array() / parts_.area[i];
-  return result;
+  return row_of_column(i, apply_error(Eigen::VectorXd::Unit(size(), i)));
+}
+
+/// Row i of F from its column i: G is symmetric, and F_ij = G_ij / A_i.
+Eigen::VectorXd CompressedTransport::row_of_column(Index i, const Eigen::VectorXd& column) const {
+  return column.cwiseProduct(parts_.area) / parts_.area[i];
 }
 
 double CompressedTransport::lacking_density(const Parts::Source& source, Index i, Index j) const {
@@ -111,9 +93,10 @@ double CompressedTransport::lacking_density(const Parts::Source& source, Index i
 }
 
 ExchangeArea CompressedTransport::pair(Index i, Index j) const {
-  auto [density, error, may_change] = matrix_.entry(place_[i], place_[j]);
+  auto [density, error, may_change] = matrix_.entry(order_.row(i), order_.row(j));
   if (may_change && parts_.multipliers.size() > 0) {
-    density += square(error) * (parts_.multipliers[place_[i]] + parts_.multipliers[place_[j]]);
+    density +=
+        square(error) * (parts_.multipliers[order_.row(i)] + parts_.multipliers[order_.row(j)]);
   }
   const double areas = parts_.area[i] * parts_.area[j];
   for (const Parts::Source& source : parts_.sources) density += lacking_density(source, i, j);

@@ -9,6 +9,7 @@
 #include "radiosity/base/geometry.h"
 #include "radiosity/compressed/compressed_blocks.h"
 #include "radiosity/operator/factor_rows.h"
+#include "radiosity/operator/patch_order.h"
 #include "radiosity/operator/transport.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/visibility/visibility.h"
@@ -63,12 +64,11 @@ class CompressedTransport final : public Transport, public FactorRows {
   void add_lacking(const Parts::Source& source, const Eigen::MatrixXd& x,
                    Eigen::MatrixXd& result) const;
   [[nodiscard]] double lacking_density(const Parts::Source& source, Index i, Index j) const;
-  [[nodiscard]] Eigen::MatrixXd to_tree(const Eigen::MatrixXd& x) const;
-  [[nodiscard]] Eigen::MatrixXd from_tree(const Eigen::MatrixXd& x) const;
+  [[nodiscard]] Eigen::VectorXd row_of_column(Index i, const Eigen::VectorXd& column) const;
 
   Parts parts_;
+  PatchOrder order_;  // of the tree
   CompressedMatrix matrix_;
-  std::vector<std::int32_t> place_;  // in the tree's order, of each patch
 };
 
 }  // namespace radiosity

@@ -51,22 +51,6 @@ constexpr double kSourceShare = 0.1;
 /// prepared of a patch and up to 1.5 KB for its blocks.
 constexpr double kBytesOfPatch = 2800;
 
-}  // namespace
-
-void check_compressed_memory(Index n_patches, std::size_t memory) {
-  if (memory == 0) memory = usable_memory();
-  if (memory == 0) return;
-  const auto needed = static_cast<std::size_t>(kBytesOfPatch * static_cast<double>(n_patches));
-  if (needed <= memory) return;
-  const auto fits = static_cast<Index>(static_cast<double>(memory) / kBytesOfPatch);
-  throw SolveError("the compressed form factors of " + std::to_string(n_patches) +
-                   " patches need some " + gigabytes(needed) + " of memory, but " +
-                   gigabytes(memory) + " can be used: use --patches " + std::to_string(fits) +
-                   " or a scene of fewer polygons");
-}
-
-namespace {
-
 /// What an operator shall act on rightly: 1, light that varies smoothly, and random signs.
 Eigen::MatrixXd test_fields(const PatchMesh& mesh) {
   const Box3 box = bounds(mesh);
@@ -260,16 +244,17 @@ class CompressedAssembly {
     report.closure_max = gap.abs().maxCoeff();
     Eigen::VectorXd present = report.row_sums;
     if (is_closed_) {
+      const PatchOrder& order = transport.order_;
       const Eigen::ArrayXd most =
           kSigmas * transport.apply_error(ones).col(0).array() + kSigmas * options_.tolerance;
       const Eigen::VectorXd mask = (gap.abs() <= most).cast<double>();
-      RowSums sums{transport.to_tree(area_.cwiseProduct(report.row_sums)).col(0),
-                   transport.to_tree(area_.array() * (1 - coverage_.share.array())).col(0),
-                   transport.to_tree(mask).col(0)};
-      AdjustableBlocks exchange(transport.matrix_, transport.to_tree(area_).col(0), sums.present);
+      RowSums sums{order.to_rows(area_.cwiseProduct(report.row_sums)).col(0),
+                   order.to_rows(area_.array() * (1 - coverage_.share.array())).col(0),
+                   order.to_rows(mask).col(0)};
+      AdjustableBlocks exchange(transport.matrix_, order.to_rows(area_).col(0), sums.present);
       balance_rows(exchange, sums, 2);
       transport.parts_.multipliers = exchange.multipliers();
-      present = transport.from_tree(sums.present).col(0).cwiseQuotient(area_);
+      present = order.to_patches(sums.present).col(0).cwiseQuotient(area_);
       report.open_rows = static_cast<std::int64_t>((mask.array() == 0).count());
     }
     const Eigen::VectorXd missing = 1 - coverage_.share.array() - present.array();
@@ -286,7 +271,7 @@ class CompressedAssembly {
       fields.conservativeResize(Eigen::NoChange, n + solution.radiosity.cols());
       fields.rightCols(solution.radiosity.cols()) = solution.radiosity;
     }
-    return {evaluator_, mesh_.area, std::move(fields), options_.seed};
+    return {evaluator_, maker_.shapes(), mesh_.area, std::move(fields), options_.seed};
   }
 
   /// With as many rows as it takes to tell.
@@ -343,6 +328,17 @@ std::unique_ptr<CompressedTransport> make_compressed_transport(const PatchMesh& 
                                                                const ExpectedLight& light) {
   check_compressed_memory(mesh.size(), options.memory);
   return CompressedAssembly(mesh, visibility, options, light).make();
+}
+
+void check_compressed_memory(Index n_patches, std::size_t memory) {
+  const std::size_t limit = memory_limit(memory);
+  const auto needed = static_cast<std::size_t>(kBytesOfPatch * static_cast<double>(n_patches));
+  if (needed <= limit) return;
+  const auto fits = static_cast<Index>(static_cast<double>(limit) / kBytesOfPatch);
+  throw SolveError("the compressed form factors of " + std::to_string(n_patches) +
+                   " patches need some " + gigabytes(needed) + " of memory, but " +
+                   gigabytes(limit) + " can be used: use --patches " + std::to_string(fits) +
+                   " or a scene of fewer polygons");
 }
 
 }  // namespace radiosity

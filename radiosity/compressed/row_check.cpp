@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "radiosity/base/parallel.h"
@@ -16,25 +15,24 @@ constexpr double kQuantile = 1.67;
 
 }  // namespace
 
-RowCheck::RowCheck(const ExchangeEvaluator& evaluator, const std::vector<double>& areas,
-                   Eigen::MatrixXd radiosity, std::uint64_t seed)
-    : evaluator_(evaluator), areas_(areas), radiosity_(std::move(radiosity)), seed_(seed) {}
+RowCheck::RowCheck(const ExchangeEvaluator& evaluator, const ClusterShapes& shapes,
+                   const std::vector<double>& areas, Eigen::MatrixXd radiosity, std::uint64_t seed)
+    : evaluator_(evaluator),
+      shapes_(shapes),
+      areas_(areas),
+      radiosity_(std::move(radiosity)),
+      seed_(seed) {}
 
 void RowCheck::add_rows(Index n, const Progress& progress) {
   const auto& order = evaluator_.tree().order;
-  const double total = std::accumulate(areas_.begin(), areas_.end(), 0.0);
   const auto first = static_cast<std::ptrdiff_t>(rows_.size());
   // One of each n-th part of the area, in the tree's order.
-  double before = 0;
-  std::size_t place = 0;
   for (Index k = 0; k < n; ++k) {
     const std::uint64_t bits =
         pair_seed(seed_, static_cast<std::int32_t>(first), static_cast<std::int32_t>(k));
     const double share = static_cast<double>(bits >> 11U) * 0x1p-53;
-    const double wanted = total * (static_cast<double>(k) + share) / static_cast<double>(n);
-    while (place + 1 < order.size() && before + areas_[order[place]] < wanted) {
-      before += areas_[order[place++]];
-    }
+    const std::int32_t place =
+        shapes_.place_at(0, (static_cast<double>(k) + share) / static_cast<double>(n));
     rows_.push_back(order[place]);
   }
   gathered_.resize(rows_.size());

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "radiosity/base/progress.h"
+#include "radiosity/compressed/cluster_shapes.h"
 #include "radiosity/exchange/exchange_evaluator.h"
 
 namespace radiosity {
@@ -13,10 +14,10 @@ namespace radiosity {
 class RowCheck {
  public:
   /// `areas` are the patches', m²; `radiosity` holds fields, n x k, in the order of the patches:
-  /// the first is 1, others have values of at least 0, or signs. Both are copied; the evaluator
+  /// the first is 1, others have values of at least 0, or signs. Both are copied; the others
   /// must outlive this.
-  RowCheck(const ExchangeEvaluator& evaluator, const std::vector<double>& areas,
-           Eigen::MatrixXd radiosity, std::uint64_t seed);
+  RowCheck(const ExchangeEvaluator& evaluator, const ClusterShapes& shapes,
+           const std::vector<double>& areas, Eigen::MatrixXd radiosity, std::uint64_t seed);
 
   /// Evaluates so many rows more, spread evenly over the area.
   void add_rows(Index n, const Progress& progress);
@@ -34,6 +35,7 @@ class RowCheck {
 
  private:
   const ExchangeEvaluator& evaluator_;
+  const ClusterShapes& shapes_;
   std::vector<double> areas_;
   Eigen::MatrixXd radiosity_;
   std::uint64_t seed_;

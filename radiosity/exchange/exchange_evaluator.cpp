@@ -44,18 +44,6 @@ double kernel_tolerance(Index n_patches, double tolerance) {
   return std::max(std::min(kKernelTolerance, kKernelShare * tolerance), kExactTolerance);
 }
 
-/// A cluster of one patch.
-Cluster alone(const PreparedMesh& mesh, std::int32_t patch) {
-  Cluster cluster;
-  for (const Vec3& corner : mesh.polygons[patch]) {
-    cluster.outline.push_back(corner);
-    cluster.box.extend(corner);
-  }
-  cluster.is_flat = true;
-  cluster.plane = mesh.planes[patch];
-  return cluster;
-}
-
 ExchangeArea counted(const PairEstimate& estimate, Census& census) {
   census.visible += estimate.blocking == Blocking::none ? 1 : 0;
   census.hidden += estimate.blocking == Blocking::all ? 1 : 0;
@@ -163,7 +151,7 @@ Between ExchangeEvaluator::filtered(const Cluster& a, const Cluster& b,
 }
 
 Between ExchangeEvaluator::between(std::int32_t i, std::int32_t j) const {
-  return filtered(alone(prepared_, i), alone(prepared_, j), all_candidates(prepared_.blockers));
+  return filtered(alone(i), alone(j), all_candidates(prepared_.blockers));
 }
 
 Between ExchangeEvaluator::narrowed(std::int32_t a, std::int32_t b, const Between& wider) const {
@@ -205,20 +193,20 @@ void ExchangeEvaluator::visit_block(std::int32_t a, std::int32_t b, const Betwee
 void ExchangeEvaluator::visit_row(std::int32_t patch, Worker& worker,
                                   const VisitOfRow& visit) const {
   if (tree().clusters.empty()) return;
-  visit_row(patch, alone(prepared_, patch), 0, everything(), worker, visit);
+  visit_row(patch, alone(patch), 0, everything(), worker, visit);
 }
 
-void ExchangeEvaluator::visit_row(std::int32_t patch, const Cluster& alone, std::int32_t b,
+void ExchangeEvaluator::visit_row(std::int32_t patch, const Cluster& own, std::int32_t b,
                                   const Between& wider, Worker& worker,
                                   const VisitOfRow& visit) const {
   const Cluster& cb = tree().clusters[b];
-  if (are_averted(alone, cb, prepared_.thickness)) return;
+  if (are_averted(own, cb, prepared_.thickness)) return;
   if (region_of_cluster_[b] >= 0 && region_of_cluster_[b] != region_[patch]) return;
-  const Between between = filtered(alone, cb, wider.candidates);
+  const Between between = filtered(own, cb, wider.candidates);
   if (between.is_hidden) return;
   if (!cb.is_leaf()) {
-    visit_row(patch, alone, cb.left, between, worker, visit);
-    visit_row(patch, alone, cb.right, between, worker, visit);
+    visit_row(patch, own, cb.left, between, worker, visit);
+    visit_row(patch, own, cb.right, between, worker, visit);
     return;
   }
   for (Index c = cb.begin; c < cb.end; ++c) {

@@ -108,8 +108,12 @@ class ExchangeEvaluator {
   [[nodiscard]] Placed placed(std::int32_t patch) const {
     return {prepared_.polygons[patch], prepared_.planes[patch]};
   }
-  void visit_row(std::int32_t patch, const Cluster& alone, std::int32_t b, const Between& wider,
+  void visit_row(std::int32_t patch, const Cluster& own, std::int32_t b, const Between& wider,
                  Worker& worker, const VisitOfRow& visit) const;
+  /// A cluster of one patch.
+  [[nodiscard]] Cluster alone(std::int32_t patch) const {
+    return cluster_of(prepared_.polygons[patch], prepared_.planes[patch]);
+  }
   void find_regions_of_clusters();
   void find_known_clusters();
   void find_budget();

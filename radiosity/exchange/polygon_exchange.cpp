@@ -21,13 +21,8 @@ class PolygonRow {
         polygon_(polygon),
         patch_(patch),
         plane_(evaluator.prepared().planes[patch]),
-        seed_(seed) {
-    for (const Vec3& corner : polygon) {
-      cluster_.outline.push_back(corner);
-      cluster_.box.extend(corner);
-    }
-    cluster_.is_flat = true;
-    cluster_.plane = plane_;
+        seed_(seed),
+        cluster_(cluster_of(polygon, plane_)) {
     const auto n = static_cast<double>(std::max<Index>(evaluator.size(), 1));
     // That of the polygon with a patch on average, if a quarter of what leaves it meets patches.
     options_ = {.tolerance = tolerance,
@@ -39,24 +34,23 @@ class PolygonRow {
   /// Adds what the patches of a cluster exchange with the polygon.
   void visit(std::int32_t cluster, Eigen::VectorXd& result) const {
     ExchangeEvaluator::Worker worker{OccludedPairEstimator(evaluator_.visibility(), options_)};
-    visit(cluster, evaluator_.everything(), worker, result);
+    visit(cluster, evaluator_.everything().candidates, worker, result);
   }
 
  private:
   static constexpr double kKernelTolerance = 1e-6;
 
-  void visit(std::int32_t k, const Between& wider, ExchangeEvaluator::Worker& worker,
+  void visit(std::int32_t k, const Candidates& wider, ExchangeEvaluator::Worker& worker,
              Eigen::VectorXd& result) const {
     const PreparedMesh& prepared = evaluator_.prepared();
     const Cluster& cluster = prepared.tree.clusters[k];
     if (are_averted(cluster_, cluster, prepared.thickness)) return;
-    const auto kept = possible_blockers(cluster_, cluster, prepared.blockers, wider.candidates,
-                                        prepared.thickness);
+    const auto kept =
+        possible_blockers(cluster_, cluster, prepared.blockers, wider, prepared.thickness);
     if (!kept) return;
-    const Between between{*kept, false};
     if (!cluster.is_leaf()) {
-      visit(cluster.left, between, worker, result);
-      visit(cluster.right, between, worker, result);
+      visit(cluster.left, *kept, worker, result);
+      visit(cluster.right, *kept, worker, result);
       return;
     }
     for (Index c = cluster.begin; c < cluster.end; ++c) {
@@ -102,8 +96,8 @@ class PolygonRow {
   std::int32_t patch_;
   const HalfSpace& plane_;
   std::uint64_t seed_;
-  OccludedPairOptions options_;
   Cluster cluster_;
+  OccludedPairOptions options_;
 };
 
 }  // namespace
@@ -112,21 +106,8 @@ Eigen::VectorXd polygon_exchange(const ExchangeEvaluator& evaluator, const Conve
                                  std::int32_t patch, double tolerance, std::uint64_t seed,
                                  const Progress& progress) {
   Eigen::VectorXd result = Eigen::VectorXd::Zero(evaluator.size());
-  const auto& clusters = evaluator.tree().clusters;
-  const Index largest = std::max<Index>(evaluator.size() / kParts, 1);
-  std::vector<std::int32_t> parts;
-  std::vector<std::int32_t> open;
-  if (!clusters.empty()) open.push_back(0);
-  while (!open.empty()) {
-    const std::int32_t k = open.back();
-    open.pop_back();
-    if (clusters[k].is_leaf() || clusters[k].end - clusters[k].begin <= largest) {
-      parts.push_back(k);
-    } else {
-      open.push_back(clusters[k].left);
-      open.push_back(clusters[k].right);
-    }
-  }
+  const std::vector<std::int32_t> parts =
+      largest_clusters(evaluator.tree(), evaluator.size() / kParts);
   const PolygonRow row(evaluator, polygon, patch, tolerance, seed);
   parallel_for(static_cast<std::ptrdiff_t>(parts.size()), [&](std::ptrdiff_t k) {
     progress.check();

@@ -211,4 +211,33 @@ ClusterTree make_cluster_tree(const PatchMesh& mesh, Index leaf_size, double thi
   return ClusterTreeBuilder(mesh, leaf_size, thickness).build();
 }
 
+std::vector<std::int32_t> largest_clusters(const ClusterTree& tree, Index most) {
+  std::vector<std::int32_t> found;
+  std::vector<std::int32_t> open;
+  if (!tree.clusters.empty()) open.push_back(0);
+  while (!open.empty()) {
+    const std::int32_t k = open.back();
+    open.pop_back();
+    const Cluster& cluster = tree.clusters[k];
+    if (cluster.is_leaf() || cluster.end - cluster.begin <= most) {
+      found.push_back(k);
+    } else {
+      open.push_back(cluster.right);
+      open.push_back(cluster.left);
+    }
+  }
+  return found;
+}
+
+Cluster cluster_of(const ConvexPolygon& polygon, const HalfSpace& plane) {
+  Cluster cluster;
+  for (const Vec3& corner : polygon) {
+    cluster.outline.push_back(corner);
+    cluster.box.extend(corner);
+  }
+  cluster.is_flat = true;
+  cluster.plane = plane;
+  return cluster;
+}
+
 }  // namespace radiosity

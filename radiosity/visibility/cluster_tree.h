@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "radiosity/base/geometry.h"
+#include "radiosity/polygon/convex_polygon.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/visibility/half_space.h"
 
@@ -37,5 +38,12 @@ struct ClusterTree {
 /// of the normal) until no leaf has more than `leaf_size` patches. Deterministic. `thickness` is
 /// how far off a plane points may be and still count as on it, m.
 ClusterTree make_cluster_tree(const PatchMesh& mesh, Index leaf_size, double thickness);
+
+/// The largest clusters of at most `most` patches, and leaves of more, in the tree's order: they
+/// hold each patch once.
+std::vector<std::int32_t> largest_clusters(const ClusterTree& tree, Index most);
+
+/// A cluster by itself that holds what is in a convex polygon, which faces the outside of `plane`.
+Cluster cluster_of(const ConvexPolygon& polygon, const HalfSpace& plane);
 
 }  // namespace radiosity

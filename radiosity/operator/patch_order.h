@@ -1,0 +1,45 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "radiosity/base/geometry.h"
+
+namespace radiosity {
+
+/// In which order a matrix has the patches.
+class PatchOrder {
+ public:
+  /// `patches` is a permutation: the patch of each row.
+  explicit PatchOrder(std::vector<std::int32_t> patches)
+      : patches_(std::move(patches)), rows_(patches_.size()) {
+    for (std::size_t row = 0; row < patches_.size(); ++row) {
+      rows_[patches_[row]] = static_cast<std::int32_t>(row);
+    }
+  }
+
+  [[nodiscard]] std::int32_t row(Index patch) const { return rows_[patch]; }
+
+  /// Values of patches, n x k, in the order of the rows.
+  [[nodiscard]] Eigen::MatrixXd to_rows(const Eigen::MatrixXd& x) const {
+    return x(patches_, Eigen::all);
+  }
+  /// Values of rows, n x k, in the order of the patches.
+  [[nodiscard]] Eigen::MatrixXd to_patches(const Eigen::MatrixXd& x) const {
+    Eigen::MatrixXd result(x.rows(), x.cols());
+    result(patches_, Eigen::all) = x;
+    return result;
+  }
+
+  [[nodiscard]] std::size_t bytes() const {
+    return (patches_.size() + rows_.size()) * sizeof(std::int32_t);
+  }
+
+ private:
+  std::vector<std::int32_t> patches_;  // per row
+  std::vector<std::int32_t> rows_;     // per patch
+};
+
+}  // namespace radiosity
