@@ -144,10 +144,12 @@ void BlockMaker::accept(const Item& item, DegreePair degrees, const BlockFit& fi
   for (const double c : fit.coefficients) made.coefficients.push_back(static_cast<float>(c));
 }
 
-bool BlockMaker::fit_visible(const Item& item, double limit, MadeBlocks& made) const {
+bool BlockMaker::fit_visible(const Item& item, double limit, BlockFitter& fitter,
+                             MadeBlocks& made) const {
   const auto n_pairs = static_cast<double>(n_pairs_of(item));
   const int most = std::min(
       {kVisibleDegree, polynomials_.most_degree(item.a), polynomials_.most_degree(item.b)});
+  fitter.start(item.a, item.b, most);
   const auto density = [&](std::int32_t i, std::int32_t j) {
     return evaluator_.unoccluded(i, j) / (areas_[i] * areas_[j]);
   };
@@ -161,8 +163,7 @@ bool BlockMaker::fit_visible(const Item& item, double limit, MadeBlocks& made) c
     if (degree > 0 && (n == before || 2 * n > n_pairs)) return false;
     before = n;
     const bool are_all = add_samples(item, n_corners + visible_samples(n), density, samples);
-    const BlockFit fit =
-        fit_block(polynomials_, evaluator_.tree().order, item.a, item.b, degrees, samples, are_all);
+    const BlockFit fit = fitter.fit(degrees, samples, are_all);
     const double error = action_error(item.a, item.b, fit.error);
     if (error <= limit && fit.lowest >= 0) {
       accept(item, degrees, fit, fit.error, made);
@@ -173,14 +174,14 @@ bool BlockMaker::fit_visible(const Item& item, double limit, MadeBlocks& made) c
   return false;
 }
 
-bool BlockMaker::fit_sampled(Item& item, double limit, ExchangeEvaluator::Worker& worker,
-                             MadeBlocks& made) const {
+bool BlockMaker::fit_sampled(Item& item, double limit, Worker& worker, MadeBlocks& made) const {
   const auto n_pairs = static_cast<double>(n_pairs_of(item));
   const int most = std::min(
       {kSampledDegree, polynomials_.most_degree(item.a), polynomials_.most_degree(item.b)});
+  worker.fitter.start(item.a, item.b, most);
   const auto density = [&](std::int32_t i, std::int32_t j) {
     ++made.census.samples;
-    return evaluator_.entry(i, j, item.between, worker).value / (areas_[i] * areas_[j]);
+    return evaluator_.entry(i, j, item.between, worker.exchange).value / (areas_[i] * areas_[j]);
   };
   const double bound = shapes_.largest_density(item.a, item.b);
   struct Trial {
@@ -195,8 +196,7 @@ bool BlockMaker::fit_sampled(Item& item, double limit, ExchangeEvaluator::Worker
   const auto attempt = [&](DegreePair degrees) {
     Trial trial{.degrees = degrees, .n = count(degrees)};
     const bool are_all = add_samples(item, sampled_samples(trial.n), density, item.samples);
-    trial.fit = fit_block(polynomials_, evaluator_.tree().order, item.a, item.b, degrees,
-                          item.samples, are_all);
+    trial.fit = worker.fitter.fit(degrees, item.samples, are_all);
     trial.off = trial.fit.error;
     if (are_all) return trial;
     const auto n_samples = static_cast<double>(item.samples.size());
@@ -301,7 +301,7 @@ void BlockMaker::divide(const Item& item, Items& open) const {
 }
 
 /// Makes a block of an item, or items of its parts.
-void BlockMaker::work(Item item, double limit, ExchangeEvaluator::Worker& worker, MadeBlocks& made,
+void BlockMaker::work(Item item, double limit, Worker& worker, MadeBlocks& made,
                       Items& open) const {
   const auto& clusters = evaluator_.tree().clusters;
   const bool is_distant =
@@ -312,12 +312,13 @@ void BlockMaker::work(Item item, double limit, ExchangeEvaluator::Worker& worker
   if (is_distant) {
     const bool is_visible = item.between.candidates.empty() && shapes_.is_facing(item.a, item.b) &&
                             shapes_.is_facing(item.b, item.a);
-    if (is_visible ? fit_visible(item, limit, made) : fit_sampled(item, limit, worker, made)) {
+    if (is_visible ? fit_visible(item, limit, worker.fitter, made)
+                   : fit_sampled(item, limit, worker, made)) {
       return;
     }
   }
   if (clusters[item.a].is_leaf() && clusters[item.b].is_leaf()) {
-    evaluate_near(item, worker, made);
+    evaluate_near(item, worker.exchange, made);
   } else {
     divide(item, open);
   }
@@ -331,9 +332,9 @@ MadeBlocks BlockMaker::make(Items items, double limit) const {
     std::vector<MadeBlocks> made(items.size());
     parallel_for(static_cast<std::ptrdiff_t>(items.size()), [&](std::ptrdiff_t k) {
       progress_.check();
-      ExchangeEvaluator::Worker worker = evaluator_.worker();
+      Worker worker{evaluator_.worker(), {polynomials_, evaluator_.tree().order}};
       work(std::move(items[k]), limit, worker, made[k], open[k]);
-      made[k].pairs += worker.census;
+      made[k].pairs += worker.exchange.census;
     });
     items.clear();
     for (std::size_t k = 0; k < open.size(); ++k) {
@@ -345,7 +346,7 @@ MadeBlocks BlockMaker::make(Items items, double limit) const {
   std::mutex mutex;
   double n_done = 0;
   parallel_for(static_cast<std::ptrdiff_t>(items.size()), [&](std::ptrdiff_t k) {
-    ExchangeEvaluator::Worker worker = evaluator_.worker();
+    Worker worker{evaluator_.worker(), {polynomials_, evaluator_.tree().order}};
     Items open;
     open.push_back(std::move(items[k]));
     while (!open.empty()) {
@@ -354,7 +355,7 @@ MadeBlocks BlockMaker::make(Items items, double limit) const {
       open.pop_back();
       work(std::move(item), limit, worker, made[k], open);
     }
-    made[k].pairs += worker.census;
+    made[k].pairs += worker.exchange.census;
     if (!progress_.report) return;
     const std::lock_guard lock(mutex);
     progress_.report("form factors", ++n_done, static_cast<double>(made.size()), "parts");

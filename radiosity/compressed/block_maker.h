@@ -59,13 +59,15 @@ class BlockMaker {
     std::optional<bool> varies_more_in_a{};  // if known; else the larger is divided
   };
   using Items = std::vector<Item>;
+  struct Worker {
+    ExchangeEvaluator::Worker exchange;
+    BlockFitter fitter;
+  };
   [[nodiscard]] std::size_t n_pairs_of(const Item& item) const;
   [[nodiscard]] MadeBlocks make(Items items, double limit) const;
-  void work(Item item, double limit, ExchangeEvaluator::Worker& worker, MadeBlocks& made,
-            Items& open) const;
-  bool fit_visible(const Item& item, double limit, MadeBlocks& made) const;
-  bool fit_sampled(Item& item, double limit, ExchangeEvaluator::Worker& worker,
-                   MadeBlocks& made) const;
+  void work(Item item, double limit, Worker& worker, MadeBlocks& made, Items& open) const;
+  bool fit_visible(const Item& item, double limit, BlockFitter& fitter, MadeBlocks& made) const;
+  bool fit_sampled(Item& item, double limit, Worker& worker, MadeBlocks& made) const;
   void evaluate_near(const Item& item, ExchangeEvaluator::Worker& worker, MadeBlocks& made) const;
   void divide(const Item& item, Items& open) const;
   template <typename Density>
