@@ -97,6 +97,25 @@ void CompressedMatrix::visit_downward(const Visit& visit) const {
   });
 }
 
+/// Calls visit(row, column, density) for the entries of a node's rows in near blocks.
+template <typename Visit>
+void CompressedMatrix::visit_near(std::int32_t k, const Visit& visit) const {
+  const auto& nodes = blocks_.basis.nodes;
+  const std::int32_t n_rows = nodes[k].end - nodes[k].begin;
+  for (std::int64_t u = near_.first[k]; u < near_.first[k + 1]; ++u) {
+    const Use& use = near_.all[u];
+    const NestedBasis::Node& other = nodes[use.other];
+    const std::int32_t n_other = other.end - other.begin;
+    const float* densities = &blocks_.densities[blocks_.near[use.block].first];
+    for (std::int32_t r = 0; r < n_rows; ++r) {
+      for (std::int32_t c = 0; c < n_other; ++c) {
+        visit(nodes[k].begin + r, other.begin + c,
+              use.is_a ? densities[r * n_other + c] : densities[c * n_rows + r]);
+      }
+    }
+  }
+}
+
 template <int kColumns>
 void CompressedMatrix::add_product(const double* x, double* result) const {
   const auto& nodes = blocks_.basis.nodes;
@@ -151,21 +170,10 @@ void CompressedMatrix::add_product(const double* x, double* result) const {
           });
     }
     if (!nodes[k].is_leaf()) return;
-    const std::int32_t begin = nodes[k].begin;
-    const std::int32_t n_rows = nodes[k].end - begin;
-    for (std::int64_t u = near_.first[k]; u < near_.first[k + 1]; ++u) {
-      const Use& use = near_.all[u];
-      const std::int32_t other = nodes[use.other].begin;
-      const std::int32_t n_other = nodes[use.other].end - other;
-      const float* densities = &blocks_.densities[blocks_.near[use.block].first];
-      for (std::int32_t r = 0; r < n_rows; ++r) {
-        for (std::int32_t c = 0; c < n_other; ++c) {
-          const float density = use.is_a ? densities[r * n_other + c] : densities[c * n_rows + r];
-          add_scaled<kColumns>(density, x + (other + c) * kColumns,
-                               result + (begin + r) * kColumns);
-        }
-      }
-    }
+    visit_near(static_cast<std::int32_t>(k),
+               [&](std::int32_t row, std::int32_t column, float density) {
+                 add_scaled<kColumns>(density, x + column * kColumns, result + row * kColumns);
+               });
   };
   parallel_for(static_cast<std::ptrdiff_t>(nodes.size()), exchange_far, kNodeGrain);
 
@@ -262,6 +270,67 @@ Eigen::MatrixXd CompressedMatrix::variance_product(const Eigen::MatrixXd& x) con
   return sum_over_blocks(x, [](const auto& block, double sum) {
     return block.may_change ? square(double{block.error}) * sum : 0.0;
   });
+}
+
+Eigen::MatrixXd CompressedMatrix::weighted_sums(const std::vector<Place>& places,
+                                                const Eigen::MatrixXd& x,
+                                                const PairSums::Weight& weight) const {
+  const auto& nodes = blocks_.basis.nodes;
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const auto n_nodes = static_cast<Index>(nodes.size());
+  const Rows in = x;
+  Rows result = Rows::Zero(x.rows(), x.cols());
+  Rows sums(n_nodes, x.cols());
+  Rows gathered(n_nodes, x.cols());
+  std::vector<Place> means(nodes.size());
+  visit_upward([&](std::int32_t k) {
+    const NestedBasis::Node& node = nodes[k];
+    const double n = node.end - node.begin;
+    if (node.is_leaf()) {
+      sums.row(k) = in.middleRows(node.begin, node.end - node.begin).colwise().sum();
+      for (std::int32_t row = node.begin; row < node.end; ++row) {
+        means[k].center += places[row].center / n;
+        means[k].size += places[row].size / n;
+      }
+      return;
+    }
+    sums.row(k) = sums.row(node.left) + sums.row(node.right);
+    for (const std::int32_t child : {node.left, node.right}) {
+      const double share = (nodes[child].end - nodes[child].begin) / n;
+      means[k].center += share * means[child].center;
+      means[k].size += share * means[child].size;
+    }
+  });
+  const auto weigh = [&](double density, const Place& one, const Place& other) {
+    return weight({density, (one.center - other.center).norm(), one.size, other.size});
+  };
+  parallel_for(
+      n_nodes,
+      [&](std::ptrdiff_t k) {
+        gathered.row(k).setZero();
+        for (std::int64_t u = far_.first[k]; u < far_.first[k + 1]; ++u) {
+          const Use& use = far_.all[u];
+          // The first functions are 1, and the others' means 0.
+          const double density = blocks_.coefficients[blocks_.far[use.block].first];
+          gathered.row(k) += weigh(density, means[k], means[use.other]) * sums.row(use.other);
+        }
+        visit_near(static_cast<std::int32_t>(k), [&](std::int32_t row, std::int32_t column,
+                                                     float density) {
+          if (density == 0) return;
+          result.row(row) += weigh(density, places[row], places[column]) * in.row(column);
+        });
+      },
+      kNodeGrain);
+  visit_downward([&](std::int32_t k) {
+    const NestedBasis::Node& node = nodes[k];
+    if (node.is_leaf()) {
+      result.middleRows(node.begin, node.end - node.begin).rowwise() += gathered.row(k);
+      return;
+    }
+    gathered.row(node.left) += gathered.row(k);
+    gathered.row(node.right) += gathered.row(k);
+  });
+  return result;
 }
 
 CompressedMatrix::Entry CompressedMatrix::entry(Index row, Index column) const {

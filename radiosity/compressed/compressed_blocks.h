@@ -9,6 +9,7 @@
 
 #include "radiosity/base/geometry.h"
 #include "radiosity/compressed/nested_basis.h"
+#include "radiosity/operator/pair_sums.h"
 
 namespace radiosity {
 
@@ -85,6 +86,16 @@ class CompressedMatrix {
   [[nodiscard]] Eigen::MatrixXd squared_errors(const Eigen::MatrixXd& x) const;
   /// Σ_b d_ab² Σ_{j ∈ b} x_j over those of them that may change, n x k.
   [[nodiscard]] Eigen::MatrixXd variance_product(const Eigen::MatrixXd& x) const;
+  /// Where a patch is.
+  struct Place {
+    Vec3 center = Vec3::Zero();  ///< m
+    double size = 0;             ///< √A, m
+  };
+  /// Σ_j w_ij x_j for all columns of x, n x k, with weights of pairs in near blocks, and of the
+  /// means of far ones; `places` are the rows'.
+  [[nodiscard]] Eigen::MatrixXd weighted_sums(const std::vector<Place>& places,
+                                              const Eigen::MatrixXd& x,
+                                              const PairSums::Weight& weight) const;
   struct Entry {
     double density = 0;       ///< 1/m²
     double error = 0;         ///< of its block, 1/m²
@@ -111,6 +122,8 @@ class CompressedMatrix {
   void visit_upward(const Visit& visit) const;
   template <typename Visit>
   void visit_downward(const Visit& visit) const;
+  template <typename Visit>
+  void visit_near(std::int32_t k, const Visit& visit) const;
   template <typename Add>
   [[nodiscard]] Eigen::MatrixXd sum_over_blocks(const Eigen::MatrixXd& x, const Add& add) const;
   template <int kColumns>

@@ -103,4 +103,14 @@ ExchangeArea CompressedTransport::pair(Index i, Index j) const {
   return {density * areas, parts_.error_scale * error * areas, error == 0};
 }
 
+Eigen::MatrixXd CompressedTransport::sums(const PatchMesh& mesh, const Eigen::MatrixXd& x,
+                                          const Weight& weight) const {
+  std::vector<CompressedMatrix::Place> places(size());
+  for (Index row = 0; row < size(); ++row) {
+    const std::int32_t patch = parts_.order[row];
+    places[row] = {mesh.centroid[patch], std::sqrt(mesh.area[patch])};
+  }
+  return order_.to_patches(matrix_.weighted_sums(places, order_.to_rows(x), weight));
+}
+
 }  // namespace radiosity

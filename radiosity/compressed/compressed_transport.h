@@ -18,7 +18,7 @@ namespace radiosity {
 
 /// The radiosity transport operator as far and near blocks (CompressedBlocks): memory and time
 /// hardly grow faster than the number of patches. Its error is verified against exact rows.
-class CompressedTransport final : public Transport, public FactorRows {
+class CompressedTransport final : public Transport, public FactorRows, public PairSums {
  public:
   /// All that it consists of.
   struct Parts {
@@ -54,10 +54,13 @@ class CompressedTransport final : public Transport, public FactorRows {
   /// A row takes a product.
   [[nodiscard]] const FactorRows* rows() const override { return this; }
   [[nodiscard]] bool has_quick_rows() const override { return false; }
+  [[nodiscard]] const PairSums* pair_sums() const override { return this; }
 
   [[nodiscard]] Eigen::VectorXd row(Index i) const override;
   [[nodiscard]] Eigen::VectorXd row_error(Index i) const override;
   [[nodiscard]] ExchangeArea pair(Index i, Index j) const override;
+  [[nodiscard]] Eigen::MatrixXd sums(const PatchMesh& mesh, const Eigen::MatrixXd& x,
+                                     const Weight& weight) const override;
 
  private:
   friend class CompressedAssembly;

@@ -8,6 +8,7 @@
 #include "radiosity/operator/census.h"
 #include "radiosity/operator/compression_report.h"
 #include "radiosity/operator/factor_rows.h"
+#include "radiosity/operator/pair_sums.h"
 
 namespace radiosity {
 
@@ -53,6 +54,8 @@ class Transport {
   [[nodiscard]] virtual const FactorRows* rows() const { return nullptr; }
   /// Whether a row takes much less than a product.
   [[nodiscard]] virtual bool has_quick_rows() const { return rows() != nullptr; }
+  /// Sums over its pairs, if it can tell them without rows.
+  [[nodiscard]] virtual const PairSums* pair_sums() const { return nullptr; }
 };
 
 /// For methods that need rows. Throws SolveError if the operator does not keep them.

@@ -105,7 +105,40 @@ Variation find_variation(const Transport& transport, const Places& places, const
   return variation;
 }
 
-/// What is received wrongly and reflected at once.
+/// v_jk of a patch of some size.
+double variation_of(double size, double distance) {
+  return std::min(size / distance, kLargestVariation);
+}
+
+Variation find_variation(const PatchMesh& mesh, const Transport& transport, const PairSums& pairs,
+                         const Solution& solution) {
+  const Eigen::VectorXd& area = transport.area();
+  const Index k = solution.radiosity.cols();
+  const Eigen::RowVectorXd mean = solution.irradiance.colwise().mean();
+  const Eigen::MatrixXd b = solution.radiosity.rowwise() - mean;
+  const Eigen::MatrixXd h = solution.irradiance.rowwise() - mean;
+  Variation variation;
+  variation.exchange = pairs.sums(mesh, area, [](const ExchangingPair& pair) {
+    return pair.density * variation_of(pair.size, pair.distance);
+  });
+  Eigen::MatrixXd powers(b.rows(), 1 + 2 * k);
+  powers << Eigen::VectorXd::Ones(b.rows()), b, b.cwiseAbs2();
+  powers.array().colwise() *= area.array().square();
+  const Eigen::MatrixXd moments = pairs.sums(mesh, powers, [](const ExchangingPair& pair) {
+    return square(pair.density * variation_of(pair.size, pair.distance));
+  });
+  const Eigen::MatrixXd squares =
+      moments.rightCols(k) - 2 * h.cwiseProduct(moments.middleCols(1, k)) +
+      Eigen::MatrixXd(h.array().square().colwise() * moments.col(0).array());
+  variation.light = squares.cwiseMax(0).cwiseSqrt();
+  for (Index c = 0; c < k; ++c) {
+    variation.light.col(c).array() *=
+        solution.reflectance.col(c % solution.reflectance.cols()).array();
+  }
+  return variation;
+}
+
+/// What is received wrongly.
 struct Received {
   Eigen::MatrixXd local;   ///< s_i, W/m², n x k
   Eigen::MatrixXd probes;  ///< the same with random signs, n x (k kLightProbes)
@@ -128,10 +161,9 @@ Eigen::MatrixXd with_random_signs(const NeighborGroups& groups, const Eigen::Mat
 }
 
 Received receive(const PatchMesh& mesh, const Transport& transport, const Places& places,
-                 const Solution& solution, const Variation& variation, const Progress& progress) {
+                 const Variation& variation, const Progress& progress) {
   const Index n = transport.size();
-  const Index k = solution.radiosity.cols();
-  const Index n_bands = solution.reflectance.cols();
+  const Index k = variation.light.cols();
   const Eigen::MatrixXd squared_light = variation.light.cwiseAbs2();
   const Eigen::MatrixXd signed_light =
       with_random_signs(make_neighbor_groups(mesh), variation.light);
@@ -148,22 +180,59 @@ Received receive(const PatchMesh& mesh, const Transport& transport, const Places
     received.local.middleRows(rows.first, size) =
         (weight.cwiseAbs2().transpose() * squared_light).cwiseSqrt();
   });
-  for (Index c = 0; c < received.probes.cols(); ++c) {
-    received.probes.col(c).array() *= solution.reflectance.col(c % n_bands).array();
-  }
-  for (Index c = 0; c < k; ++c) {
-    received.local.col(c).array() *= solution.reflectance.col(c % n_bands).array();
-  }
   return received;
+}
+
+Received receive(const PatchMesh& mesh, const Transport& transport, const PairSums& pairs,
+                 const Variation& variation) {
+  const Eigen::ArrayXd& exchange = variation.exchange;
+  const Eigen::ArrayXd area = transport.area().array();
+  const auto scaled = [](const Eigen::MatrixXd& x, const Eigen::ArrayXd& factors) {
+    return Eigen::MatrixXd(x.array().colwise() * factors);
+  };
+  // Σ_j κ^p A_j^p x_j, with p = 1 or 2, by the power q of v_ji.
+  const auto sums = [&](const Eigen::MatrixXd& x, int p, int q) {
+    return pairs.sums(mesh, scaled(x, area.pow(p)), [p, q](const ExchangingPair& pair) {
+      const double varying = q > 0 ? variation_of(pair.other_size, pair.distance) : 1;
+      return std::pow(pair.density, p) * std::pow(varying, q);
+    });
+  };
+  const Eigen::MatrixXd signed_light =
+      with_random_signs(make_neighbor_groups(mesh), variation.light);
+  const Eigen::MatrixXd squared_light = variation.light.cwiseAbs2();
+  Received received;
+  received.probes = sums(signed_light, 1, 1) - sums(scaled(signed_light, exchange), 1, 0);
+  received.local = sums(squared_light, 2, 2) - 2 * sums(scaled(squared_light, exchange), 2, 1) +
+                   sums(scaled(squared_light, exchange.square()), 2, 0);
+  received.local = received.local.cwiseMax(0).cwiseSqrt();
+  return received;
+}
+
+Received received_wrongly(const PatchMesh& mesh, const Transport& transport,
+                          const Solution& solution, const Progress& progress) {
+  if (const PairSums* pairs = transport.pair_sums()) {
+    progress.check();
+    const Variation variation = find_variation(mesh, transport, *pairs, solution);
+    progress.check();
+    return receive(mesh, transport, *pairs, variation);
+  }
+  const Places places = make_places(mesh);
+  const Variation variation = find_variation(transport, places, solution, progress);
+  return receive(mesh, transport, places, variation, progress);
 }
 
 }  // namespace
 
 Eigen::MatrixXd uneven_light_error(const PatchMesh& mesh, const Transport& transport,
                                    const Solution& solution, const Progress& progress) {
-  const Places places = make_places(mesh);
-  const Variation variation = find_variation(transport, places, solution, progress);
-  Received received = receive(mesh, transport, places, solution, variation, progress);
+  Received received = received_wrongly(mesh, transport, solution, progress);
+  const Index n_bands = solution.reflectance.cols();
+  for (Index c = 0; c < received.probes.cols(); ++c) {
+    received.probes.col(c).array() *= solution.reflectance.col(c % n_bands).array();
+  }
+  for (Index c = 0; c < received.local.cols(); ++c) {
+    received.local.col(c).array() *= solution.reflectance.col(c % n_bands).array();
+  }
   const Eigen::MatrixXd reflected =
       reflected_light(transport, solution, std::move(received.probes), progress);
   Eigen::MatrixXd variance = received.local.cwiseAbs2();

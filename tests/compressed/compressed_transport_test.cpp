@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <stop_token>
+#include <utility>
 
 #include "io/scene/scene_file.h"
 #include "meshing/patches/patches.h"
@@ -13,12 +14,14 @@
 #include "radiosity/compressed/make_compressed_transport.h"
 #include "radiosity/scene/radiometry.h"
 #include "radiosity/solve/solve.h"
+#include "radiosity/solve/uneven_light.h"
 #include "tests/support/shapes.h"
 
 namespace radiosity {
 namespace {
 
 using test::add_box;
+using test::add_grid;
 using test::box_in_box;
 using test::Facing;
 
@@ -107,6 +110,21 @@ TEST_F(CompressedTransportOfARoom, KeepsTheEnergyOfAFurnace) {
             compressed_->report().compression->verified_error);
 }
 
+TEST_F(CompressedTransportOfARoom, TellsWhatUnevenLightMakesOfIt) {
+  // As the dense one does, with all rows: where patches are close, blocks are entries.
+  const auto dense = make_transport(room_->mesh, room_->visibility, {.tolerance = 1e-3});
+  const Index n = dense->size();
+  Eigen::MatrixXd emitted = Eigen::MatrixXd::Zero(n, 2);
+  emitted.topRows(n / 3).col(0).setOnes();
+  emitted.bottomRows(n / 3).col(1).setOnes();
+  const Solution solution = solve(*dense, emitted, Eigen::MatrixXd::Constant(n, 1, 0.6));
+  const Eigen::MatrixXd expected = uneven_light_error(room_->mesh, *dense, solution);
+  const Eigen::MatrixXd error = uneven_light_error(room_->mesh, *compressed_, solution);
+  ASSERT_EQ(error.cols(), 2);
+  ASSERT_GT(expected.minCoeff(), 0);
+  EXPECT_LT(difference(*dense, error, expected), 0.1);
+}
+
 TEST_F(CompressedTransportOfARoom, RefusesMethodsThatGoRowByRow) {
   const Index n = compressed_->size();
   for (const Method method : {Method::gauss_seidel, Method::southwell}) {
@@ -157,6 +175,53 @@ TEST(CompressedTransport, LeavesSealedRoomsDark) {
   const Eigen::VectorXd gathered = compressed->apply(b);
   EXPECT_EQ(gathered.tail(rooms.mesh.size() - n_first).cwiseAbs().maxCoeff(), 0);
   EXPECT_LT((gathered.head(n_first).array() - 1).abs().maxCoeff(), 5e-2);
+}
+
+/// Two cubes with a slit of their whole height in the wall between: n x n patches a wall.
+/// `n_first` are those of the first room.
+struct SlitRooms {
+  SlitRooms(int n, double width, double place) {
+    const Vec3 x = Vec3::UnitX();
+    const Vec3 y = Vec3::UnitY();
+    const Vec3 z = Vec3::UnitZ();
+    for (const int room : {0, 1}) {
+      const Vec3 corner = room * x;
+      add_grid(mesh, corner, x, y, n, n);
+      add_grid(mesh, corner + z, y, x, n, n);
+      add_grid(mesh, corner, z, x, n, n);
+      add_grid(mesh, corner + y, x, z, n, n);
+      const Vec3 beyond = (place + width) * y;
+      if (room == 0) {
+        add_grid(mesh, corner, y, z, n, n);
+        add_grid(mesh, x, z, place * y, n, n / 2);
+        add_grid(mesh, x + beyond, z, y - beyond, n, n / 2);
+        n_first = mesh.size();
+      } else {
+        add_grid(mesh, corner + x, z, y, n, n);
+        add_grid(mesh, x, place * y, z, n / 2, n);
+        add_grid(mesh, x + beyond, y - beyond, z, n / 2, n);
+      }
+    }
+  }
+  PatchMesh mesh;
+  Index n_first = 0;
+};
+
+TEST(CompressedTransport, LetsLightThroughASlitWithinItsErrors) {
+  // Walls of B = 1 send through an opening, whatever it leads to, its area.
+  for (const auto& [width, place] : {std::pair{0.002, 0.437}, {0.002, 0.11}, {0.03, 0.5}}) {
+    SlitRooms rooms(14, width, place);
+    const Visibility visibility(rooms.mesh);
+    const auto compressed = make_compressed_transport(rooms.mesh, visibility, {.tolerance = 1e-2});
+    Eigen::VectorXd b = Eigen::VectorXd::Zero(rooms.mesh.size());
+    b.head(rooms.n_first).setOnes();
+    const Index n_second = rooms.mesh.size() - rooms.n_first;
+    const Eigen::VectorXd area = compressed->area().tail(n_second);
+    const double passed = area.dot(compressed->apply(b).col(0).tail(n_second));
+    const double error = area.dot(compressed->apply_error(b).col(0).tail(n_second));
+    EXPECT_LE(std::abs(passed - width), error) << width << " at " << place;
+    EXPECT_LE(error, 1e-2 * area.sum());
+  }
 }
 
 TEST(CompressedTransport, LeavesCoveredPatchesDark) {
