@@ -231,7 +231,7 @@ class CompressedAssembly {
     }
   }
 
-  /// Reports row sums, and mends them if the scene is closed.
+  /// Notes row sums, and mends them if the scene is closed.
   void close_rows(CompressedTransport& transport) const {
     AssemblyReport& report = transport.parts_.report;
     static_cast<Census&>(report) = made_.pairs;
@@ -242,23 +242,18 @@ class CompressedAssembly {
     const Eigen::ArrayXd gap = 1 - coverage_.share.array() - report.row_sums.array();
     report.closure_mean = gap.abs().mean();
     report.closure_max = gap.abs().maxCoeff();
-    Eigen::VectorXd present = report.row_sums;
-    if (is_closed_) {
-      const PatchOrder& order = transport.order_;
-      const Eigen::ArrayXd most =
-          kSigmas * transport.apply_error(ones).col(0).array() + kSigmas * options_.tolerance;
-      const Eigen::VectorXd mask = (gap.abs() <= most).cast<double>();
-      RowSums sums{order.to_rows(area_.cwiseProduct(report.row_sums)).col(0),
-                   order.to_rows(area_.array() * (1 - coverage_.share.array())).col(0),
-                   order.to_rows(mask).col(0)};
-      AdjustableBlocks exchange(transport.matrix_, order.to_rows(area_).col(0), sums.present);
-      balance_rows(exchange, sums, 2);
-      transport.parts_.multipliers = exchange.multipliers();
-      present = order.to_patches(sums.present).col(0).cwiseQuotient(area_);
-      report.open_rows = static_cast<std::int64_t>((mask.array() == 0).count());
-    }
-    const Eigen::VectorXd missing = 1 - coverage_.share.array() - present.array();
-    report.backs = shares_on_backs(mesh_, visibility_, missing, options_.seed);
+    if (!is_closed_) return;
+    const PatchOrder& order = transport.order_;
+    const Eigen::ArrayXd most =
+        kSigmas * transport.apply_error(ones).col(0).array() + kSigmas * options_.tolerance;
+    const Eigen::VectorXd mask = (gap.abs() <= most).cast<double>();
+    RowSums sums{order.to_rows(area_.cwiseProduct(report.row_sums)).col(0),
+                 order.to_rows(area_.array() * (1 - coverage_.share.array())).col(0),
+                 order.to_rows(mask).col(0)};
+    AdjustableBlocks exchange(transport.matrix_, order.to_rows(area_).col(0), sums.present);
+    balance_rows(exchange, sums, 2);
+    transport.parts_.multipliers = exchange.multipliers();
+    report.open_rows = static_cast<std::int64_t>((mask.array() == 0).count());
   }
 
   [[nodiscard]] RowCheck make_check(const CompressedTransport& transport) const {
@@ -300,6 +295,9 @@ class CompressedAssembly {
     if (estimate_ > 0) {
       transport.parts_.error_scale = std::max(kLeastScale, error.limit / estimate_);
     }
+    const Eigen::VectorXd present = transport.apply(Eigen::VectorXd::Ones(transport.size()));
+    const Eigen::VectorXd missing = 1 - coverage_.share.array() - present.array();
+    transport.parts_.report.backs = shares_on_backs(mesh_, visibility_, missing, options_.seed);
   }
 
   const PatchMesh& mesh_;

@@ -14,6 +14,7 @@ const std::vector<Case>& all_cases() {
       {"hemisphere-vs-area", "Irradiance by rays and by form factors", run_hemisphere},
       {"cornell-box", "Cornell box against path tracing", run_cornell_box},
       {"cornell-box-spectral", "Cornell box, measured spectra", run_spectral},
+      {"scale", "Compressed operators of many patches", run_scale},
       {"convergence", "Convergence with finer patches", run_convergence},
   };
   return cases;

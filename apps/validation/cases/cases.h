@@ -33,6 +33,8 @@ CaseResult run_hemisphere(const Context& context);
 CaseResult run_cornell_box(const Context& context);
 /// Many bands together and alone.
 CaseResult run_spectral(const Context& context);
+/// Compressed operators next to a dense one and path tracing.
+CaseResult run_scale(const Context& context);
 /// Error against the number of patches.
 CaseResult run_convergence(const Context& context);
 

@@ -6,13 +6,9 @@
 #include <utility>
 
 #include "apps/validation/cases/cases.h"
+#include "apps/validation/cases/cornell_comparison.h"
 #include "apps/validation/cases/cornell_map.h"
-#include "apps/validation/reference/cornell_reference.h"
-#include "apps/validation/reference/own_light.h"
 #include "apps/validation/reference/statistics.h"
-#include "io/scene/scene_file.h"
-#include "radiosity/solve/discretisation_error.h"
-#include "radiosity/solve/solution.h"
 
 namespace apps::validation {
 namespace {
@@ -22,77 +18,10 @@ using namespace radiosity;
 constexpr double kDefaultTolerance = 1e-2;  // the program's default
 constexpr double kLargestNorm = 0.01;       // promised of ‖ΔB‖/‖B‖
 constexpr double kLargestOfPolygon = 0.1;   // and of |ΔB|/B anywhere
-constexpr const char* kBands[] = {"red", "green", "blue"};
-constexpr double kSigmas = 2;
-constexpr double kCoverage = 0.95;
 constexpr double kWidestInterval = 3;
 
-using Rows = std::vector<std::size_t>;
-
-/// The reference and our solution, per polygon, n x 3, W/m².
-struct Comparison {
-  std::vector<ReferencePolygon> reference;
-  Eigen::ArrayXXd expected;
-  Eigen::ArrayXXd expected_error;  ///< one standard error
-  Eigen::ArrayXXd computed;
-  Eigen::ArrayXXd computed_error;  ///< one standard error
-  Index n_patches = 0;
-  Rows covered;    ///< dark by right
-  Rows defective;  ///< dark by mistake
-  Rows compared;   ///< all others, but for the light
-};
-
-bool contains(const Rows& rows, std::size_t i) {
-  return std::find(rows.begin(), rows.end(), i) != rows.end();
-}
-
-void sort_polygons(Comparison& c) {
-  c.defective = defective_polygons(c.reference);
-  for (std::size_t i = 0; i < c.reference.size(); ++i) {
-    if (c.reference[i].surface == "light" || contains(c.defective, i)) continue;
-    (c.reference[i].radiosity.maxCoeff() == 0 ? c.covered : c.compared).push_back(i);
-  }
-}
-
-Comparison compare(const Context& context) {
-  Comparison c;
-  c.reference = read_cornell_reference(context.data);
-  const auto n = static_cast<Index>(c.reference.size());
-  c.expected.resize(n, 3);
-  c.expected_error.resize(n, 3);
-  for (Index i = 0; i < n; ++i) {
-    c.expected.row(i) = c.reference[i].radiosity;
-    c.expected_error.row(i) = c.reference[i].standard_error;
-  }
-  const Progress quiet{.report = {}, .stop = context.progress.stop};
-  const Scene scene =
-      io::read_scene(context.data / "cornell-box" / "patches-8x8.obj", {.unit = "mm"});
-  if (scene.n_polygons() != n) {
-    throw SceneError(
-        fmt::format("the reference has {} polygons, patches-8x8.obj {}", n, scene.n_polygons()));
-  }
-  const study::Study solved = study::run(
-      scene, {.patches = {.adaptive = true}, .tolerance = kDefaultTolerance, .seed = context.seed},
-      {.progress = quiet});
-  c.computed = polygon_means(solved.mesh, solved.solution.radiosity, n);
-  // Patches of one polygon err alike: the error of their mean is the mean of their errors.
-  c.computed_error = polygon_means(solved.mesh, solved.solution.radiosity_error, n);
-  c.n_patches = solved.mesh.size();
-  sort_polygons(c);
-  return c;
-}
-
-/// sqrt(Σ A x²) over the compared polygons.
-double area_norm(const Comparison& c, const Eigen::ArrayXd& values) {
-  double sum = 0;
-  for (const std::size_t i : c.compared) {
-    sum += c.reference[i].area * std::pow(values[static_cast<Index>(i)], 2);
-  }
-  return std::sqrt(sum);
-}
-
 /// Mean of |x| / B over the compared polygons.
-double mean_relative(const Comparison& c, const Eigen::ArrayXd& values, int band) {
+double mean_relative(const CornellComparison& c, const Eigen::ArrayXd& values, int band) {
   double sum = 0;
   for (const std::size_t i : c.compared) {
     const auto k = static_cast<Index>(i);
@@ -107,13 +36,12 @@ constexpr const char* kWhy =
     "the reference.";
 constexpr const char* kPromised = "What is promised for default settings.";
 
-void check_band(CaseResult& result, Table& table, const Comparison& c, int band) {
+void check_band(CaseResult& result, Table& table, const CornellComparison& c, int band) {
   const Eigen::ArrayXd difference = c.computed.col(band) - c.expected.col(band);
   const Eigen::ArrayXd noise = kSigmas * c.expected_error.col(band);
   const Eigen::ArrayXd ours = kSigmas * c.computed_error.col(band);
-  const double norm = area_norm(c, c.expected.col(band));
   result.checks.push_back({fmt::format("{}: ‖ΔB‖/‖B‖, by area", kBands[band]),
-                           area_norm(c, difference) / norm, kLargestNorm, kPromised});
+                           c.relative_difference(band), kLargestNorm, kPromised});
   result.checks.push_back({fmt::format("{}: mean over the polygons of |ΔB|/B", kBands[band]),
                            mean_relative(c, difference, band),
                            mean_relative(c, noise, band) + mean_relative(c, ours, band), kWhy});
@@ -130,36 +58,13 @@ void check_band(CaseResult& result, Table& table, const Comparison& c, int band)
                            std::abs(difference[k]) / c.expected(k, band), kLargestOfPolygon,
                            kPromised});
   table.rows.push_back(
-      {kBands[band], fmt::format("{:.2f} %", 100 * area_norm(c, difference) / norm),
+      {kBands[band], fmt::format("{:.2f} %", 100 * c.relative_difference(band)),
        fmt::format("{:.2f} %", 100 * mean_relative(c, difference, band)),
        fmt::format("{:.1f} %", 100 * std::abs(difference[k]) / c.expected(k, band)),
        fmt::format("{} ({})", worst, c.reference[worst].surface)});
 }
 
-/// (computed - expected) / combined standard error, of every compared polygon and band.
-std::vector<double> deviations(const Comparison& c) {
-  std::vector<double> list;
-  for (const std::size_t i : c.compared) {
-    const auto k = static_cast<Index>(i);
-    for (int band = 0; band < 3; ++band) {
-      list.push_back((c.computed(k, band) - c.expected(k, band)) /
-                     std::hypot(c.computed_error(k, band), c.expected_error(k, band)));
-    }
-  }
-  return list;
-}
-
-void check_coverage(CaseResult& result, Table& table, const Comparison& c) {
-  const std::vector<double> all = deviations(c);
-  const auto within =
-      std::count_if(all.begin(), all.end(), [](double z) { return std::abs(z) <= kSigmas; });
-  result.checks.push_back(
-      {"share of polygons and bands with |ΔB| ≤ 2 √(σ² + s²)",
-       static_cast<double>(within) / static_cast<double>(all.size()), kCoverage,
-       "σ is the standard error that the program states (radiosity_error: form factors, iteration "
-       "and patch size), s the standard error of the reference: two standard errors "
-       "hold 95 % of normal errors.",
-       "", Check::Relation::at_least});
+void check_widths(CaseResult& result, Table& table, const CornellComparison& c) {
   double ratios = 1;
   for (int band = 0; band < 3; ++band) {
     std::vector<double> widths;
@@ -186,17 +91,7 @@ void check_coverage(CaseResult& result, Table& table, const Comparison& c) {
                            "err alike."});
 }
 
-void check_covered(CaseResult& result, const Comparison& c) {
-  double largest = 0;
-  for (const std::size_t i : c.covered) {
-    largest = std::max(largest, c.computed.row(static_cast<Index>(i)).abs().maxCoeff());
-  }
-  result.checks.push_back(
-      {fmt::format("{} floor polygons under the blocks: largest B", c.covered.size()), largest, 0,
-       "No light reaches them: they must be exactly 0, as in the reference.", "W/m²"});
-}
-
-void add_notes(CaseResult& result, const Comparison& c) {
+void add_notes(CaseResult& result, const CornellComparison& c) {
   for (const std::size_t i : c.defective) {
     result.notes.push_back(fmt::format(
         "Polygon {} ({}) of the reference is left out as defective: its radiosity is exactly 0 in "
@@ -214,12 +109,14 @@ void add_notes(CaseResult& result, const Comparison& c) {
 }  // namespace
 
 CaseResult run_cornell_box(const Context& context) {
-  const Comparison c = compare(context);
+  const CornellComparison c = compare_cornell_box(
+      context,
+      {.patches = {.adaptive = true}, .tolerance = kDefaultTolerance, .seed = context.seed});
   CaseResult result{
       .compared = fmt::format("Radiosity of the Cornell box, {} adaptive patches (tolerance {}), "
                               "averaged over the {} polygons of the reference; and whether the "
                               "program's own error intervals hold.",
-                              c.n_patches, kDefaultTolerance, c.reference.size()),
+                              c.solved.mesh.size(), kDefaultTolerance, c.reference.size()),
       .reference =
           "Path tracing (Mitsuba 3.9.1, unlimited depth), mean outgoing radiance of each "
           "polygon with its standard error, at most 0.3 %: "
@@ -233,14 +130,15 @@ CaseResult run_cornell_box(const Context& context) {
       "Intervals, W/m²: 2.97 between the medians if errors are normal and σ is right",
       {"band", "median half width", "median of 2 σ", "median |ΔB|", "ratio", "ratio of 2 σ"},
       {}};
-  check_coverage(result, intervals, c);
+  check_coverage(result, c);
+  check_widths(result, intervals, c);
   check_covered(result, c);
   add_notes(result, c);
   result.figures.emplace_back(errors);
   result.figures.emplace_back(intervals);
   result.figures.emplace_back(
       normal_histogram("Differences by combined standard error, all polygons and bands",
-                       "ΔB / √(σ² + s²), ends include all beyond", deviations(c)));
+                       "ΔB / √(σ² + s²), ends include all beyond", c.deviations()));
   result.figures.emplace_back(difference_map(c.reference, c.computed.matrix(), c.defective));
   return result;
 }
