@@ -24,8 +24,11 @@ namespace radiosity {
 namespace {
 
 /// What a limit of the blocks' errors comes to in F 1 was measured on rooms and streets: some
-/// kOfRoot times its root. The first is chosen so that it just may do.
-constexpr double kOfRoot = 1.8;
+/// kOfRoot times its root, for kFewPatches. As there are more blocks along edges, in the root of
+/// the number of patches, and their squares add up, it grows by that number's fourth root. The
+/// first limit is chosen so that it just may do.
+constexpr double kOfRoot = 1.6;
+constexpr double kFewPatches = 5000;
 /// The next one aims at so much of what is asked, since errors go like its root; in steps, since a
 /// single row far off makes an error look larger than it is.
 constexpr double kAimedAt = 0.85;
@@ -120,7 +123,7 @@ class CompressedAssembly {
     is_closed_ = options_.closed == Closed::yes ||
                  (options_.closed == Closed::automatic &&
                   is_enclosed(mesh_, visibility_, options_.tolerance, options_.seed));
-    double limit = square(options_.tolerance / kOfRoot);
+    double limit = first_limit();
     made_ = maker_.make(limit);
     std::unique_ptr<CompressedTransport> transport = make_transport();
     RowCheck check = make_check(*transport);
@@ -142,6 +145,11 @@ class CompressedAssembly {
   }
 
  private:
+  [[nodiscard]] double first_limit() const {
+    const double n = std::max(static_cast<double>(mesh_.size()) / kFewPatches, 1.0);
+    return square(options_.tolerance / kOfRoot) / std::sqrt(n);
+  }
+
   /// The operator of the blocks so far.
   std::unique_ptr<CompressedTransport> make_transport() {
     std::vector<std::int8_t> degrees(evaluator_.tree().clusters.size(), -1);
