@@ -17,7 +17,7 @@
 #include "bench/bench_scenes.h"
 #include "io/scene/scene_file.h"
 #include "meshing/patches/patches.h"
-#include "radiosity/assembly/make_transport.h"
+#include "radiosity/assembly/make_dense_transport.h"
 #include "radiosity/compressed/make_compressed_transport.h"
 #include "radiosity/scene/radiometry.h"
 #include "radiosity/solve/solve.h"
@@ -111,8 +111,8 @@ int main(int argc, char** argv) {
     });
   }
   if (argc < 5) return 0;
-  const auto dense =
-      timed("dense", [&] { return make_transport(mesh, visibility, {.tolerance = tolerance}); });
+  const auto dense = timed(
+      "dense", [&] { return make_dense_transport(mesh, visibility, {.tolerance = tolerance}); });
   fmt::print("dense {:.1f} MB; F 1 off by {:.2e}\n", 1e-6 * static_cast<double>(dense->bytes()),
              difference(*dense, compressed->apply(ones), dense->apply(ones)));
   if (subject.light.exitance.size() > 0) {

@@ -15,7 +15,7 @@
 #include "bench/bench_scenes.h"
 #include "io/scene/scene_file.h"
 #include "meshing/patches/patches.h"
-#include "radiosity/assembly/make_transport.h"
+#include "radiosity/assembly/make_dense_transport.h"
 #include "radiosity/compressed/make_compressed_transport.h"
 
 namespace {
@@ -55,7 +55,7 @@ int main(int argc, char** argv) {
   int n = 0;
   for (const auto& [name, mesh] : make_meshes(n_patches)) {
     const Visibility visibility(mesh);
-    const auto dense = make_transport(mesh, visibility, {.tolerance = kReference});
+    const auto dense = make_dense_transport(mesh, visibility, {.tolerance = kReference});
     const Eigen::MatrixXd fields = make_fields(mesh);
     const Eigen::MatrixXd expected = dense->apply(fields);
     for (const double tolerance : {3e-2, 1e-2, 3e-3}) {

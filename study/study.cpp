@@ -2,9 +2,8 @@
 
 #include <utility>
 
-#include "radiosity/assembly/dense_memory.h"
-#include "radiosity/assembly/make_transport.h"
-#include "radiosity/compressed/make_compressed_transport.h"
+#include "radiosity/compressed/light_polygons.h"
+#include "radiosity/compressed/make_transport.h"
 #include "radiosity/scene/radiometry.h"
 #include "radiosity/solve/solve.h"
 #include "radiosity/stream/streaming_memory.h"
@@ -18,10 +17,9 @@ using namespace radiosity;
 
 /// Throws SolveError if so many patches will not do, of which there may be more in the end.
 void check_expected(Index n_patches, Index n_polygons, const StudyOptions& options) {
-  if (is_compressed(options)) {
-    check_compressed_memory(n_patches, options.memory);
-  } else if (options.storage == Storage::memory) {
-    check_memory(n_patches, n_polygons, options.memory);
+  if (options.storage == Storage::memory) {
+    check_choice(transport_choice(options), n_patches, n_polygons, factor_tolerance(options),
+                 options.memory);
   } else {
     // How much must be allowed can be told once their number is known.
     check_streaming_memory(n_patches);
@@ -29,10 +27,9 @@ void check_expected(Index n_patches, Index n_polygons, const StudyOptions& optio
 }
 
 void check_made(Index n_patches, Index n_polygons, const StudyOptions& options) {
-  if (is_compressed(options)) {
-    check_compressed_memory(n_patches, options.memory);
-  } else if (options.storage == Storage::memory) {
-    check_memory(n_patches, n_polygons, options.memory);
+  if (options.storage == Storage::memory) {
+    check_choice(transport_choice(options), n_patches, n_polygons, factor_tolerance(options),
+                 options.memory);
   } else {
     check_streaming_memory(n_patches,
                            options.memory > 0 ? options.memory : default_streaming_memory());
@@ -41,7 +38,7 @@ void check_made(Index n_patches, Index n_polygons, const StudyOptions& options) 
 
 TransportOptions transport_options(const Scene& scene, const StudyOptions& options,
                                    const Progress& progress) {
-  return {.tolerance = options.factor_tolerance.value_or(options.tolerance),
+  return {.tolerance = factor_tolerance(options),
           .closed = closedness(scene, options.closed),
           .seed = options.seed,
           .memory = options.memory,
@@ -95,19 +92,14 @@ FormFactors make_form_factors(const Scene& scene, const PatchMesh& mesh,
   FormFactors result;
   if (options.patches.adaptive) {
     result = make_adaptive(scene, options, events);
-  } else if (is_compressed(options)) {
-    result.transport = make_compressed_transport(mesh, visibility,
-                                                 transport_options(scene, options, events.progress),
-                                                 {exitance(scene, mesh), reflectance(scene, mesh)});
-    warn_of_unverified(result.transport->report(),
-                       options.factor_tolerance.value_or(options.tolerance), events);
   } else {
-    result.transport =
-        make_transport(mesh, visibility, transport_options(scene, options, events.progress));
+    result.transport = make_transport(
+        mesh, visibility, transport_options(scene, options, events.progress),
+        transport_choice(options), {exitance(scene, mesh), reflectance(scene, mesh)});
+    warn_of_unverified(result.transport->report(), factor_tolerance(options), events);
   }
   const PatchMesh& made = result.refined ? result.refined->mesh : mesh;
-  refuse_excess(scene, made, result.transport->report(),
-                options.factor_tolerance.value_or(options.tolerance),
+  refuse_excess(scene, made, result.transport->report(), factor_tolerance(options),
                 [&](Index row) { return rows_of(*result.transport).row_error(row); });
   warn_of_open_rows(result.transport->report(), events);
   if (result.refinement) {
@@ -118,14 +110,20 @@ FormFactors make_form_factors(const Scene& scene, const PatchMesh& mesh,
 
 Light solve_light(const Scene& scene, const PatchMesh& mesh, const Transport& transport,
                   const StudyOptions& options, const StudyEvents& events) {
-  const Eigen::MatrixXd emitted = exitance(scene, mesh);
+  return solve_light(mesh, transport, exitance(scene, mesh), reflectance(scene, mesh), options,
+                     events);
+}
+
+Light solve_light(const PatchMesh& mesh, const Transport& transport, const Eigen::MatrixXd& emitted,
+                  const Eigen::MatrixXd& reflectance, const StudyOptions& options,
+                  const StudyEvents& events) {
   if (emitted.isZero(0)) {
     events.warn("no surface emits light: the radiosity is zero everywhere");
   }
   const SolveOptions solving{.method = options.method,
                              .tolerance = iteration_tolerance(options.tolerance),
                              .progress = events.progress};
-  Solution solution = solve(transport, emitted, reflectance(scene, mesh), solving);
+  Solution solution = solve(transport, emitted, reflectance, solving);
   warn_of_unconverged(solution, solving, events);
   DiscretisationError discretisation = estimate_discretisation(mesh, transport, solution, events);
   solution = with_discretisation_error(std::move(solution), discretisation);
@@ -140,15 +138,39 @@ Study assemble(Scene scene, const StudyOptions& options, const StudyEvents& even
           .mesh = std::move(patches.mesh),
           .visibility = std::move(patches.visibility),
           .transport = std::move(factors.transport),
+          .factor_tolerance = factor_tolerance(options),
           .refinement = factors.refinement};
 }
 
-Study run(Scene scene, const StudyOptions& options, const StudyEvents& events) {
-  Study study = assemble(std::move(scene), options, events);
+Study assemble(Scene scene, KnownFactors known, const StudyOptions& options,
+               const StudyEvents& events) {
+  check_known(scene, known, options, events);
+  Visibility visibility(known.mesh);
+  Patches patches{std::move(known.mesh), std::move(visibility)};
+  if (events.divided) events.divided(scene, patches);
+  TransportOptions made = transport_options(scene, options, events.progress);
+  made.tolerance = known.tolerance;
+  add_missing_light(*known.transport, patches.mesh, patches.visibility, made,
+                    exitance(scene, patches.mesh));
+  refuse_excess(scene, patches.mesh, known.transport->report(), known.tolerance,
+                [&](Index row) { return rows_of(*known.transport).row_error(row); });
+  warn_of_open_rows(known.transport->report(), events);
+  return {.scene = std::move(scene),
+          .mesh = std::move(patches.mesh),
+          .visibility = std::move(patches.visibility),
+          .transport = std::move(known.transport),
+          .factor_tolerance = known.tolerance};
+}
+
+Study with_light(Study study, const StudyOptions& options, const StudyEvents& events) {
   Light light = solve_light(study.scene, study.mesh, *study.transport, options, events);
   study.solution = std::move(light.solution);
   study.discretisation = std::move(light.discretisation);
   return study;
+}
+
+Study run(Scene scene, const StudyOptions& options, const StudyEvents& events) {
+  return with_light(assemble(std::move(scene), options, events), options, events);
 }
 
 }  // namespace study

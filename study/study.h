@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <memory>
 #include <optional>
 
@@ -10,6 +11,7 @@
 #include "radiosity/solve/discretisation_error.h"
 #include "radiosity/solve/solution.h"
 #include "radiosity/visibility/visibility.h"
+#include "study/known_factors.h"
 #include "study/study_events.h"
 #include "study/study_options.h"
 
@@ -35,6 +37,7 @@ struct Study {
   radiosity::PatchMesh mesh;
   radiosity::Visibility visibility;
   std::unique_ptr<radiosity::Transport> transport;
+  double factor_tolerance = 0;  ///< relative error that was asked of its form factors
   std::optional<meshing::Refinement> refinement = {};  ///< if patches were refined
   radiosity::Solution solution = {};                   ///< its errors include `discretisation`
   radiosity::DiscretisationError discretisation = {};
@@ -59,9 +62,23 @@ Light solve_light(const radiosity::Scene& scene, const radiosity::PatchMesh& mes
                   const radiosity::Transport& transport, const StudyOptions& options = {},
                   const StudyEvents& events = {});
 
+/// The same of what is emitted, W/m², n x k, and reflectances, n x b, as radiosity::solve takes
+/// them.
+Light solve_light(const radiosity::PatchMesh& mesh, const radiosity::Transport& transport,
+                  const Eigen::MatrixXd& exitance, const Eigen::MatrixXd& reflectance,
+                  const StudyOptions& options = {}, const StudyEvents& events = {});
+
 /// The stages up to the form factors: there is no light yet.
 Study assemble(radiosity::Scene scene, const StudyOptions& options = {},
                const StudyEvents& events = {});
+
+/// The same with form factors that were made before. What a compressed operator lacks of the light
+/// from polygons that emit now is added. Throws SolveError as check_known() does.
+Study assemble(radiosity::Scene scene, KnownFactors known, const StudyOptions& options = {},
+               const StudyEvents& events = {});
+
+/// The last stage, of one that has no light yet.
+Study with_light(Study assembled, const StudyOptions& options = {}, const StudyEvents& events = {});
 
 /// All stages.
 Study run(radiosity::Scene scene, const StudyOptions& options = {}, const StudyEvents& events = {});

@@ -11,9 +11,15 @@ Closed closedness(const radiosity::Scene& scene, Closed asked) {
   return *scene.closed ? Closed::yes : Closed::no;
 }
 
-bool is_compressed(const StudyOptions& options) {
-  return options.storage == Storage::memory && options.transport == TransportKind::compressed &&
-         !options.patches.adaptive;
+double factor_tolerance(const StudyOptions& options) {
+  return options.factor_tolerance.value_or(options.tolerance);
+}
+
+radiosity::TransportChoice transport_choice(const StudyOptions& options) {
+  const bool by_rows = options.method == radiosity::Method::gauss_seidel ||
+                       options.method == radiosity::Method::southwell;
+  const auto kind = options.patches.adaptive ? radiosity::TransportKind::dense : options.transport;
+  return {.kind = kind, .by_rows = by_rows};
 }
 
 double iteration_tolerance(double tolerance) { return std::min(1e-8, 1e-3 * tolerance); }

@@ -6,6 +6,7 @@
 
 #include "meshing/patches/patches.h"
 #include "radiosity/assembly/transport_options.h"
+#include "radiosity/compressed/make_transport.h"
 #include "radiosity/scene/scene.h"
 #include "radiosity/solve/solution.h"
 
@@ -13,14 +14,8 @@ namespace study {
 
 /// Where form factors are kept, which decides how many patches can be.
 enum class Storage {
-  memory,  ///< one dense operator (`radiosity::make_transport`)
+  memory,  ///< one operator (`radiosity::make_transport`)
   disk     ///< a work file (`radiosity::StreamedFactors`): memory is for the patches only
-};
-
-/// How an operator in memory is kept.
-enum class TransportKind {
-  dense,      ///< all form factors (`radiosity::make_transport`)
-  compressed  ///< far and near blocks (`radiosity::make_compressed_transport`)
 };
 
 /// How a scene is divided and how exactly it is solved.
@@ -34,7 +29,7 @@ struct StudyOptions {
   std::uint64_t seed = 0;  ///< of the visibility samples
   Storage storage = Storage::memory;
   /// If it is in memory. Of adaptive patches it is dense: their rounds go by rows.
-  TransportKind transport = TransportKind::dense;
+  radiosity::TransportKind transport = radiosity::TransportKind::automatic;
   /// Bytes for the form factors; 0 = what the machine has, or half of that for those on disk.
   std::size_t memory = 0;
   radiosity::Method method = radiosity::Method::conjugate_gradients;  ///< of the iteration
@@ -43,8 +38,11 @@ struct StudyOptions {
 /// What the options and the scene's own word on being closed come to.
 radiosity::Closed closedness(const radiosity::Scene& scene, radiosity::Closed asked);
 
-/// Whether the operator is compressed by these options.
-bool is_compressed(const StudyOptions& options);
+/// The relative error that is asked of the form factors.
+double factor_tolerance(const StudyOptions& options);
+
+/// How an operator in memory is to be kept, by these options.
+radiosity::TransportChoice transport_choice(const StudyOptions& options);
 
 /// The tolerance of the iteration: it shall add nothing to the error of the form factors, and
 /// digits cost it little.

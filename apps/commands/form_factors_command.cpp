@@ -14,22 +14,24 @@
 #include "apps/summary/text_summary.h"
 #include "apps/terminal/memory_size.h"
 #include "apps/terminal/output_files.h"
-#include "io/base/extension.h"
 #include "io/result/destinations_csv.h"
 #include "io/result/form_factor_file.h"
 #include "io/result/form_factor_reader.h"
+#include "io/result/operator_file.h"
+#include "io/result/row_csv.h"
 #include "io/result/surface_csv.h"
+#include "radiosity/assembly/dense_memory.h"
+#include "radiosity/base/machine_memory.h"
 #include "radiosity/base/parallel.h"
 #include "radiosity/operator/surface_factors.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/stream/streaming_memory.h"
+#include "study/known_factors.h"
 #include "study/row_check.h"
 #include "study/warnings.h"
 
 namespace apps {
 namespace {
-
-bool is_h5(const std::string& output) { return io::lower_case_extension(output) == ".h5"; }
 
 std::string check_memory_size(const std::string& text) {
   if (parse_memory_size(text)) return "";
@@ -93,12 +95,27 @@ FormFactorsCommand::FormFactorsCommand(CLI::App& program, Interruption& interrup
       ->excludes(by)
       ->excludes(resume)
       ->excludes(min_factor);
+  auto* row =
+      command
+          ->add_option("--row", row_,
+                       "Only the factors from one patch, by its number, or one surface, by its "
+                       "name, to each patch; SCENE may be an .h5 file of form factors")
+          ->type_name("I|NAME")
+          ->excludes(by)
+          ->excludes(resume)
+          ->excludes(min_factor)
+          ->excludes("--from");
+  command->add_flag("--exact", exact_, "Evaluate that row anew instead of taking what a file has")
+      ->needs(row);
   add_compute_options(*command, compute_);
+  add_transport_option(*command, compute_);
+  command->get_option("--transport")->excludes(resume)->excludes(min_factor);
   command->callback([this] { run(); });
 }
 
 void FormFactorsCommand::run() const {
   if (from_) return run_from(*from_);
+  if (row_) return run_row({*row_, exact_});
   if (common_.outputs.empty()) throw CLI::RequiredError("--output");
   CommonOptions common = common_;
   common.outputs.push_back(work_file_path(common_.outputs));
@@ -107,10 +124,15 @@ void FormFactorsCommand::run() const {
   const radiosity::ThreadLimit threads(common_.n_threads);
   const study::StudyEvents events = shown_events(terminal, interruption_);
   study::StudyOptions options = compute_;
-  options.storage = study::Storage::disk;
-  options.memory = parse_memory_size(memory_).value_or(radiosity::default_streaming_memory());
+  options.memory = parse_memory_size(memory_).value_or(0);
+  if (compute_.transport != radiosity::TransportKind::compressed) {
+    options.storage = study::Storage::disk;
+    if (options.memory == 0) options.memory = radiosity::default_streaming_memory();
+  }
   const radiosity::Scene scene = read_checked_scene(common, events);
-  const auto [mesh, visibility] = study::divide(scene, options, events);
+  const study::Patches patches = study::divide(scene, options, events);
+  const auto& [mesh, visibility] = patches;
+  if (is_compressed(mesh.size())) return write_compressed(scene, patches, events, terminal);
   const radiosity::StreamOptions streaming =
       stream_options(scene, options, mesh.size(), events.progress);
   const radiosity::Fingerprint fingerprint = stream_fingerprint(mesh, streaming);
@@ -127,8 +149,10 @@ void FormFactorsCommand::run() const {
   study::refuse_excess(scene, mesh, factors.report(), compute_.tolerance,
                        [&](radiosity::Index row) { return row_error(factors, row); });
   study::warn_of_open_rows(factors.report(), events);
-  summary.factors = &factors;
-  const Eigen::MatrixXd by_surface = write_outputs(mesh, factors, fingerprint);
+  summary.report = &factors.report();
+  summary.bytes = factors.bytes();
+  summary.dropped = factors.dropped();
+  const Eigen::MatrixXd by_surface = write_outputs(scene, mesh, factors, fingerprint);
   if (by_ == "surface") summary.by_surface = by_surface;
   events.progress.check();
   store.remove();
@@ -163,19 +187,19 @@ bool FormFactorsCommand::is_complete(const radiosity::Fingerprint& fingerprint) 
   const auto& outputs = common_.outputs;
   if (!resume_ || !by_.empty() || std::filesystem::exists(work_file_path(outputs))) return false;
   return std::all_of(outputs.begin(), outputs.end(), [&](const std::string& output) {
-    return is_h5(output) && io::read_fingerprint(output) == fingerprint.text() &&
+    return is_factor_file(output) && io::read_fingerprint(output) == fingerprint.text() &&
            io::has_intact_form_factors(output);
   });
 }
 
-Eigen::MatrixXd FormFactorsCommand::write_outputs(const radiosity::PatchMesh& mesh,
+Eigen::MatrixXd FormFactorsCommand::write_outputs(const radiosity::Scene& scene,
+                                                  const radiosity::PatchMesh& mesh,
                                                   const radiosity::StreamedFactors& factors,
                                                   const radiosity::Fingerprint& fingerprint) const {
   const auto& outputs = common_.outputs;
-  const bool is_table_asked = !by_.empty() || !std::all_of(outputs.begin(), outputs.end(), is_h5);
   std::optional<radiosity::SurfaceFactorSums> sums;
   const auto visit_rows = [&](const radiosity::RowVisitor& visit) {
-    const bool is_counting = is_table_asked && !sums;
+    const bool is_counting = is_table_asked() && !sums;
     if (is_counting) sums.emplace(mesh);
     factors.for_each_row(
         [&](radiosity::Index i, const Eigen::VectorXd& row, const Eigen::VectorXd& error) {
@@ -185,17 +209,18 @@ Eigen::MatrixXd FormFactorsCommand::write_outputs(const radiosity::PatchMesh& me
   };
   const auto lock = interruption_.hold();
   for (const std::string& output : outputs) {
-    if (is_h5(output)) {
+    if (is_factor_file(output)) {
       io::write_form_factors(output, mesh, {factors.report(), visit_rows},
                              {.tolerance = compute_.tolerance,
                               .min_factor = min_factor_,
-                              .fingerprint = fingerprint.text()});
+                              .fingerprint = fingerprint.text(),
+                              .geometry = study::geometry_fingerprint(scene)});
     }
   }
-  if (!is_table_asked) return {};
+  if (!is_table_asked()) return {};
   if (!sums) visit_rows({});
   for (const std::string& output : outputs) {
-    if (!is_h5(output)) io::write_surface_csv(output, mesh, sums->factors());
+    if (!is_factor_file(output)) io::write_surface_csv(output, mesh, sums->factors());
   }
   return sums->factors();
 }
@@ -206,12 +231,76 @@ void FormFactorsCommand::print_factors(const FactorSummary& summary,
                      : form_factors_text(summary));
 }
 
-void FormFactorsCommand::run_from(const std::string& from) const {
+bool FormFactorsCommand::is_compressed(radiosity::Index n_patches) const {
+  if (compute_.transport != radiosity::TransportKind::automatic) {
+    return compute_.transport == radiosity::TransportKind::compressed;
+  }
+  return !resume_ && min_factor_ == 0 &&
+         radiosity::dense_transport_bytes(n_patches) > radiosity::memory_limit(0);
+}
+
+void FormFactorsCommand::write_compressed(const radiosity::Scene& scene,
+                                          const study::Patches& patches,
+                                          const study::StudyEvents& events,
+                                          const TerminalProgress& terminal) const {
+  study::StudyOptions options = compute_;
+  options.transport = radiosity::TransportKind::compressed;
+  options.memory = parse_memory_size(memory_).value_or(0);
+  const study::FormFactors made =
+      study::make_form_factors(scene, patches.mesh, patches.visibility, options, events);
+  FactorSummary summary{.scene = scene,
+                        .mesh = patches.mesh,
+                        .report = &made.transport->report(),
+                        .bytes = made.transport->bytes(),
+                        .outputs = common_.outputs};
+  const Eigen::MatrixXd table =
+      is_table_asked() ? surface_form_factors(patches.mesh, *made.transport) : Eigen::MatrixXd();
+  for (const std::string& output : common_.outputs) {
+    if (is_factor_file(output)) {
+      io::write_operator(
+          output, patches.mesh, *made.transport,
+          {.tolerance = options.tolerance, .geometry = study::geometry_fingerprint(scene)},
+          events.progress);
+    } else {
+      const auto lock = interruption_.hold();
+      io::write_surface_csv(output, patches.mesh, table);
+    }
+    events.progress.check();
+  }
+  if (by_ == "surface") summary.by_surface = table;
+  print_factors(summary, terminal);
+}
+
+bool FormFactorsCommand::is_table_asked() const {
+  const auto& outputs = common_.outputs;
+  return !by_.empty() || !std::all_of(outputs.begin(), outputs.end(), is_factor_file);
+}
+
+void FormFactorsCommand::check_tables_only(const std::string& option) const {
   for (const std::string& output : common_.outputs) {
     const std::string refusal = check_extension(output, {".csv"});
-    if (!refusal.empty()) throw CLI::ValidationError("--output with --from", refusal);
+    if (!refusal.empty()) throw CLI::ValidationError("--output with " + option, refusal);
   }
   check_outputs(common_.outputs, common_.scene);
+}
+
+void FormFactorsCommand::run_row(const RowRequest& request) const {
+  check_tables_only("--row");
+  TerminalProgress terminal(terminal_style(common_));
+  const radiosity::ThreadLimit threads(common_.n_threads);
+  const study::StudyEvents events = shown_events(terminal, interruption_);
+  const FactorRow row = find_factor_row(request, common_, compute_, events);
+  for (const std::string& output : common_.outputs) {
+    const auto lock = interruption_.hold();
+    io::write_row_csv(output, row.mesh, row.values);
+  }
+  events.progress.check();
+  print(common_.json ? factor_row_json(row, common_.outputs, terminal.warnings())
+                     : factor_row_text(row, common_.outputs));
+}
+
+void FormFactorsCommand::run_from(const std::string& from) const {
+  check_tables_only("--from");
   TerminalProgress terminal(terminal_style(common_));
   const radiosity::ThreadLimit threads(common_.n_threads);
   const study::StudyEvents events = shown_events(terminal, interruption_);

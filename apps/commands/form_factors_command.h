@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "apps/options/common_options.h"
+#include "apps/run/factor_row.h"
 #include "apps/summary/factor_summary.h"
 #include "apps/terminal/interruption.h"
 #include "radiosity/base/progress.h"
@@ -28,7 +29,16 @@ class FormFactorsCommand {
 
  private:
   void run() const;
+  /// Whether form factors of so many patches are written compressed: if it is said, or if nothing
+  /// is and all of them would not fit into memory for who uses them.
+  [[nodiscard]] bool is_compressed(radiosity::Index n_patches) const;
+  void write_compressed(const radiosity::Scene& scene, const study::Patches& patches,
+                        const study::StudyEvents& events, const TerminalProgress& terminal) const;
   void run_from(const std::string& from) const;
+  void run_row(const RowRequest& request) const;
+  [[nodiscard]] bool is_table_asked() const;
+  /// With that option outputs are tables.
+  void check_tables_only(const std::string& option) const;
   [[nodiscard]] radiosity::StreamOptions stream_options(const radiosity::Scene& scene,
                                                         const study::StudyOptions& options,
                                                         radiosity::Index n_patches,
@@ -38,7 +48,8 @@ class FormFactorsCommand {
                                                 const radiosity::Fingerprint& fingerprint,
                                                 const radiosity::Progress& progress,
                                                 TerminalProgress& terminal) const;
-  [[nodiscard]] Eigen::MatrixXd write_outputs(const radiosity::PatchMesh& mesh,
+  [[nodiscard]] Eigen::MatrixXd write_outputs(const radiosity::Scene& scene,
+                                              const radiosity::PatchMesh& mesh,
                                               const radiosity::StreamedFactors& factors,
                                               const radiosity::Fingerprint& fingerprint) const;
   void print_factors(const FactorSummary& summary, const TerminalProgress& terminal) const;
@@ -48,6 +59,8 @@ class FormFactorsCommand {
   study::StudyOptions compute_;
   std::string by_;
   std::optional<std::string> from_;
+  std::optional<std::string> row_;
+  bool exact_ = false;
   bool resume_ = false;
   std::string memory_;
   double min_factor_ = 0;

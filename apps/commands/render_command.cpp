@@ -1,9 +1,9 @@
 #include "apps/commands/render_command.h"
 
 #include <CLI/App.hpp>
+#include "apps/run/assembled_scene.h"
 #include "apps/run/picture_check.h"
 #include "apps/run/picture_output.h"
-#include "apps/run/scene_input.h"
 #include "apps/run/shown_events.h"
 #include "apps/summary/summary.h"
 #include "apps/terminal/output_files.h"
@@ -23,6 +23,7 @@ RenderCommand::RenderCommand(CLI::App& program, Interruption& interruption)
   add_compute_options(*command, compute_);
   add_transport_option(*command, compute_);
   add_adaptive_option(*command, compute_);
+  add_operator_option(*command, operator_);
   add_picture_options(*command, picture_);
   command->callback([this] { run(); });
 }
@@ -39,8 +40,9 @@ void RenderCommand::run() const {
     check_picture(scene, patches, picture_, terminal);
     check_photometry(scene, shown_quantities(picture_.false_color), picture_.photometry, terminal);
   };
-  const study::Study solved = study::run(read_checked_scene(common, events), compute_, events);
-  SolveSummary summary = {.solved = solved, .outputs = common.outputs};
+  const study::Study solved =
+      study::with_light(assemble_scene(common, compute_, operator_, events), compute_, events);
+  SolveSummary summary = {.solved = solved, .outputs = common.outputs, .operator_file = operator_};
   summary.false_color = write_picture(output_, solved, picture_, events.progress, interruption_);
   events.progress.check();
   print_summary(summary, common_, terminal);

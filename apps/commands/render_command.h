@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "apps/options/common_options.h"
@@ -26,6 +27,7 @@ class RenderCommand {
   Interruption& interruption_;
   CommonOptions common_;
   study::StudyOptions compute_;
+  std::optional<std::string> operator_;
   PictureOptions picture_;
   std::string output_;
 };

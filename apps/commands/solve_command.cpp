@@ -2,21 +2,29 @@
 
 #include <CLI/App.hpp>
 #include <algorithm>
+#include <filesystem>
+#include <utility>
 
+#include "apps/run/assembled_scene.h"
 #include "apps/run/picture_check.h"
 #include "apps/run/picture_output.h"
-#include "apps/run/scene_input.h"
 #include "apps/run/shown_events.h"
+#include "apps/summary/json_summary.h"
 #include "apps/summary/summary.h"
+#include "apps/summary/text_summary.h"
 #include "apps/terminal/output_files.h"
 #include "io/result/result_file.h"
+#include "io/result/scenario_csv.h"
+#include "io/scene/scenario_file.h"
 #include "radiosity/base/parallel.h"
+#include "study/scenarios.h"
 
 namespace apps {
 namespace {
 
 using radiosity::Method;
 using radiosity::Quantity;
+using radiosity::Scenario;
 
 std::vector<std::string> method_names() {
   std::vector<std::string> names;
@@ -35,8 +43,8 @@ SolveCommand::SolveCommand(CLI::App& program, Interruption& interruption)
   command
       ->add_option(
           "-o,--output", common_.outputs,
-          "Result file, by extension: .vtp (ParaView), .csv, .ply, .png or .exr (picture); "
-          "may be repeated")
+          "Result file, by extension: .vtp (ParaView), .csv, .ply, .png or .exr (picture), or .h5 "
+          "(form factors, for --operator); may be repeated")
       ->check([](const std::string& path) { return check_extension(path, result_extensions()); })
       ->type_name("FILE")
       ->allow_extra_args(false);
@@ -51,13 +59,33 @@ SolveCommand::SolveCommand(CLI::App& program, Interruption& interruption)
   add_compute_options(*command, compute_);
   add_transport_option(*command, compute_);
   add_adaptive_option(*command, compute_);
+  add_operator_option(*command, operator_);
+  auto* scenarios =
+      command
+          ->add_option("--scenarios", scenarios_,
+                       "Solve for each of the lights and reflectances that this file lists (.json) "
+                       "instead of the scene's own; -o then writes a file for each")
+          ->type_name("FILE");
+  command
+      ->add_option(
+          "--table", table_,
+          "With --scenarios: means of irradiance and radiosity, and of each --quantity, by "
+          "scenario and surface (.csv)")
+      ->check([](const std::string& path) { return check_extension(path, {".csv"}); })
+      ->type_name("FILE")
+      ->needs(scenarios);
   add_quantity_options(*command, quantities_);
   add_picture_options(*command, picture_);
   command->callback([this] { run(); });
 }
 
 void SolveCommand::run() const {
-  check_outputs(common_.outputs, common_.scene);
+  const std::vector<Scenario> scenarios =
+      scenarios_ ? io::read_scenarios(*scenarios_) : std::vector<Scenario>();
+  CommonOptions common = common_;
+  common.outputs = all_outputs(scenarios);
+  check_outputs(common.outputs, common_.scene);
+  if (scenarios_) check_against_inputs(common.outputs, {*scenarios_});
   check_false_color(picture_.false_color);
   TerminalProgress terminal(terminal_style(common_));
   const radiosity::ThreadLimit threads(common_.n_threads);
@@ -66,27 +94,105 @@ void SolveCommand::run() const {
   events.divided = [&](const radiosity::Scene& scene, const study::Patches& patches) {
     check_all(scene, patches, quantities, terminal);
   };
-  const study::Study solved = study::run(read_checked_scene(common_, events), compute_, events);
-  io::ResultOptions options = {.wavelengths = solved.scene.bands.wavelengths};
-  for (const Quantity quantity : quantities) {
-    options.quantities.push_back(radiosity::make_field(quantity, solved.mesh, solved.solution,
-                                                       solved.scene.bands,
-                                                       picture_.photometry.efficacy_or_default()));
+  study::Study assembled = assemble_scene(common, compute_, operator_, events);
+  for (const std::string& output : common_.outputs) {
+    if (is_factor_file(output)) write_operator(output, assembled, events.progress);
   }
-  SolveSummary summary = {.solved = solved, .outputs = common_.outputs};
+  if (scenarios_) return solve_all(std::move(assembled), scenarios, events, terminal);
+  const study::Study solved = study::with_light(std::move(assembled), compute_, events);
+  const io::ResultOptions options = {.wavelengths = solved.scene.bands.wavelengths,
+                                     .quantities = fields(solved, quantities)};
+  SolveSummary summary = {.solved = solved, .outputs = common_.outputs, .operator_file = operator_};
   for (const auto& field : options.quantities) {
     summary.quantities.push_back(radiosity::summarize(field, solved.mesh));
   }
+  summary.false_color = write_results(solved, common_.outputs, options, events.progress);
+  print_summary(summary, common_, terminal);
+}
+
+std::vector<std::string> SolveCommand::all_outputs(const std::vector<Scenario>& scenarios) const {
+  if (scenarios.empty()) return common_.outputs;
+  std::vector<std::string> outputs;
   for (const std::string& output : common_.outputs) {
+    if (is_factor_file(output)) outputs.push_back(output);
+  }
+  for (const Scenario& scenario : scenarios) {
+    for (const std::string& output : outputs_of(scenario)) outputs.push_back(output);
+  }
+  if (table_) outputs.push_back(*table_);
+  return outputs;
+}
+
+std::vector<std::string> SolveCommand::outputs_of(const Scenario& scenario) const {
+  std::vector<std::string> outputs;
+  for (const std::string& output : common_.outputs) {
+    if (is_factor_file(output)) continue;
+    std::filesystem::path path = output;
+    const std::string extension = path.extension().string();
+    path.replace_filename(path.stem().string() + "-" + scenario.name + extension);
+    outputs.push_back(path.string());
+  }
+  return outputs;
+}
+
+std::vector<radiosity::QuantityField> SolveCommand::fields(
+    const study::Study& solved, const std::vector<Quantity>& quantities) const {
+  std::vector<radiosity::QuantityField> result;
+  for (const Quantity quantity : quantities) {
+    result.push_back(radiosity::make_field(quantity, solved.mesh, solved.solution,
+                                           solved.scene.bands,
+                                           picture_.photometry.efficacy_or_default()));
+  }
+  return result;
+}
+
+std::optional<ShownScale> SolveCommand::write_results(const study::Study& solved,
+                                                      const std::vector<std::string>& outputs,
+                                                      const io::ResultOptions& options,
+                                                      const radiosity::Progress& progress) const {
+  std::optional<ShownScale> shown;
+  for (const std::string& output : outputs) {
     if (is_picture(output)) {
-      summary.false_color = write_picture(output, solved, picture_, events.progress, interruption_);
-    } else {
+      shown = write_picture(output, solved, picture_, progress, interruption_);
+    } else if (!is_factor_file(output)) {
       const auto lock = interruption_.hold();
       io::write(output, solved.mesh, solved.solution, options);
     }
-    events.progress.check();
+    progress.check();
   }
-  print_summary(summary, common_, terminal);
+  return shown;
+}
+
+void SolveCommand::solve_all(study::Study assembled, const std::vector<Scenario>& scenarios,
+                             const study::StudyEvents& events,
+                             const TerminalProgress& terminal) const {
+  const std::vector<Quantity> asked = chosen_quantities(quantities_);
+  std::vector<Quantity> shown = {Quantity::irradiance, Quantity::radiosity};
+  for (const Quantity quantity : asked) {
+    if (std::find(shown.begin(), shown.end(), quantity) == shown.end()) shown.push_back(quantity);
+  }
+  std::vector<io::ScenarioRow> rows(scenarios.size());
+  std::vector<radiosity::EnergyBalance> energies(scenarios.size());
+  const auto visit = [&](std::size_t k, const study::Study& solved) {
+    rows[k].name = scenarios[k].name;
+    energies[k] = solved.solution.energy;
+    for (const auto& field : fields(solved, shown)) {
+      rows[k].quantities.push_back(radiosity::summarize(field, solved.mesh));
+    }
+    write_results(
+        solved, outputs_of(scenarios[k]),
+        {.wavelengths = solved.scene.bands.wavelengths, .quantities = fields(solved, asked)},
+        events.progress);
+  };
+  const study::Study study =
+      study::solve_scenarios(std::move(assembled), scenarios, compute_, events, visit);
+  if (table_) {
+    const auto lock = interruption_.hold();
+    io::write_scenario_csv(*table_, rows);
+  }
+  const ScenarioSummary summary{study, std::move(rows), std::move(energies), all_outputs(scenarios),
+                                operator_};
+  print(common_.json ? scenarios_json(summary, terminal.warnings()) : scenarios_text(summary));
 }
 
 void SolveCommand::check_all(const radiosity::Scene& scene, const study::Patches& patches,

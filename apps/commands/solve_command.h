@@ -1,11 +1,14 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "apps/options/common_options.h"
 #include "apps/terminal/interruption.h"
 #include "apps/terminal/terminal_progress.h"
+#include "io/result/result_file.h"
+#include "radiosity/scene/scenario.h"
 #include "study/study.h"
 
 namespace CLI {
@@ -14,7 +17,8 @@ class App;
 
 namespace apps {
 
-/// `radiosity solve SCENE [-o FILE]...`: computes the radiosity, writes it, and prints a summary.
+/// `radiosity solve SCENE [-o FILE]... [--scenarios FILE]`: computes the radiosity, writes it, and
+/// prints a summary.
 /// Adds itself to the program and runs when that is parsed; must outlive the parsing.
 class SolveCommand {
  public:
@@ -24,6 +28,20 @@ class SolveCommand {
 
  private:
   void run() const;
+  /// With the light and materials of each scenario.
+  void solve_all(study::Study assembled, const std::vector<radiosity::Scenario>& scenarios,
+                 const study::StudyEvents& events, const TerminalProgress& terminal) const;
+  /// What is written; of several scenarios with their names before the extension.
+  [[nodiscard]] std::vector<std::string> all_outputs(
+      const std::vector<radiosity::Scenario>& scenarios) const;
+  [[nodiscard]] std::vector<std::string> outputs_of(const radiosity::Scenario& scenario) const;
+  [[nodiscard]] std::vector<radiosity::QuantityField> fields(
+      const study::Study& solved, const std::vector<radiosity::Quantity>& quantities) const;
+  /// Writes all but form factors; returns the scale of pictures in false colours.
+  std::optional<ShownScale> write_results(const study::Study& solved,
+                                          const std::vector<std::string>& outputs,
+                                          const io::ResultOptions& options,
+                                          const radiosity::Progress& progress) const;
   /// Finds out before the long work what would be in vain.
   void check_all(const radiosity::Scene& scene, const study::Patches& patches,
                  std::vector<radiosity::Quantity> quantities, TerminalProgress& terminal) const;
@@ -31,6 +49,9 @@ class SolveCommand {
   Interruption& interruption_;
   CommonOptions common_;
   study::StudyOptions compute_;
+  std::optional<std::string> operator_;
+  std::optional<std::string> scenarios_;
+  std::optional<std::string> table_;
   PictureOptions picture_;
   QuantityOptions quantities_;
 };

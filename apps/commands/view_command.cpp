@@ -54,6 +54,7 @@ ViewCommand::ViewCommand(CLI::App& program, Interruption& interruption)
       ->capture_default_str()
       ->type_name("N");
   add_compute_options(*command, compute_);
+  add_transport_option(*command, compute_);
   add_adaptive_option(*command, compute_);
   command->callback([this] { run(); });
 }

@@ -46,6 +46,11 @@ radiosity::Closed closed_choice(const std::string& choice) {
   return choice == "yes" ? radiosity::Closed::yes : radiosity::Closed::no;
 }
 
+radiosity::TransportKind transport_named(const std::string& name) {
+  if (name == "auto") return radiosity::TransportKind::automatic;
+  return name == "dense" ? radiosity::TransportKind::dense : radiosity::TransportKind::compressed;
+}
+
 }  // namespace
 
 void add_common_options(CLI::App& command, CommonOptions& options) {
@@ -140,14 +145,14 @@ void add_transport_option(CLI::App& command, study::StudyOptions& options) {
   command
       .add_option_function<std::string>(
           "--transport",
-          [&options](const std::string& name) {
-            options.transport =
-                name == "dense" ? study::TransportKind::dense : study::TransportKind::compressed;
-          },
-          "How form factors are kept: dense, all of them; compressed, for many patches: memory "
-          "and time hardly grow faster than their number, and the error is verified")
-      ->check(CLI::IsMember({"dense", "compressed"}))
-      ->default_str("dense")
+          [&options](const std::string& name) { options.transport = transport_named(name); },
+          fmt::format(
+              "How form factors are kept: dense, all of them; compressed, for many patches: "
+              "memory and time hardly grow faster than their number, and the error is "
+              "verified; auto, compressed above {} patches or if dense ones do not fit",
+              radiosity::kMostDense))
+      ->check(CLI::IsMember({"auto", "dense", "compressed"}))
+      ->default_str("auto")
       ->type_name("K");
 }
 
@@ -163,6 +168,16 @@ void add_adaptive_option(CLI::App& command, study::StudyOptions& options) {
   if (auto* transport = command.get_option_no_throw("--transport")) {
     command.get_option("--adaptive")->excludes(transport);
   }
+}
+
+void add_operator_option(CLI::App& command, std::optional<std::string>& file) {
+  command
+      .add_option("--operator", file,
+                  "Take patches and form factors of the same surfaces from this file (.h5), which "
+                  "'solve -o' or 'form-factors -o' wrote; light, reflectances and bands may differ")
+      ->type_name("FILE")
+      ->excludes(command.get_option("--transport"))
+      ->excludes(command.get_option("--adaptive"));
 }
 
 void add_picture_options(CLI::App& command, PictureOptions& options) {

@@ -53,6 +53,8 @@ void add_compute_options(CLI::App& command, study::StudyOptions& options);
 void add_transport_option(CLI::App& command, study::StudyOptions& options);
 /// --adaptive, after add_compute_options and add_transport_option.
 void add_adaptive_option(CLI::App& command, study::StudyOptions& options);
+/// --operator, after those.
+void add_operator_option(CLI::App& command, std::optional<std::string>& file);
 void add_picture_options(CLI::App& command, PictureOptions& options);
 
 }  // namespace apps

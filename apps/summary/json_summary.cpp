@@ -34,7 +34,8 @@ Json compression(const radiosity::CompressionReport& report) {
 }
 
 Json form_factors(const radiosity::AssemblyReport& report, std::size_t bytes) {
-  Json result = {{"seconds", report.seconds},
+  Json result = {{"kind", report.compression ? "compressed" : "dense"},
+                 {"seconds", report.seconds},
                  {"pairs",
                   {{"facing", report.facing},
                    {"visible", report.visible},
@@ -73,6 +74,12 @@ Json solve(const radiosity::Solution& solution) {
 
 Json discretisation(const radiosity::DiscretisationError& error) {
   return {{"error", error.relative}, {"order", error.order}, {"lone_patches", error.n_unknown}};
+}
+
+Json energy(const radiosity::EnergyBalance& energy) {
+  return {{"emitted", array(energy.emitted)},
+          {"absorbed", array(energy.absorbed)},
+          {"escaped", array(energy.escaped)}};
 }
 
 Json refinement(const meshing::Refinement& refinement) {
@@ -150,6 +157,16 @@ Json surfaces(const radiosity::PatchMesh& mesh, const Eigen::MatrixXd& factors) 
   return list;
 }
 
+Json factor_list(const std::vector<std::string>& surfaces, const Eigen::VectorXd& factors,
+                 const Eigen::VectorXd& errors) {
+  Json list = Json::array();
+  for (std::size_t s = 0; s < surfaces.size(); ++s) {
+    const auto k = static_cast<Eigen::Index>(s);
+    list.push_back({{"surface", surfaces[s]}, {"factor", factors[k]}, {"error", errors[k]}});
+  }
+  return list;
+}
+
 Json findings(const meshing::Inspection& inspection) {
   Json list = Json::array();
   for (const meshing::Finding& finding : inspection.findings) {
@@ -172,19 +189,16 @@ Json bounds(const radiosity::Box3& box) {
 
 std::string solve_json(const SolveSummary& summary, const std::vector<std::string>& warnings) {
   const study::Study& solved = summary.solved;
-  const radiosity::EnergyBalance& energy = solved.solution.energy;
   Json json = {
       {"patches", solved.mesh.size()},
       {"bands", solved.scene.bands.count()},
       {"form_factors", form_factors(solved.transport->report(), solved.transport->bytes())},
       {"solve", solve(solved.solution)},
       {"discretisation", discretisation(solved.discretisation)},
-      {"energy",
-       {{"emitted", array(energy.emitted)},
-        {"absorbed", array(energy.absorbed)},
-        {"escaped", array(energy.escaped)}}},
+      {"energy", energy(solved.solution.energy)},
       {"outputs", summary.outputs},
       {"warnings", warnings}};
+  if (summary.operator_file) json["form_factors"]["read_from"] = *summary.operator_file;
   if (solved.refinement) json["refinement"] = refinement(*solved.refinement);
   if (radiosity::is_thermal(solved.scene)) {
     json["surfaces"] = surfaces(radiosity::surface_fluxes(solved.mesh, solved.solution));
@@ -202,15 +216,36 @@ std::string solve_json(const SolveSummary& summary, const std::vector<std::strin
   return text(json);
 }
 
+std::string scenarios_json(const ScenarioSummary& summary,
+                           const std::vector<std::string>& warnings) {
+  const study::Study& study = summary.study;
+  Json json = {{"patches", study.mesh.size()},
+               {"bands", study.scene.bands.count()},
+               {"form_factors", form_factors(study.transport->report(), study.transport->bytes())}};
+  if (summary.operator_file) json["form_factors"]["read_from"] = *summary.operator_file;
+  Json list = Json::array();
+  for (std::size_t k = 0; k < summary.scenarios.size(); ++k) {
+    Json quantities;
+    for (const radiosity::QuantitySummary& quantity : summary.scenarios[k].quantities) {
+      quantities[std::string(quantity.info.name)] = by_surface(quantity);
+    }
+    list.push_back({{"name", summary.scenarios[k].name},
+                    {"energy", energy(summary.energies[k])},
+                    {"quantities", quantities}});
+  }
+  json["scenarios"] = list;
+  json["outputs"] = summary.outputs;
+  json["warnings"] = warnings;
+  return text(json);
+}
+
 std::string form_factors_json(const FactorSummary& summary,
                               const std::vector<std::string>& warnings) {
   const radiosity::PatchMesh& mesh = summary.mesh;
   Json json = {{"patches", mesh.size()}, {"bands", summary.scene.bands.count()}};
-  if (summary.factors != nullptr) {
-    json["form_factors"] = form_factors(summary.factors->report(), summary.factors->bytes());
-    if (summary.min_factor > 0) {
-      json["dropped"] = dropped(summary.min_factor, summary.factors->dropped());
-    }
+  if (summary.report != nullptr) {
+    json["form_factors"] = form_factors(*summary.report, summary.bytes);
+    if (summary.min_factor > 0) json["dropped"] = dropped(summary.min_factor, summary.dropped);
   }
   if (summary.by_surface.size() > 0) json["surfaces"] = surfaces(mesh, summary.by_surface);
   json["outputs"] = summary.outputs;
@@ -221,20 +256,26 @@ std::string form_factors_json(const FactorSummary& summary,
 std::string factors_from_json(const FactorsFrom& factors, const std::vector<std::string>& outputs,
                               const std::vector<std::string>& warnings) {
   const auto& [value, error] = factors.shares;
-  Json list = Json::array();
-  for (std::size_t s = 0; s < factors.surface_names.size(); ++s) {
-    const auto k = static_cast<Eigen::Index>(s);
-    list.push_back({{"surface", factors.surface_names[s]},
-                    {"factor", value.surfaces[k]},
-                    {"error", error.surfaces[k]}});
-  }
   return text({{"from", factors.from},
-               {"factors", list},
+               {"factors", factor_list(factors.surface_names, value.surfaces, error.surfaces)},
                {"backs", value.backs},
                {"backs_error", error.backs},
                {"sky", value.sky},
                {"sky_error", error.sky},
                {"sum", value.sum()},
+               {"outputs", outputs},
+               {"warnings", warnings}});
+}
+
+std::string factor_row_json(const FactorRow& row, const std::vector<std::string>& outputs,
+                            const std::vector<std::string>& warnings) {
+  const radiosity::JointRow shares = by_surface(row);
+  return text({{"row", row.row},
+               {"patches", row.mesh.size()},
+               {"row_patches", row.patches},
+               {"evaluated", row.is_evaluated},
+               {"factors", factor_list(row.mesh.surface_names, shares.factor, shares.error)},
+               {"sum", shares.factor.sum()},
                {"outputs", outputs},
                {"warnings", warnings}});
 }

@@ -14,6 +14,7 @@ namespace apps {
 struct SolveSummary {
   const study::Study& solved;
   const std::vector<std::string>& outputs;
+  std::optional<std::string> operator_file = std::nullopt;  ///< that has the form factors
   std::vector<radiosity::QuantitySummary> quantities = {};  ///< that were asked for
   std::optional<ShownScale> false_color = std::nullopt;     ///< of pictures in false colours
 };

@@ -60,6 +60,8 @@ std::string bytes(std::size_t n) {
                            : fmt::format("{:.2f} GB", static_cast<double>(n) * 1e-9);
 }
 
+std::string seconds_text(double seconds) { return fmt::format("{:.3g} s", seconds); }
+
 std::string scene_lines(const radiosity::Scene& scene, const radiosity::PatchMesh& mesh) {
   return line("scene", one_line(scene.source)) +
          line("patches", fmt::format("{} on {} surfaces", mesh.size(), mesh.surface_names.size()));
@@ -85,8 +87,10 @@ std::string surface_factor_table(const radiosity::PatchMesh& mesh, const Eigen::
   return table(rows);
 }
 
-std::string form_factor_lines(const radiosity::AssemblyReport& report, std::size_t size) {
-  std::string text = line("form factors", fmt::format("{:.3g} s, {}", report.seconds, bytes(size)));
+/// `origin` tells where they come from.
+std::string form_factor_lines(const radiosity::AssemblyReport& report, std::size_t size,
+                              const std::string& origin) {
+  std::string text = line("form factors", fmt::format("{}, {}", origin, bytes(size)));
   if (report.compression) {
     const radiosity::CompressionReport& compression = *report.compression;
     text +=
@@ -106,6 +110,19 @@ std::string form_factor_lines(const radiosity::AssemblyReport& report, std::size
                fmt::format("|1 - row sum| {:.2g} on average, at most {:.2g} ({})",
                            report.closure_mean, report.closure_max,
                            report.closed ? "closed scene, since corrected" : "open scene"));
+  return text;
+}
+
+/// The scene and its form factors, which a file may have.
+std::string study_lines(const study::Study& study,
+                        const std::optional<std::string>& operator_file) {
+  const radiosity::AssemblyReport& report = study.transport->report();
+  const std::string origin =
+      operator_file ? "from " + one_line(*operator_file) : seconds_text(report.seconds);
+  std::string text = scene_lines(study.scene, study.mesh) +
+                     form_factor_lines(report, study.transport->bytes(),
+                                       origin + (report.compression ? ", compressed" : ", dense"));
+  if (operator_file && report.compression) text += line("", "verified for the light of then");
   return text;
 }
 
@@ -225,6 +242,14 @@ std::string bounds_text(const radiosity::Box3& box) {
       box.max().y(), box.max().z());
 }
 
+Row destination_head() { return {"to", "factor", "one-sigma error"}; }
+
+Row destination_row(const std::string& to, double share, double sigma) {
+  // What is exact up to rounding has no error worth showing.
+  return {to, fmt::format("{:.8f}", std::abs(share) < 5e-9 ? 0.0 : share),
+          sigma < 1e-14 ? "-" : fmt::format("{:.1e}", sigma)};
+}
+
 std::string finding_lines(const meshing::Inspection& inspection) {
   if (inspection.findings.empty()) return "no findings\n";
   std::string text;
@@ -238,26 +263,44 @@ std::string finding_lines(const meshing::Inspection& inspection) {
 
 }  // namespace
 
+std::string scenarios_text(const ScenarioSummary& summary) {
+  const radiosity::Bands& bands = summary.study.scene.bands;
+  std::vector<Row> rows = {{"scenario", "emitted, " + radiosity::band_unit("W", bands)}};
+  for (const radiosity::QuantitySummary& quantity : summary.scenarios.front().quantities) {
+    rows.front().push_back((quantity.info.is_additive ? "sum of " : "mean ") +
+                           std::string(quantity.info.name) + ", " + quantity.unit);
+  }
+  for (std::size_t k = 0; k < summary.scenarios.size(); ++k) {
+    const io::ScenarioRow& scenario = summary.scenarios[k];
+    Row row = {one_line(scenario.name), numbers(summary.energies[k].emitted)};
+    for (const radiosity::QuantitySummary& quantity : scenario.quantities) {
+      row.push_back(numbers(quantity.info.is_additive ? quantity.total.sum : quantity.total.mean));
+    }
+    rows.push_back(row);
+  }
+  std::string text = study_lines(summary.study, summary.operator_file) + table(rows);
+  for (const std::string& output : summary.outputs) text += line("written", one_line(output));
+  return text;
+}
+
 std::string form_factors_text(const FactorSummary& summary) {
   std::string text = scene_lines(summary.scene, summary.mesh);
-  if (summary.factors != nullptr) {
-    text += form_factor_lines(summary.factors->report(), summary.factors->bytes());
-    if (summary.min_factor > 0) {
-      text += dropped_lines(summary.min_factor, summary.factors->dropped());
-    }
+  if (summary.report != nullptr) {
+    text +=
+        form_factor_lines(*summary.report, summary.bytes, seconds_text(summary.report->seconds));
+    if (summary.min_factor > 0) text += dropped_lines(summary.min_factor, summary.dropped);
   }
   if (summary.by_surface.size() > 0) {
     text += surface_factor_table(summary.mesh, summary.by_surface);
   }
-  const std::string_view label = summary.factors != nullptr ? "written" : "complete";
+  const std::string_view label = summary.report != nullptr ? "written" : "complete";
   for (const std::string& output : summary.outputs) text += line(label, one_line(output));
   return text;
 }
 
 std::string solve_text(const SolveSummary& summary) {
   const study::Study& solved = summary.solved;
-  std::string text = scene_lines(solved.scene, solved.mesh) +
-                     form_factor_lines(solved.transport->report(), solved.transport->bytes());
+  std::string text = study_lines(solved, summary.operator_file);
   if (solved.refinement) text += refinement_lines(*solved.refinement);
   text += solve_lines(solved.solution);
   text += discretisation_lines(solved.discretisation);
@@ -271,13 +314,29 @@ std::string solve_text(const SolveSummary& summary) {
   return text;
 }
 
+std::string factor_row_text(const FactorRow& row, const std::vector<std::string>& outputs) {
+  std::string text = line("row", one_line(row.row) + (row.is_evaluated ? ", evaluated" : ""));
+  const std::string& surface = row.mesh.surface_names[row.mesh.surface[row.patches[0]]];
+  text += line("of", row.patches.size() == 1
+                         ? fmt::format("patch {} of {}", row.patches[0], one_line(surface))
+                         : fmt::format("{} patches", row.patches.size()));
+  const radiosity::JointRow shares = by_surface(row);
+  std::vector<Row> rows = {destination_head()};
+  for (std::size_t s = 0; s < row.mesh.surface_names.size(); ++s) {
+    const auto k = static_cast<Eigen::Index>(s);
+    rows.push_back(
+        destination_row(one_line(row.mesh.surface_names[s]), shares.factor[k], shares.error[k]));
+  }
+  text += table(rows) + line("sum", fmt::format("{:.8f}", shares.factor.sum()));
+  for (const std::string& output : outputs) text += line("written", one_line(output));
+  return text;
+}
+
 std::string factors_from_text(const FactorsFrom& factors, const std::vector<std::string>& outputs) {
   const auto& [value, error] = factors.shares;
-  std::vector<Row> rows = {{"to", "factor", "one-sigma error"}};
+  std::vector<Row> rows = {destination_head()};
   const auto add = [&](const std::string& to, double share, double sigma) {
-    // What is exact up to rounding has no error worth showing.
-    rows.push_back({to, fmt::format("{:.8f}", std::abs(share) < 5e-9 ? 0.0 : share),
-                    sigma < 1e-14 ? "-" : fmt::format("{:.1e}", sigma)});
+    rows.push_back(destination_row(to, share, sigma));
   };
   for (std::size_t s = 0; s < factors.surface_names.size(); ++s) {
     const auto k = static_cast<Eigen::Index>(s);

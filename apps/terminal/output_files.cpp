@@ -21,7 +21,8 @@ bool contains(const std::vector<std::string>& list, const std::string& item) {
 }  // namespace
 
 const std::vector<std::string>& result_extensions() {
-  static const std::vector<std::string> extensions = {".vtp", ".csv", ".ply", ".png", ".exr"};
+  static const std::vector<std::string> extensions = {".vtp", ".csv", ".ply",
+                                                      ".png", ".exr", ".h5"};
   return extensions;
 }
 
@@ -38,6 +39,8 @@ const std::vector<std::string>& form_factor_extensions() {
 bool is_picture(const fs::path& path) {
   return contains(picture_extensions(), io::lower_case_extension(path));
 }
+
+bool is_factor_file(const fs::path& path) { return io::lower_case_extension(path) == ".h5"; }
 
 std::string check_extension(const std::string& path, const std::vector<std::string>& allowed) {
   if (contains(allowed, io::lower_case_extension(path))) return "";

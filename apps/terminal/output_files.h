@@ -8,6 +8,8 @@ namespace apps {
 
 /// Whether the file is a picture (.png or .exr) by its extension.
 bool is_picture(const std::filesystem::path& path);
+/// Whether it holds form factors (.h5).
+bool is_factor_file(const std::filesystem::path& path);
 
 /// Extensions that `solve` writes; `render` writes the pictures only. `form-factors` writes .h5
 /// and, for the factors between surfaces, .csv.

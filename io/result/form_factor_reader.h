@@ -8,6 +8,7 @@
 
 #include "radiosity/base/geometry.h"
 #include "radiosity/operator/factor_rows.h"
+#include "radiosity/operator/transport.h"
 #include "radiosity/scene/patch_mesh.h"
 
 namespace io {
@@ -44,6 +45,12 @@ class FormFactorReader final : public radiosity::FactorRows {
   [[nodiscard]] bool closed() const;        ///< whether the scene was taken as closed
   /// Of the patches and options (radiosity::stream_fingerprint); may be empty.
   [[nodiscard]] const std::string& fingerprint() const;
+  /// Of the scene's surfaces (FormFactorFileOptions::geometry); may be empty.
+  [[nodiscard]] const std::string& geometry() const;
+  /// Σ_j F_ij, n: as the operator had them that the entries, perhaps rounded, were taken from.
+  [[nodiscard]] Eigen::VectorXd row_sums() const;
+  /// How they were made. Files of before it was stored are refused.
+  [[nodiscard]] radiosity::AssemblyReport report() const;
   [[nodiscard]] const std::vector<std::string>& warnings() const;
 
  private:

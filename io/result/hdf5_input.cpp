@@ -141,4 +141,48 @@ std::vector<std::string> read_names(hid_t file, const char* name) {
   return names;
 }
 
+std::optional<std::string> find_text_attribute(hid_t file, const char* name) {
+  if (H5Aexists(file, name) <= 0) return std::nullopt;
+  const Handle attribute(H5Aopen(file, name, H5P_DEFAULT), H5Aclose);
+  const Handle type(H5Aget_type(attribute), H5Tclose);
+  constexpr std::size_t kLongest = 1 << 12;  // one that we wrote is 16 bytes long
+  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0 ||
+      H5Tget_size(type) > kLongest) {
+    return std::nullopt;
+  }
+  std::string text(H5Tget_size(type), '\0');
+  if (H5Aread(attribute, type, text.data()) < 0) return std::nullopt;
+  return text;
+}
+
+Handle open_file(const std::filesystem::path& path, std::string_view kind) {
+  (void)input_size(path);
+  prepare_library();
+  if (H5Fis_hdf5(path.c_str()) <= 0) throw HdfError(fmt::format("is not {} (HDF5)", kind));
+  const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  if (id < 0) throw HdfError("is cut off or damaged: HDF5 cannot open it");
+  return {id, H5Fclose};
+}
+
+void check_version(hid_t file, std::string_view kind, std::int64_t newest,
+                   std::span<const char* const> required) {
+  std::vector<std::string> missing;
+  if (H5Aexists(file, "version") > 0) {
+    const auto version = read_attribute<std::int64_t>(file, "version");
+    if (version > newest) {
+      throw HdfError(fmt::format(
+          "was written by a newer version of this program (format {}, this one reads {})", version,
+          newest));
+    }
+  } else {
+    missing.emplace_back("attribute \"version\"");
+  }
+  for (const char* name : required) {
+    if (!has_dataset(file, name)) missing.push_back(fmt::format("/{}", name));
+  }
+  if (missing.empty()) return;
+  throw HdfError(
+      fmt::format("is no {} of this program: it lacks {}", kind, fmt::join(missing, ", ")));
+}
+
 }  // namespace io::hdf5

@@ -4,11 +4,19 @@
 #include <hdf5.h>
 
 #include <cmath>
+#include <cstdint>
+#include <filesystem>
 #include <initializer_list>
+#include <new>
+#include <optional>
+#include <span>
+#include <stdexcept>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
+#include "io/base/line_reader.h"
 #include "io/result/hdf5_file.h"
 
 /// Reading HDF5 files that may be damaged or made by others. All functions throw HdfError telling
@@ -96,6 +104,31 @@ T read_attribute(hid_t file, const char* name) {
     throw HdfError(fmt::format("the attribute \"{}\" is no number", name));
   }
   return value;
+}
+
+/// A text that the file has as an attribute, of fixed length; nothing if there is none.
+std::optional<std::string> find_text_attribute(hid_t file, const char* name);
+
+/// Opens a file of ours to be read; `kind` is what it should be, for messages.
+Handle open_file(const std::filesystem::path& path, std::string_view kind);
+
+/// Refuses files without an attribute "version", of a version above `newest`, or without one of the
+/// datasets `required`.
+void check_version(hid_t file, std::string_view kind, std::int64_t newest,
+                   std::span<const char* const> required);
+
+/// Does `action`; what goes wrong becomes a SceneError that names the file.
+template <typename Action>
+auto checked(const std::filesystem::path& path, const Action& action) {
+  try {
+    return action();
+  } catch (const HdfError& error) {
+    fail(path, error.what());
+  } catch (const std::bad_alloc&) {
+    fail(path, "is damaged, or needs more memory than there is");
+  } catch (const std::length_error&) {
+    fail(path, "is damaged: it holds less than it says");
+  }
 }
 
 }  // namespace io::hdf5

@@ -5,7 +5,7 @@
 
 #include "meshing/adaptive/refinable_mesh.h"
 #include "radiosity/assembly/dense_memory.h"
-#include "radiosity/assembly/make_transport.h"
+#include "radiosity/assembly/make_dense_transport.h"
 #include "radiosity/base/machine_memory.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/radiometry.h"
@@ -69,7 +69,7 @@ class Refiner {
     TransportOptions last = options_.transport;
     last.known = {stage.transport.get(), same};
     last.memory = memory_beside(stage.transport.get());
-    result.transport = make_transport(patches_.mesh(), stage.visibility, last);
+    result.transport = make_dense_transport(patches_.mesh(), stage.visibility, last);
     result.mesh = patches_.mesh();
     result.visibility = std::move(stage.visibility);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
@@ -103,7 +103,7 @@ class Refiner {
     transport.closed = Closed::no;
     transport.known = known;
     transport.memory = memory_beside(known.transport);
-    stage.transport = make_transport(mesh, stage.visibility, transport);
+    stage.transport = make_dense_transport(mesh, stage.visibility, transport);
     SolveOptions solving;
     solving.tolerance = kSolveTolerance;
     solving.estimates_errors = false;

@@ -11,18 +11,13 @@
 namespace radiosity {
 namespace {
 
-constexpr Index kTileSize = 64;
-
-/// Makes dense tiles of the exchange matrix. The largest clusters of at most kTileSize patches are
-/// the strips of the tiles.
+/// Makes dense tiles of the exchange matrix.
 class TileMaker final : public BlockVisitor {
  public:
   TileMaker(const ExchangeEvaluator& evaluator, const Progress& progress, TileSink& sink)
       : evaluator_(evaluator), progress_(progress), sink_(sink) {
     find_strips();
-    std::vector<Index> boundaries{0};
-    for (const std::int32_t strip : strips_) boundaries.push_back(cluster(strip).end);
-    sink.start({evaluator.tree().order, Strips(boundaries)});
+    sink.start(tile_layout(evaluator.tree()));
     if (!strips_.empty()) count_done();
   }
 
@@ -128,6 +123,14 @@ class TileMaker final : public BlockVisitor {
 };
 
 }  // namespace
+
+TileLayout tile_layout(const ClusterTree& tree) {
+  std::vector<Index> boundaries{0};
+  for (const std::int32_t strip : largest_clusters(tree, kTileSize)) {
+    boundaries.push_back(tree.clusters[strip].end);
+  }
+  return {tree.order, Strips(std::move(boundaries))};
+}
 
 void assemble_tiles(const PatchMesh& mesh, const Visibility& visibility,
                     const TransportOptions& options, const Coverage& coverage, TileSink& sink) {

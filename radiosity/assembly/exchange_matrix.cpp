@@ -48,6 +48,37 @@ void ExchangeMatrix::store(Tile& tile, const Eigen::MatrixXd& values) const {
   }
 }
 
+void ExchangeMatrix::store_entry(Tile& tile, Index n_entries, Index place, double value) const {
+  if (is_double_) {
+    if (!tile.twice) tile.twice = std::make_unique<double[]>(n_entries);
+    tile.twice[place] = value;
+  } else {
+    if (!tile.single) tile.single = std::make_unique<float[]>(n_entries);
+    tile.single[place] = static_cast<float>(value);
+  }
+}
+
+void ExchangeMatrix::set_row(Index i, const Eigen::VectorXd& values,
+                             const Eigen::VectorXd& errors) {
+  const Index strip = strips_.of_row(i);
+  const Index n_rows = strips_.rows(strip);
+  const Index row = i - strips_.begin(strip);
+  for (Index other = strip; other < strips_.size(); ++other) {
+    Tile& tile = tiles_[Strips::tile(strip, other)];
+    for (Index column = 0; column < strips_.rows(other); ++column) {
+      const Index j = strips_.begin(other) + column;
+      if (values[j] != 0) {
+        store_entry(tile, n_rows * strips_.rows(other), row + column * n_rows, values[j]);
+      }
+      if (errors[j] == 0) continue;
+      const UncertainEntry entry{static_cast<std::uint16_t>(row),
+                                 static_cast<std::uint16_t>(column), static_cast<float>(errors[j])};
+      tile.uncertain.insert(
+          std::upper_bound(tile.uncertain.begin(), tile.uncertain.end(), entry, is_before), entry);
+    }
+  }
+}
+
 /// Calls change(tile, k, i, j, place) for the k-th uncertain entry of each tile, at (i, j) of the
 /// matrix and that place of the tile.
 template <typename Change>

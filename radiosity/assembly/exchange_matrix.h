@@ -24,6 +24,9 @@ class ExchangeMatrix final : public UncertainExchange {
 
   /// Stores a tile. Different tiles may be set from different threads at once.
   void set(ExchangeTile tile);
+  /// Stores a row of G in tiles that are not set: entries on its diagonal tile and right of it,
+  /// with their standard errors, both n. Rows of one strip may not be set from different threads.
+  void set_row(Index i, const Eigen::VectorXd& values, const Eigen::VectorXd& errors);
 
   void freeze(const Eigen::VectorXd& mask) override;
   void adjust(const Eigen::VectorXd& factors) override;
@@ -66,6 +69,7 @@ class ExchangeMatrix final : public UncertainExchange {
   template <typename Term>
   [[nodiscard]] Eigen::MatrixXd sum_entries(const Eigen::MatrixXd& x, const Term& term) const;
   void store(Tile& tile, const Eigen::MatrixXd& values) const;
+  void store_entry(Tile& tile, Index n_entries, Index place, double value) const;
 
   Strips strips_;
   std::vector<Tile> tiles_;

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "radiosity/assembly/transport_options.h"
@@ -55,6 +56,19 @@ class CompressedTransport final : public Transport, public FactorRows, public Pa
   [[nodiscard]] const FactorRows* rows() const override { return this; }
   [[nodiscard]] bool has_quick_rows() const override { return false; }
   [[nodiscard]] const PairSums* pair_sums() const override { return this; }
+
+  /// What it consists of, but for the blocks, which the matrix has.
+  [[nodiscard]] const Parts& parts() const { return parts_; }
+  [[nodiscard]] const CompressedMatrix& matrix() const { return matrix_; }
+  /// Of the matrix's rows.
+  [[nodiscard]] const PatchOrder& order() const { return order_; }
+  /// Replaces what is added to the blocks: for light, as Parts::sources; to close the rows, as
+  /// Parts::multipliers, with the report of these.
+  void set_sources(std::vector<Parts::Source> sources) { parts_.sources = std::move(sources); }
+  void set_closure(Eigen::VectorXd multipliers, AssemblyReport report) {
+    parts_.multipliers = std::move(multipliers);
+    parts_.report = std::move(report);
+  }
 
   [[nodiscard]] Eigen::VectorXd row(Index i) const override;
   [[nodiscard]] Eigen::VectorXd row_error(Index i) const override;

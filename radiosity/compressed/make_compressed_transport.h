@@ -26,6 +26,9 @@ std::unique_ptr<CompressedTransport> make_compressed_transport(const PatchMesh& 
                                                                const TransportOptions& options = {},
                                                                const ExpectedLight& light = {});
 
+/// Memory that the assembly for n patches takes, about, bytes.
+std::size_t compressed_transport_bytes(Index n_patches);
+
 /// Throws SolveError, with the figures and the way out, if so many patches will not fit into
 /// `memory` bytes (0 = what the machine has).
 void check_compressed_memory(Index n_patches, std::size_t memory = 0);

@@ -21,7 +21,7 @@
 #include "meshing/adaptive/adaptive.h"
 #include "meshing/inspect/inspect.h"
 #include "meshing/patches/patches.h"
-#include "radiosity/assembly/make_transport.h"
+#include "radiosity/assembly/make_dense_transport.h"
 #include "radiosity/assembly/transport_options.h"
 #include "radiosity/exchange/point_factors.h"
 #include "radiosity/operator/surface_factors.h"
@@ -137,7 +137,7 @@ Case make_case(Scene scene, const meshing::PatchOptions& options) {
   if (result.scene.closed) {
     transport.closed = *result.scene.closed ? Closed::yes : Closed::no;
   }
-  result.transport = make_transport(result.mesh, Visibility(result.mesh), transport);
+  result.transport = make_dense_transport(result.mesh, Visibility(result.mesh), transport);
   return result;
 }
 

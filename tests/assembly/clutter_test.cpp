@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "bench/bench_scenes.h"
-#include "radiosity/assembly/make_transport.h"
+#include "radiosity/assembly/make_dense_transport.h"
 #include "radiosity/assembly/transport_options.h"
 #include "radiosity/base/parallel.h"
 #include "radiosity/operator/transport.h"
@@ -71,8 +71,8 @@ TEST_P(ClutteredRooms, KeepTheToleranceAndTheirErrors) {
     const PatchMesh mesh = bench::cluttered_room(seed, n_patches);
     const Visibility visibility(mesh);
     const auto transport =
-        make_transport(mesh, visibility, {.tolerance = tolerance, .closed = Closed::no});
-    const auto reference = make_transport(
+        make_dense_transport(mesh, visibility, {.tolerance = tolerance, .closed = Closed::no});
+    const auto reference = make_dense_transport(
         mesh, visibility, {.tolerance = kReference * tolerance, .closed = Closed::no, .seed = 1});
     EXPECT_LE(compare(mesh, *transport, *reference, errors), tolerance) << "seed " << seed;
   }
@@ -96,7 +96,7 @@ TEST(Clutter, GivesTheSameBitsAtAnyNumberOfThreads) {
   const Visibility visibility(mesh);
   const auto run = [&] {
     const auto transport =
-        make_transport(mesh, visibility, {.tolerance = 1e-2, .closed = Closed::no});
+        make_dense_transport(mesh, visibility, {.tolerance = 1e-2, .closed = Closed::no});
     Eigen::MatrixXd rows(mesh.size(), mesh.size());
     for (Index i = 0; i < mesh.size(); ++i) rows.row(i) = rows_of(*transport).row(i);
     return rows;
@@ -114,8 +114,9 @@ TEST(Clutter, CoarsePatchesAgreeWithTheirParts) {
   const Visibility of_coarse(coarse);
   const Visibility of_fine(fine);
   const auto transport =
-      make_transport(coarse, of_coarse, {.tolerance = kTolerance, .closed = Closed::no});
-  const auto parts = make_transport(fine, of_fine, {.tolerance = kTolerance, .closed = Closed::no});
+      make_dense_transport(coarse, of_coarse, {.tolerance = kTolerance, .closed = Closed::no});
+  const auto parts =
+      make_dense_transport(fine, of_fine, {.tolerance = kTolerance, .closed = Closed::no});
   const auto n_polygons = static_cast<Index>(coarse.polygon.back()) + 1;
   const auto sum_up = [&](const PatchMesh& mesh, const Transport& factors) {
     Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(n_polygons, n_polygons);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "meshing/patches/patches.h"
-#include "radiosity/assembly/make_transport.h"
+#include "radiosity/assembly/make_dense_transport.h"
 #include "radiosity/assembly/transport_options.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/radiometry.h"
@@ -24,7 +24,7 @@ namespace {
 Solution solve_patches(const Scene& scene, const PatchMesh& mesh) {
   const Visibility visibility(mesh);
   const auto transport =
-      make_transport(mesh, visibility, {.tolerance = 1e-3, .closed = Closed::yes});
+      make_dense_transport(mesh, visibility, {.tolerance = 1e-3, .closed = Closed::yes});
   const Solution solution = solve(*transport, exitance(scene, mesh), reflectance(scene, mesh));
   return with_discretisation_error(solution, discretisation_error(mesh, *transport, solution));
 }
@@ -70,7 +70,7 @@ TEST(UnevenLight, ScalesWithLightAndNotWithLengths) {
   const Scene scene = test::make_hung_boxes(2);
   const PatchMesh mesh = meshing::make_patches(scene, {.n_patches = 130});
   const Visibility visibility(mesh);
-  const auto transport = make_transport(mesh, visibility);
+  const auto transport = make_dense_transport(mesh, visibility);
   const Eigen::MatrixXd light = exitance(scene, mesh);
   const Eigen::MatrixXd rho = reflectance(scene, mesh);
   const Eigen::MatrixXd error = uneven_light_error(mesh, *transport, solve(*transport, light, rho));

@@ -8,7 +8,7 @@
 
 #include "meshing/inspect/inspect.h"
 #include "meshing/patches/patches.h"
-#include "radiosity/assembly/make_transport.h"
+#include "radiosity/assembly/make_dense_transport.h"
 #include "radiosity/assembly/transport_options.h"
 #include "radiosity/exchange/sampled_destinations.h"
 #include "radiosity/operator/surface_factors.h"
@@ -40,8 +40,8 @@ struct Solved {
   explicit Solved(PatchMesh patches)
       : mesh(std::move(patches)),
         visibility(mesh),
-        transport(make_transport(mesh, visibility,
-                                 {.tolerance = kHardTolerance, .closed = Closed::no})) {}
+        transport(make_dense_transport(mesh, visibility,
+                                       {.tolerance = kHardTolerance, .closed = Closed::no})) {}
 
   [[nodiscard]] Eigen::MatrixXd factors() const {
     Eigen::MatrixXd rows(mesh.size(), mesh.size());

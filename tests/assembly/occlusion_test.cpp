@@ -10,7 +10,7 @@
 
 #include "io/scene/scene_file.h"
 #include "meshing/patches/patches.h"
-#include "radiosity/assembly/make_transport.h"
+#include "radiosity/assembly/make_dense_transport.h"
 #include "radiosity/assembly/transport_options.h"
 #include "radiosity/base/parallel.h"
 #include "radiosity/exchange/pair_kernel.h"
@@ -29,10 +29,10 @@ TEST(BoxInBox, ClosesWithoutCorrection) {
   const Visibility visibility(mesh);
   for (const double tolerance : {1e-2, 1e-3, 1e-5}) {
     const auto transport =
-        make_transport(mesh, visibility, {.tolerance = tolerance, .closed = Closed::no});
+        make_dense_transport(mesh, visibility, {.tolerance = tolerance, .closed = Closed::no});
     EXPECT_LE(transport->report().closure_max, tolerance);
     EXPECT_FALSE(transport->report().closed);
-    const auto closed = make_transport(mesh, visibility, {.tolerance = tolerance});
+    const auto closed = make_dense_transport(mesh, visibility, {.tolerance = tolerance});
     EXPECT_TRUE(closed->report().closed);
     EXPECT_EQ(closed->report().open_rows, 0);
     const Eigen::VectorXd sums = closed->apply(Eigen::VectorXd::Ones(mesh.size()));
@@ -45,9 +45,9 @@ TEST(BoxInBox, ErrorsHoldAndSumUpToTheTolerance) {
   const PatchMesh mesh = box_in_box(6, 3);
   const Visibility visibility(mesh);
   const auto transport =
-      make_transport(mesh, visibility, {.tolerance = kTolerance, .closed = Closed::no});
+      make_dense_transport(mesh, visibility, {.tolerance = kTolerance, .closed = Closed::no});
   const auto reference =
-      make_transport(mesh, visibility, {.tolerance = 1e-7, .closed = Closed::no});
+      make_dense_transport(mesh, visibility, {.tolerance = 1e-7, .closed = Closed::no});
   double difference = 0;
   double errors = 0;
   double sum = 0;
@@ -119,7 +119,7 @@ TEST(Certificates, AreNeverWrong) {
                                                {.n_patches = 4608});
   const Visibility visibility(mesh);
   const auto transport =
-      make_transport(mesh, visibility, {.tolerance = 1e-2, .closed = Closed::no});
+      make_dense_transport(mesh, visibility, {.tolerance = 1e-2, .closed = Closed::no});
   const PreparedMesh prepared(mesh);
   const PairKernel kernel(prepared, 1e-6);
   const Vec3 center = bounds(mesh).center();

@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "radiosity/assembly/make_transport.h"
+#include "radiosity/assembly/make_dense_transport.h"
 #include "radiosity/assembly/transport_options.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/visibility/visibility.h"
@@ -15,7 +15,7 @@ using namespace radiosity;
 void print(const PatchMesh& mesh, double tolerance) {
   const Visibility visibility(mesh);
   const auto transport =
-      make_transport(mesh, visibility, {.tolerance = tolerance, .closed = Closed::no});
+      make_dense_transport(mesh, visibility, {.tolerance = tolerance, .closed = Closed::no});
   for (Index i = 0; i < mesh.size(); ++i) {
     for (const double factor : rows_of(*transport).row(i)) std::printf("%.17g\n", factor);
   }

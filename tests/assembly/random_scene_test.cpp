@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "radiosity/assembly/make_transport.h"
+#include "radiosity/assembly/make_dense_transport.h"
 #include "radiosity/base/parallel.h"
 #include "radiosity/polygon/exchange_area.h"
 #include "radiosity/scene/patch_mesh.h"
@@ -100,7 +100,7 @@ TEST(RandomScenes, FactorsAreBoundedAndAgreeWithMonteCarlo) {
   for (int scene = 0; scene < kScenes; ++scene) {
     const PatchMesh mesh = random_scene(random, kPatches);
     const Visibility visibility(mesh);
-    const auto transport = make_transport(mesh, visibility, {.tolerance = 1e-3});
+    const auto transport = make_dense_transport(mesh, visibility, {.tolerance = 1e-3});
     for (Index i = 0; i < mesh.size(); ++i) {
       const Eigen::VectorXd row = rows_of(*transport).row(i);
       const Eigen::VectorXd error = rows_of(*transport).row_error(i);

@@ -1,5 +1,5 @@
 #include "radiosity/operator/transport.h"
-#include "radiosity/assembly/make_transport.h"
+#include "radiosity/assembly/make_dense_transport.h"
 #include "radiosity/assembly/transport_options.h"
 
 #include <gtest/gtest.h>
@@ -57,7 +57,7 @@ TEST(Transport, CubeFacesAreExact) {
   PatchMesh mesh;
   add_box(mesh, Vec3::Zero(), Vec3::Ones(), 1, Facing::inwards);
   const Visibility visibility(mesh);
-  const auto transport = make_transport(mesh, visibility);
+  const auto transport = make_dense_transport(mesh, visibility);
   // tests/data/form-factors.json: cube interior.
   const Eigen::VectorXd row = rows_of(*transport).row(0);
   EXPECT_EQ(row[0], 0);
@@ -72,7 +72,7 @@ TEST(Transport, ConvexRoomNeedsNoRaysAndCloses) {
   PatchMesh mesh;
   add_box(mesh, Vec3::Zero(), Vec3(1, 2, 0.7), 8, Facing::inwards);
   const Visibility visibility(mesh);
-  const auto transport = make_transport(mesh, visibility);
+  const auto transport = make_dense_transport(mesh, visibility);
   EXPECT_EQ(transport->report().rays, 0);
   EXPECT_LT(transport->report().closure_max, 1e-8);
 }
@@ -80,7 +80,7 @@ TEST(Transport, ConvexRoomNeedsNoRaysAndCloses) {
 TEST(Transport, ReciprocityIsExact) {
   const PatchMesh mesh = box_in_box(3, 3);
   const Visibility visibility(mesh);
-  const auto transport = make_transport(mesh, visibility);
+  const auto transport = make_dense_transport(mesh, visibility);
   Eigen::MatrixXd exchange(mesh.size(), mesh.size());
   Eigen::MatrixXd factors(mesh.size(), mesh.size());
   for (Index i = 0; i < mesh.size(); ++i) {
@@ -113,7 +113,7 @@ TEST(Transport, SquareScreenBetweenSquares) {
       test::make_two_sided(mesh, screen);
       const Visibility visibility(mesh);
       for (const double tolerance : {1e-3, 1e-7}) {
-        const auto transport = make_transport(mesh, visibility, {.tolerance = tolerance});
+        const auto transport = make_dense_transport(mesh, visibility, {.tolerance = tolerance});
         const SurfaceFactor factor = surface_factor(mesh, *transport, low, high);
         EXPECT_NEAR(factor.value, c.expected, tolerance * c.expected) << c.side << " " << n;
         EXPECT_GT(factor.error, 0);
@@ -132,7 +132,7 @@ TEST(Transport, SeptumHidesExactly) {
   const auto septum = add_grid(mesh, Vec3(0, -5, -5), Vec3(0, 10, 0), Vec3(0, 0, 10), 1, 1);
   test::make_two_sided(mesh, septum);
   const Visibility visibility(mesh);
-  const auto transport = make_transport(mesh, visibility);
+  const auto transport = make_dense_transport(mesh, visibility);
   const SurfaceFactor factor = surface_factor(mesh, *transport, low, high);
   EXPECT_NEAR(factor.value, 0.116653691803622898, 1e-8);
   EXPECT_EQ(factor.error, 0);
@@ -146,7 +146,7 @@ TEST(Transport, CubeInCube) {
   add_box(mesh, Vec3::Constant(0.25), Vec3::Constant(0.75), 3, Facing::outwards);
   const Visibility visibility(mesh);
   const auto transport =
-      make_transport(mesh, visibility, {.tolerance = 1e-3, .closed = Closed::no});
+      make_dense_transport(mesh, visibility, {.tolerance = 1e-3, .closed = Closed::no});
   double inner_to_outer = 0;
   double outer_to_inner = 0;
   double variance = 0;
@@ -169,7 +169,7 @@ TEST(Transport, SinglePrecisionRoundsEntriesOnly) {
   PatchMesh mesh;
   add_box(mesh, Vec3::Zero(), Vec3::Ones(), 10, Facing::inwards);  // 600 patches
   const Visibility visibility(mesh);
-  const auto transport = make_transport(mesh, visibility);
+  const auto transport = make_dense_transport(mesh, visibility);
   const Eigen::VectorXd row = rows_of(*transport).row(0);
   for (Index j = 1; j < mesh.size(); ++j) {
     std::vector<Vec3> a;
@@ -185,12 +185,12 @@ TEST(Transport, SinglePrecisionRoundsEntriesOnly) {
 TEST(Transport, ClosureCorrectionClosesWithoutBreakingReciprocity) {
   const PatchMesh mesh = box_in_box(5, 5);
   const Visibility visibility(mesh);
-  const auto transport = make_transport(mesh, visibility, {.closed = Closed::yes});
-  const auto raw = make_transport(mesh, visibility, {.closed = Closed::no});
+  const auto transport = make_dense_transport(mesh, visibility, {.closed = Closed::yes});
+  const auto raw = make_dense_transport(mesh, visibility, {.closed = Closed::no});
   const Eigen::VectorXd ones = Eigen::VectorXd::Ones(mesh.size());
   EXPECT_LT((transport->apply(ones).array() - 1).abs().maxCoeff(), 1e-10);
   EXPECT_GT((raw->apply(ones).array() - 1).abs().maxCoeff(), 1e-8);
-  EXPECT_TRUE(make_transport(mesh, visibility)->report().closed);
+  EXPECT_TRUE(make_dense_transport(mesh, visibility)->report().closed);
   // Only uncertain entries move, and by no more than a few of their standard errors.
   for (Index i = 0; i < mesh.size(); i += 17) {
     const Eigen::VectorXd change = rows_of(*transport).row(i) - rows_of(*raw).row(i);
@@ -204,8 +204,8 @@ TEST(Transport, OpenSceneIsNotTakenAsClosed) {
   add_grid(mesh, Vec3::Zero(), Vec3(1, 0, 0), Vec3(0, 1, 0), 4, 4);
   add_grid(mesh, Vec3(0, 0, 1), Vec3(0, 1, 0), Vec3(1, 0, 0), 4, 4);
   const Visibility visibility(mesh);
-  EXPECT_FALSE(make_transport(mesh, visibility)->report().closed);
-  const auto forced = make_transport(mesh, visibility, {.closed = Closed::yes});
+  EXPECT_FALSE(make_dense_transport(mesh, visibility)->report().closed);
+  const auto forced = make_dense_transport(mesh, visibility, {.closed = Closed::yes});
   EXPECT_EQ(forced->report().open_rows, mesh.size());
 }
 
@@ -216,11 +216,11 @@ TEST(Transport, SameBitsAtAnyNumberOfThreads) {
   Eigen::MatrixXd single;
   {
     const ThreadLimit limit(1);
-    single = make_transport(mesh, visibility)->apply(b);
+    single = make_dense_transport(mesh, visibility)->apply(b);
   }
   for (const std::size_t n_threads : {2U, 5U}) {
     const ThreadLimit limit(n_threads);
-    EXPECT_EQ(make_transport(mesh, visibility)->apply(b), single);
+    EXPECT_EQ(make_dense_transport(mesh, visibility)->apply(b), single);
   }
 }
 
@@ -228,7 +228,7 @@ TEST(Transport, CertificatesAgreeWithRays) {
   // Every pair that is proved hidden or visible is checked by rays.
   const PatchMesh mesh = box_in_box(6, 6);
   const Visibility visibility(mesh);
-  const auto transport = make_transport(mesh, visibility, {.closed = Closed::no});
+  const auto transport = make_dense_transport(mesh, visibility, {.closed = Closed::no});
   int n_checked = 0;
   for (Index i = 0; i < mesh.size(); ++i) {
     const Eigen::VectorXd row = rows_of(*transport).row(i);
@@ -261,7 +261,7 @@ TEST(Transport, SinglePrecisionStorageKeepsRowSums) {
   PatchMesh mesh;
   add_box(mesh, Vec3::Zero(), Vec3::Ones(), 15, Facing::inwards);  // 1350 patches
   const Visibility visibility(mesh);
-  const auto transport = make_transport(mesh, visibility);
+  const auto transport = make_dense_transport(mesh, visibility);
   const Eigen::VectorXd ones = Eigen::VectorXd::Ones(mesh.size());
   EXPECT_LT((transport->apply(ones).array() - 1).abs().maxCoeff(), 1e-10);
   const double n = static_cast<double>(mesh.size());
@@ -275,7 +275,7 @@ TEST(SurfaceFactors, FlatAndConvexSurfacesSeeNothingOfThemselves) {
   const std::int32_t first_of_box = 6;
   for (std::int32_t& surface : mesh.surface) surface = std::min(surface, first_of_box);
   const Visibility visibility(mesh);
-  const auto transport = make_transport(mesh, visibility);
+  const auto transport = make_dense_transport(mesh, visibility);
   const Eigen::MatrixXd factors = surface_form_factors(mesh, *transport);
   for (Index s = 0; s <= first_of_box; ++s) EXPECT_EQ(factors(s, s), 0) << s;
   // The walls together see each other.
@@ -288,7 +288,7 @@ TEST(Transport, StopsWhenAskedTo) {
   const Visibility visibility(mesh);
   std::stop_source source;
   source.request_stop();
-  EXPECT_THROW(make_transport(mesh, visibility, {.progress = {{}, source.get_token()}}),
+  EXPECT_THROW(make_dense_transport(mesh, visibility, {.progress = {{}, source.get_token()}}),
                Interrupted);
 }
 
@@ -296,7 +296,7 @@ TEST(Transport, RefusesWhatDoesNotFit) {
   const PatchMesh mesh = box_in_box(4, 4);
   const Visibility visibility(mesh);
   try {
-    make_transport(mesh, visibility, {.memory = 1000});
+    make_dense_transport(mesh, visibility, {.memory = 1000});
     FAIL();
   } catch (const SolveError& error) {
     EXPECT_NE(std::string(error.what()).find("192 patches"), std::string::npos) << error.what();
@@ -309,7 +309,7 @@ TEST(Transport, RefusesWhatTheMachineDoesNotHold) {
   const Visibility visibility(small);
   PatchMesh mesh = small;
   mesh.corners.resize(2'000'000);  // 10 TB, of which nothing may be touched
-  EXPECT_THROW(make_transport(mesh, visibility), SolveError);
+  EXPECT_THROW(make_dense_transport(mesh, visibility), SolveError);
 }
 
 std::string refusal(Index n_patches, Index n_polygons, std::size_t memory) {
@@ -340,7 +340,7 @@ TEST(DenseMemory, LargestProblemIsTheLargestThatFits) {
 TEST(Transport, EmptyMesh) {
   const PatchMesh mesh;
   const Visibility visibility(mesh);
-  EXPECT_EQ(make_transport(mesh, visibility)->size(), 0);
+  EXPECT_EQ(make_dense_transport(mesh, visibility)->size(), 0);
 }
 
 /// A turned box whose corners were rounded to a micrometre: its faces are not quite planar, and
@@ -364,7 +364,7 @@ TEST(Transport, FacesThatAreOnlyPlanarToTheDigitsOfAFileShadowNothingOfTheirOwn)
   }
   const Visibility visibility(rounded);
   const auto transport =
-      make_transport(rounded, visibility, {.tolerance = 1e-4, .closed = Closed::no});
+      make_dense_transport(rounded, visibility, {.tolerance = 1e-4, .closed = Closed::no});
   EXPECT_LE(transport->report().closure_max, 1e-4);
 }
 

@@ -8,9 +8,10 @@
 
 #include "io/scene/scene_file.h"
 #include "meshing/patches/patches.h"
-#include "radiosity/assembly/make_transport.h"
+#include "radiosity/assembly/make_dense_transport.h"
 #include "radiosity/base/error.h"
 #include "radiosity/base/parallel.h"
+#include "radiosity/compressed/light_polygons.h"
 #include "radiosity/compressed/make_compressed_transport.h"
 #include "radiosity/scene/radiometry.h"
 #include "radiosity/solve/solve.h"
@@ -55,7 +56,7 @@ class CompressedTransportOfARoom : public testing::Test {
 };
 
 TEST_F(CompressedTransportOfARoom, ActsLikeTheDenseOneWithinItsVerifiedError) {
-  const auto dense = make_transport(room_->mesh, room_->visibility, {.tolerance = 1e-3});
+  const auto dense = make_dense_transport(room_->mesh, room_->visibility, {.tolerance = 1e-3});
   const Index n = dense->size();
   Eigen::MatrixXd b(n, 2);
   b.col(0).setOnes();
@@ -112,7 +113,7 @@ TEST_F(CompressedTransportOfARoom, KeepsTheEnergyOfAFurnace) {
 
 TEST_F(CompressedTransportOfARoom, TellsWhatUnevenLightMakesOfIt) {
   // As the dense one does, with all rows: where patches are close, blocks are entries.
-  const auto dense = make_transport(room_->mesh, room_->visibility, {.tolerance = 1e-3});
+  const auto dense = make_dense_transport(room_->mesh, room_->visibility, {.tolerance = 1e-3});
   const Index n = dense->size();
   Eigen::MatrixXd emitted = Eigen::MatrixXd::Zero(n, 2);
   emitted.topRows(n / 3).col(0).setOnes();
@@ -151,7 +152,7 @@ TEST(CompressedTransport, GivesDirectLightOfAPolygonAsIs) {
   const Scene scene = io::read_scene(RADIOSITY_SCENES "/cornell-box.json");
   const Room room(meshing::make_patches(scene, {.n_patches = 1500}));
   const Eigen::MatrixXd emitted = exitance(scene, room.mesh);
-  const auto dense = make_transport(room.mesh, room.visibility, {.tolerance = 1e-3});
+  const auto dense = make_dense_transport(room.mesh, room.visibility, {.tolerance = 1e-3});
   const auto with = make_compressed_transport(room.mesh, room.visibility, {.tolerance = 5e-2},
                                               {emitted, reflectance(scene, room.mesh)});
   const auto without = make_compressed_transport(room.mesh, room.visibility, {.tolerance = 5e-2});
@@ -160,6 +161,46 @@ TEST(CompressedTransport, GivesDirectLightOfAPolygonAsIs) {
   const double off = difference(*dense, with->apply(emitted), expected);
   EXPECT_LT(off, 0.1 * 5e-2);
   EXPECT_GT(difference(*dense, without->apply(emitted), expected), 3 * off);
+}
+
+TEST(CompressedTransport, TakesLightThatItWasNotMadeFor) {
+  const Scene scene = io::read_scene(RADIOSITY_SCENES "/cornell-box.json");
+  const Room room(meshing::make_patches(scene, {.n_patches = 1500}));
+  const TransportOptions options{.tolerance = 5e-2};
+  const Eigen::MatrixXd emitted = exitance(scene, room.mesh);
+  const auto dense = make_dense_transport(room.mesh, room.visibility, {.tolerance = 1e-3});
+  const auto compressed = make_compressed_transport(room.mesh, room.visibility, options);
+  const Eigen::MatrixXd expected = dense->apply(emitted);
+  const double before = difference(*dense, compressed->apply(emitted), expected);
+  add_missing_light(*compressed, room.mesh, room.visibility, options, emitted);
+  // As when it is made for this light.
+  const double off = difference(*dense, compressed->apply(emitted), expected);
+  EXPECT_LT(off, 0.1 * 5e-2);
+  EXPECT_GT(before, 3 * off);
+  EXPECT_TRUE(compressed->report().compression);
+  // Once there it stays as it is.
+  const Eigen::MatrixXd gathered = compressed->apply(emitted);
+  add_missing_light(*compressed, room.mesh, room.visibility, options, 2 * emitted);
+  EXPECT_EQ(compressed->apply(emitted), gathered);
+}
+
+TEST(CompressedTransport, StaysClosedWithOtherLight) {
+  const Scene scene = io::read_scene(RADIOSITY_SCENES "/l-room.json");
+  const Room room(meshing::make_patches(scene, {.n_patches = 1000}));
+  const TransportOptions options{.tolerance = 5e-2, .closed = Closed::yes};
+  const auto compressed = make_compressed_transport(room.mesh, room.visibility, options);
+  const Index n = room.mesh.size();
+  const auto mean_gap = [&] {
+    return (compressed->apply(Eigen::VectorXd::Ones(n)).array() - 1).abs().mean();
+  };
+  const double before = mean_gap();
+  add_missing_light(*compressed, room.mesh, room.visibility, options, exitance(scene, room.mesh));
+  EXPECT_EQ(compressed->parts().sources.size(), 1U);
+  EXPECT_TRUE(compressed->report().closed);
+  EXPECT_LT(mean_gap(), std::max(2 * before, 1e-4));
+  for (Index i = 0; i < n; i += 97) {
+    EXPECT_EQ(compressed->pair(i, n - 1 - i).value, compressed->pair(n - 1 - i, i).value);
+  }
 }
 
 TEST(CompressedTransport, LeavesSealedRoomsDark) {

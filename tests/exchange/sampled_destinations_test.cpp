@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "radiosity/assembly/make_transport.h"
 #include "radiosity/assembly/transport_options.h"
 #include "radiosity/base/parallel.h"
+#include "radiosity/compressed/make_transport.h"
 #include "radiosity/operator/surface_factors.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/visibility/visibility.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "io/result/surface_csv.h"
-#include "radiosity/assembly/make_transport.h"
+#include "radiosity/compressed/make_transport.h"
 #include "radiosity/operator/surface_factors.h"
 #include "radiosity/operator/transport.h"
 #include "radiosity/scene/patch_mesh.h"

@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "io/result/form_factor_file.h"
-#include "radiosity/assembly/make_transport.h"
 #include "radiosity/base/error.h"
+#include "radiosity/compressed/make_transport.h"
 #include "radiosity/operator/transport.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/visibility/visibility.h"

@@ -9,8 +9,8 @@
 
 #include "io/scene/scene_file.h"
 #include "meshing/patches/patches.h"
-#include "radiosity/assembly/make_transport.h"
 #include "radiosity/base/parallel.h"
+#include "radiosity/compressed/make_transport.h"
 #include "radiosity/polygon/point_to_polygon.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/radiometry.h"

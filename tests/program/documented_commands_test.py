@@ -26,6 +26,8 @@ CORNERS += [(x, 5, z) for x, z in ((4, 3), (6, 3), (6, 5), (4, 5))]
 WALLS = [(0, 3, 2, 1), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7),
          (4, 5, 9, 8), (5, 6, 10, 9), (6, 7, 11, 10), (7, 4, 8, 11)]
 LAMP = (8, 9, 10, 11)
+SCENARIOS = {"scenarios": [{"name": "day", "lights": {"lamp": "off"}},
+                           {"name": "evening", "reflectances": {"wall": 0.5}}]}
 LONGEST = 300  # s
 
 
@@ -90,18 +92,33 @@ def set_up(folder, sources):
     for name in ("office.json", "scene.json"):
         (folder / name).write_text(json.dumps(scene(0.5)))
     (folder / "room.gltf").write_text(json.dumps(gltf(0.5)))
+    (folder / "scenarios.json").write_text(json.dumps(SCENARIOS))
+
+
+def reads_factors(command):
+    """Whether the command reads a file that another one has written."""
+    return re.search(r"(?<!-o )\b\S+\.h5\b", command) is not None
+
+
+def outputs_of(folder, words):
+    """Files that a command names; of scenarios there is one for each."""
+    named = [folder / after for word, after in zip(words, words[1:]) if word in ("-o", "--table")]
+    if "--scenarios" not in words:
+        return named
+    return [path.with_stem(f"{path.stem}-{scenario['name']}") if path.suffix == ".vtp" else path
+            for path in named for scenario in SCENARIOS["scenarios"]]
 
 
 def main(program, sources):
     sources = pathlib.Path(sources).resolve()
-    found = sorted(set(commands(sources)), key=lambda item: item[1])
+    found = sorted(set(commands(sources)), key=lambda item: (reads_factors(item[1]), item[1]))
     n_wrong = 0
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         set_up(folder, sources)
         for where, command in found:
             words = shlex.split(command)
-            outputs = [folder / after for word, after in zip(words, words[1:]) if word == "-o"]
+            outputs = outputs_of(folder, words)
             for output in outputs:
                 if output.is_file():
                     output.unlink()

@@ -7,7 +7,7 @@
 
 #include "io/scene/scene_file.h"
 #include "meshing/patches/patches.h"
-#include "radiosity/assembly/make_transport.h"
+#include "radiosity/compressed/make_transport.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/radiometry.h"
 #include "radiosity/solve/solution.h"

@@ -6,10 +6,10 @@
 #include <random>
 #include <string>
 
-#include "radiosity/assembly/make_transport.h"
 #include "radiosity/assembly/transport_options.h"
 #include "radiosity/base/error.h"
 #include "radiosity/base/parallel.h"
+#include "radiosity/compressed/make_transport.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/visibility/visibility.h"
 #include "tests/support/output_folder.h"

@@ -11,8 +11,8 @@
 #include "io/scene/scene_file.h"
 #include "meshing/patches/patches.h"
 #include "radiosity/assembly/dense_memory.h"
-#include "radiosity/assembly/make_transport.h"
 #include "radiosity/base/error.h"
+#include "radiosity/compressed/make_transport.h"
 #include "radiosity/scene/radiometry.h"
 #include "radiosity/solve/solve.h"
 

@@ -8,9 +8,9 @@
 #include <sstream>
 
 #include "meshing/patches/patches.h"
-#include "radiosity/assembly/make_transport.h"
 #include "radiosity/assembly/transport_options.h"
 #include "radiosity/base/error.h"
+#include "radiosity/compressed/make_transport.h"
 #include "radiosity/exchange/openings.h"
 #include "radiosity/operator/surface_factors.h"
 #include "radiosity/operator/transport.h"

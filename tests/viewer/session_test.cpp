@@ -7,13 +7,16 @@
 #include <thread>
 
 #include "io/result/form_factor_file.h"
+#include "io/result/operator_file.h"
 #include "io/result/result_file.h"
 #include "io/scene/scene_file.h"
 #include "meshing/patches/patches.h"
 #include "radiosity/base/error.h"
 #include "radiosity/base/machine_memory.h"
+#include "radiosity/compressed/make_compressed_transport.h"
 #include "radiosity/scene/radiometry.h"
 #include "radiosity/solve/solve.h"
+#include "radiosity/visibility/visibility.h"
 #include "tests/support/output_folder.h"
 #include "viewer/desk/desk.h"
 
@@ -351,6 +354,13 @@ TEST_F(Results, OpenWithoutBeingSolvedAgain) {
   EXPECT_LE((desk.session.model().factors->row(5) - row).norm(), 1e-12);
   desk.session.restart(coarse());
   EXPECT_TRUE(desk.session.messages().back().is_error);
+
+  const radiosity::Visibility visibility(*mesh);
+  const auto compressed = radiosity::make_compressed_transport(*mesh, visibility);
+  io::write_operator(h5, *mesh, *compressed);
+  open(desk.session, h5);
+  ASSERT_TRUE(desk.session.model().factors);
+  EXPECT_EQ(desk.session.model().factors->row(5), compressed->row(5));
 
   open(desk.session, json);
   EXPECT_LE(difference(desk.session.light()->solution.radiosity, light.solution.radiosity), 1e-7);

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "radiosity/assembly/make_transport.h"
+#include "radiosity/compressed/make_transport.h"
 #include "radiosity/exchange/openings.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/visibility/visibility.h"

@@ -8,6 +8,7 @@
 
 #include "io/base/extension.h"
 #include "io/result/form_factor_reader.h"
+#include "io/result/operator_file.h"
 #include "io/result/result_reader.h"
 #include "io/scene/scene_file.h"
 #include "meshing/patches/patches.h"
@@ -151,6 +152,12 @@ void open_result(const std::string& path, const PipelineEvents& events) {
     model.mesh = std::make_shared<PatchMesh>(std::move(result.mesh));
     model.bands = result.bands;
     solution = std::move(result.solution);
+  } else if (io::is_compressed_operator(path)) {
+    io::StoredOperator stored = io::read_operator(path);
+    model.mesh = std::make_shared<PatchMesh>(std::move(stored.mesh));
+    model.bands.kind = radiosity::Bands::Kind::grey;
+    const std::shared_ptr<const Transport> transport = std::move(stored.transport);
+    model.factors = {transport, transport->rows()};
   } else {
     auto reader = std::make_shared<io::FormFactorReader>(path);
     for (const std::string& warning : reader->warnings()) events.warned(warning);

@@ -17,8 +17,7 @@ constexpr long kFewPatches = 2500;
 constexpr long kManyPatches = 10000;
 constexpr double kLargestShare = 2.0 / 15;
 
-CornellComparison run_cornell(const Context& context, long n_patches,
-                              study::TransportKind transport) {
+CornellComparison run_cornell(const Context& context, long n_patches, TransportKind transport) {
   return compare_cornell_box(context, {.patches = {.n_patches = n_patches},
                                        .tolerance = kAskedOfScale,
                                        .seed = context.seed,
@@ -50,10 +49,9 @@ void check_verified(CaseResult& result, Table& table, const CornellComparison& c
 }  // namespace
 
 CaseResult run_scale(const Context& context) {
-  const CornellComparison dense = run_cornell(context, kFewPatches, study::TransportKind::dense);
-  const CornellComparison few = run_cornell(context, kFewPatches, study::TransportKind::compressed);
-  const CornellComparison many =
-      run_cornell(context, kManyPatches, study::TransportKind::compressed);
+  const CornellComparison dense = run_cornell(context, kFewPatches, TransportKind::dense);
+  const CornellComparison few = run_cornell(context, kFewPatches, TransportKind::compressed);
+  const CornellComparison many = run_cornell(context, kManyPatches, TransportKind::compressed);
   CaseResult result{
       .compared = fmt::format("Radiosity of the Cornell box by compressed operators of {} and {} "
                               "patches (tolerance {}).",

@@ -1,0 +1,98 @@
+#include "radiosity/scene/scenario.h"
+
+#include <cmath>
+#include <utility>
+
+#include "radiosity/base/error.h"
+
+namespace radiosity {
+namespace {
+
+[[noreturn]] void refuse_scenario(const Scenario& scenario, const std::string& reason) {
+  throw SceneError("scenario '" + scenario.name + "': " + reason);
+}
+
+Emission scaled(Emission emission, double factor) {
+  if (factor == 0) return {};
+  // M_e = ε σ T⁴
+  emission.value *= emission.kind == Emission::Kind::temperature ? std::pow(factor, 0.25) : factor;
+  return emission;
+}
+
+void paint(const Scenario& scenario, const Scenario::Paint& paint, Scene& scene) {
+  bool is_found = false;
+  for (Material& material : scene.materials) {
+    if (!matches(paint.materials, material.name)) continue;
+    is_found = true;
+    if (paint.reflectance.size() != 1 && paint.reflectance.size() != scene.bands.count()) {
+      refuse_scenario(scenario, "found " + std::to_string(paint.reflectance.size()) +
+                                    " reflectances of '" + paint.materials + "', expected 1 or " +
+                                    std::to_string(scene.bands.count()));
+    }
+    material.reflectance =
+        paint.reflectance.size() == 1
+            ? Eigen::VectorXd::Constant(scene.bands.count(), paint.reflectance[0]).eval()
+            : paint.reflectance;
+  }
+  if (!is_found) refuse_scenario(scenario, "there is no material '" + paint.materials + "'");
+}
+
+/// Factors of what each surface emits.
+std::vector<double> light_factors(const Scene& scene, const Scenario& scenario) {
+  std::vector<double> factors(scene.surfaces.size(), 1);
+  for (const Scenario::Light& light : scenario.lights) {
+    bool is_found = false;
+    for (std::size_t s = 0; s < factors.size(); ++s) {
+      const Surface& surface = scene.surfaces[s];
+      const bool emits = scene.materials[surface.material].emission.kind != Emission::Kind::none;
+      if (!emits || !matches(light.surfaces, surface.name)) continue;
+      is_found = true;
+      factors[s] = light.factor;
+    }
+    if (!is_found) {
+      refuse_scenario(scenario, "there is no surface '" + light.surfaces + "' that emits");
+    }
+  }
+  return factors;
+}
+
+}  // namespace
+
+bool matches(std::string_view pattern, std::string_view name) {
+  // The last star, and where the name goes on if it stands for one letter more.
+  std::size_t star = std::string_view::npos;
+  std::size_t resumed = 0;
+  std::size_t p = 0;
+  for (std::size_t n = 0; n < name.size();) {
+    if (p < pattern.size() && pattern[p] == '*') {
+      star = p++;
+      resumed = n;
+    } else if (p < pattern.size() && (pattern[p] == '?' || pattern[p] == name[n])) {
+      ++p;
+      ++n;
+    } else if (star != std::string_view::npos) {
+      p = star + 1;
+      n = ++resumed;
+    } else {
+      return false;
+    }
+  }
+  return pattern.find_first_not_of('*', p) == std::string_view::npos;
+}
+
+Scene scene_of(const Scene& scene, const Scenario& scenario) {
+  Scene result = scene;
+  for (const Scenario::Paint& rule : scenario.paints) paint(scenario, rule, result);
+  const std::vector<double> factors = light_factors(result, scenario);
+  for (std::size_t s = 0; s < factors.size(); ++s) {
+    if (factors[s] == 1) continue;
+    // Others may have the same material.
+    Material material = result.materials[result.surfaces[s].material];
+    material.emission = scaled(std::move(material.emission), factors[s]);
+    result.surfaces[s].material = static_cast<int>(result.materials.size());
+    result.materials.push_back(std::move(material));
+  }
+  return result;
+}
+
+}  // namespace radiosity

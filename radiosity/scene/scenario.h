@@ -1,0 +1,37 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "radiosity/scene/scene.h"
+
+namespace radiosity {
+
+/// Other light and other materials for the same surfaces. Names are patterns: * stands for any
+/// letters, ? for one. Of several that match, the last counts.
+struct Scenario {
+  /// What surfaces emit, of what the scene says.
+  struct Light {
+    std::string surfaces;
+    double factor = 1;  ///< of the power, >= 0
+  };
+  /// What materials reflect.
+  struct Paint {
+    std::string materials;
+    Eigen::VectorXd reflectance;  ///< in [0, 1], one value or one per band
+  };
+  std::string name;
+  std::vector<Light> lights = {};
+  std::vector<Paint> paints = {};
+};
+
+/// Whether the name is one that the pattern stands for.
+bool matches(std::string_view pattern, std::string_view name);
+
+/// The scene with the light and materials of a scenario. Throws SceneError if a pattern stands for
+/// no surface that emits, or for no material, or if reflectances are not one per band.
+Scene scene_of(const Scene& scene, const Scenario& scenario);
+
+}  // namespace radiosity

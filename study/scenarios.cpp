@@ -1,0 +1,109 @@
+#include "study/scenarios.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "radiosity/compressed/light_polygons.h"
+#include "radiosity/scene/radiometry.h"
+
+namespace study {
+namespace {
+
+using namespace radiosity;
+
+/// Columns that are solved together, more or less: enough for products to be cheap, few enough for
+/// the memory of a million patches.
+constexpr Index kMostColumns = 24;
+
+/// The reflectance of each surface, which tells whether scenarios can share a solve.
+std::vector<double> surface_reflectances(const Scene& scene) {
+  std::vector<double> values;
+  for (const Surface& surface : scene.surfaces) {
+    const Eigen::VectorXd& reflectance = scene.materials[surface.material].reflectance;
+    values.insert(values.end(), reflectance.begin(), reflectance.end());
+  }
+  return values;
+}
+
+/// Indices of scenarios that share a solve.
+using Group = std::vector<std::size_t>;
+
+std::vector<Group> make_groups(const Scene& scene, const std::vector<Scenario>& scenarios) {
+  std::map<std::vector<double>, Group> by_reflectance;
+  for (std::size_t k = 0; k < scenarios.size(); ++k) {
+    by_reflectance[surface_reflectances(scene_of(scene, scenarios[k]))].push_back(k);
+  }
+  const auto most =
+      static_cast<std::size_t>(std::max<Index>(1, kMostColumns / scene.bands.count()));
+  std::vector<Group> groups;
+  for (const auto& [reflectance, all] : by_reflectance) {
+    for (std::size_t first = 0; first < all.size(); first += most) {
+      const auto begin = all.begin() + static_cast<std::ptrdiff_t>(first);
+      groups.emplace_back(begin,
+                          begin + static_cast<std::ptrdiff_t>(std::min(most, all.size() - first)));
+    }
+  }
+  std::sort(groups.begin(), groups.end());
+  return groups;
+}
+
+/// All polygons that emit in some scenario.
+Eigen::MatrixXd total_exitance(const Study& study, const std::vector<Scenario>& scenarios) {
+  Eigen::MatrixXd total = Eigen::MatrixXd::Zero(study.mesh.size(), study.scene.bands.count());
+  for (const Scenario& scenario : scenarios) {
+    total += exitance(scene_of(study.scene, scenario), study.mesh);
+  }
+  return total;
+}
+
+/// Columns first to first + n - 1 as a solution by themselves.
+Solution columns_of(const Solution& all, Index first, Index n) {
+  Solution part = all;
+  for (Eigen::MatrixXd Solution::*field :
+       {&Solution::radiosity, &Solution::irradiance, &Solution::exitance, &Solution::reflectance,
+        &Solution::radiosity_error}) {
+    part.*field = (all.*field).middleCols(first, n);
+  }
+  for (Eigen::VectorXd EnergyBalance::*field :
+       {&EnergyBalance::emitted, &EnergyBalance::absorbed, &EnergyBalance::escaped}) {
+    part.energy.*field = (all.energy.*field).segment(first, n);
+  }
+  return part;
+}
+
+}  // namespace
+
+Study solve_scenarios(Study study, const std::vector<Scenario>& scenarios,
+                      const StudyOptions& options, const StudyEvents& events,
+                      const ScenarioVisitor& visit) {
+  const Scene scene = study.scene;
+  const std::vector<Group> groups = make_groups(scene, scenarios);
+  add_missing_light(
+      *study.transport, study.mesh, study.visibility,
+      {.tolerance = study.factor_tolerance, .seed = options.seed, .progress = events.progress},
+      total_exitance(study, scenarios));
+  const Index n_bands = scene.bands.count();
+  for (const Group& group : groups) {
+    Eigen::MatrixXd emitted(study.mesh.size(), n_bands * static_cast<Index>(group.size()));
+    for (std::size_t k = 0; k < group.size(); ++k) {
+      study.scene = scene_of(scene, scenarios[group[k]]);
+      emitted.middleCols(static_cast<Index>(k) * n_bands, n_bands) =
+          exitance(study.scene, study.mesh);
+    }
+    const Light light = solve_light(study.mesh, *study.transport, emitted,
+                                    reflectance(study.scene, study.mesh), options, events);
+    study.discretisation = light.discretisation;
+    for (std::size_t k = 0; k < group.size(); ++k) {
+      study.scene = scene_of(scene, scenarios[group[k]]);
+      study.solution = columns_of(light.solution, static_cast<Index>(k) * n_bands, n_bands);
+      visit(group[k], study);
+    }
+  }
+  study.scene = scene;
+  study.solution = {};
+  study.discretisation = {};
+  return study;
+}
+
+}  // namespace study

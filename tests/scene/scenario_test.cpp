@@ -1,0 +1,96 @@
+// Other light and other materials for the same surfaces.
+#include "radiosity/scene/scenario.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "radiosity/base/error.h"
+
+namespace radiosity {
+namespace {
+
+Eigen::VectorXd list_of(std::initializer_list<double> list) {
+  Eigen::VectorXd result(static_cast<Index>(list.size()));
+  std::copy(list.begin(), list.end(), result.begin());
+  return result;
+}
+
+/// Two lamps of one material, a heater, and a wall.
+Scene lit_room() {
+  Scene scene;
+  scene.bands.kind = Bands::Kind::grey;
+  scene.materials = {{"lamp", list_of({0.1}), {Emission::Kind::power, list_of({40})}},
+                     {"iron", list_of({0.3}), {Emission::Kind::temperature, list_of({400})}},
+                     {"plaster", list_of({0.8}), {}}};
+  scene.surfaces = {{"lamp 1", 0}, {"lamp 2", 0}, {"heater", 1}, {"wall", 2}};
+  return scene;
+}
+
+const Material& material_of(const Scene& scene, std::size_t surface) {
+  return scene.materials[scene.surfaces[surface].material];
+}
+
+std::string refusal(const Scenario& scenario) {
+  try {
+    (void)scene_of(lit_room(), scenario);
+    return "";
+  } catch (const SceneError& error) {
+    return error.what();
+  }
+}
+
+TEST(Scenario, PatternsStandForNames) {
+  EXPECT_TRUE(matches("wall", "wall"));
+  EXPECT_FALSE(matches("wall", "walls"));
+  EXPECT_FALSE(matches("walls", "wall"));
+  EXPECT_TRUE(matches("*", ""));
+  EXPECT_TRUE(matches("*", "anything"));
+  EXPECT_TRUE(matches("lamp ?", "lamp 1"));
+  EXPECT_FALSE(matches("lamp ?", "lamp 12"));
+  EXPECT_FALSE(matches("lamp ?", "lamp "));
+  EXPECT_TRUE(matches("*/lamp*", "hall/lamp/3"));
+  EXPECT_TRUE(matches("a*b*c", "a-b-b-c"));
+  EXPECT_FALSE(matches("a*b*c", "a-c-b"));
+  EXPECT_TRUE(matches("**", "a"));
+  EXPECT_FALSE(matches("", "a"));
+  EXPECT_TRUE(matches("", ""));
+}
+
+TEST(Scenario, DimsSurfacesByThemselves) {
+  const Scene scene = scene_of(lit_room(), {"dim", {{"lamp*", 0.5}, {"lamp 2", 0}}, {}});
+  EXPECT_EQ(material_of(scene, 0).emission.value[0], 20);
+  EXPECT_EQ(material_of(scene, 1).emission.kind, Emission::Kind::none);
+  EXPECT_EQ(material_of(scene, 0).reflectance[0], 0.1);
+  EXPECT_EQ(material_of(scene, 2).emission.value[0], 400);
+  EXPECT_EQ(material_of(lit_room(), 0).emission.value[0], 40);
+}
+
+TEST(Scenario, DimsThePowerOfWhatIsHot) {
+  const Scene scene = scene_of(lit_room(), {"half", {{"heater", 0.5}}, {}});
+  EXPECT_NEAR(std::pow(material_of(scene, 2).emission.value[0], 4), 0.5 * std::pow(400, 4),
+              1e-12 * std::pow(400, 4));
+}
+
+TEST(Scenario, PaintsMaterials) {
+  const Scene scene =
+      scene_of(lit_room(), {"dark", {}, {{"*", list_of({0.2})}, {"plas*", list_of({0})}}});
+  EXPECT_EQ(material_of(scene, 0).reflectance, list_of({0.2}));
+  EXPECT_EQ(material_of(scene, 2).reflectance, list_of({0.2}));
+  EXPECT_EQ(material_of(scene, 3).reflectance, list_of({0}));
+  EXPECT_EQ(material_of(scene, 0).emission.value[0], 40);
+}
+
+TEST(Scenario, NamesThatStandForNothingAreErrors) {
+  EXPECT_EQ(refusal({"a", {{"*", 0}}, {}}), "");
+  EXPECT_NE(refusal({"a", {{"window", 1}}, {}}).find("no surface 'window' that emits"),
+            std::string::npos);
+  EXPECT_NE(refusal({"a", {{"wall", 1}}, {}}).find("that emits"), std::string::npos);
+  EXPECT_NE(refusal({"b", {}, {{"wood", list_of({1})}}}).find("scenario 'b'"), std::string::npos);
+  EXPECT_NE(refusal({"b", {}, {{"iron", list_of({1, 0})}}}).find("expected 1 or 1"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace radiosity
