@@ -70,7 +70,7 @@ int main(int argc, char** argv) {
         const Eigen::ArrayXd errors = compressed->apply_error(fields.col(0)).col(0).array() + 1e-9;
         const auto within = [&](double sigmas) {
           const auto count = (off.col(0).array().abs() <= sigmas * errors).count();
-          return 100 * static_cast<double>(count) / static_cast<double>(mesh.size());
+          return 100 * static_cast<double>(count) / static_cast<double>(off.rows());
         };
         const double verified = compressed->report().compression->verified_error;
         const bool is_beyond = relative.maxCoeff() > verified;

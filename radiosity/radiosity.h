@@ -6,8 +6,9 @@
 ///     const PatchMesh mesh = meshing::make_patches(scene, {.max_edge = 0.05});
 ///     const Visibility visibility(mesh);
 ///     const auto transport = make_transport(mesh, visibility, {.tolerance = 1e-3});
-///     const Solution solution = solve(*transport, exitance(scene, mesh), reflectance(scene,
-///     mesh)); io::write("cornell-box.vtp", mesh, solution);
+///     const Solution solution =
+///         solve(*transport, exitance(scene, mesh), reflectance(scene, mesh));
+///     io::write("cornell-box.vtp", mesh, solution);
 ///
 /// Conventions, stated once:
 ///  - SI units: metre, square metre, W/m² per band, kelvin, radian. Files convert at the boundary.
@@ -17,9 +18,8 @@
 ///  - G_ij = A_i F_ij, the exchange area in m², is stored once per pair: reciprocity is exact.
 ///    F_ij = 1/A_i ∫_Ai ∫_Aj cosθ_i cosθ_j / (π r²) V(x,y) dA_j dA_i is the fraction of the power
 ///    leaving i that reaches j; Σ_j F_ij <= 1, with equality in a closed scene.
-///  - B = M_e + ρ H with H = F B, per band: radiosity B, radiant exitance M_e (self-emitted),
-///  irradiance
-///    H, all W/m²; reflectance ρ in [0, 1]. B / π is radiance, W/(m² sr).
+///  - B = M_e + ρ H with H = F B, per band: radiosity B, radiant exitance M_e (self-emitted) and
+///    irradiance H, all W/m²; reflectance ρ in [0, 1]. B / π is radiance, W/(m² sr).
 ///  - Bands: one grey band and the three of linear RGB (Rec. 709 primaries) hold all the power that
 ///    they stand for, W/m². The bands of a wavelength list hold spectral densities at those
 ///    wavelengths, W/(m² nm); integrals over wavelength are by the trapezoidal rule on the list.

@@ -159,7 +159,8 @@ void JsonItem::fail(const std::string& message) const {
 
 void JsonItem::check_keys(std::span<const std::string_view> known) const {
   if (!value_->is_object()) fail("expected an object, found " + description(*value_));
-  for (const auto& [key, unused] : value_->items()) {
+  for (const auto& item : value_->items()) {
+    const std::string& key = item.key();
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
     const auto nearest = std::min_element(known.begin(), known.end(), [&](auto a, auto b) {
       return edit_distance(key, a) < edit_distance(key, b);

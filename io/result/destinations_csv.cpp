@@ -12,7 +12,8 @@ namespace io {
 void write_destinations_csv(const std::filesystem::path& path,
                             const std::vector<std::string>& surface_names,
                             const radiosity::DestinationEstimate& shares) {
-  const auto& [value, error] = shares;
+  const auto& value = shares.value;
+  const auto& error = shares.error;
   write_stream_atomically(path, [&](std::ofstream& stream) {
     stream << "destination,surface,factor,error\n";
     for (std::size_t s = 0; s < surface_names.size(); ++s) {

@@ -4,11 +4,13 @@
 #include <cassert>
 #include <cmath>
 #include <exception>
+#include <span>
 #include <utility>
 
 #include "meshing/base/polygon_shape.h"
 #include "meshing/base/text.h"
 #include "meshing/patches/halfedge.h"
+#include "meshing/patches/polygon_cell.h"
 #include "radiosity/base/error.h"
 #include "radiosity/base/parallel.h"
 
@@ -18,34 +20,6 @@ namespace {
 using radiosity::Index;
 using radiosity::PatchMesh;
 using radiosity::Vec3;
-
-/// A polygon with divided edges: vertex indices all around, and where its corners are among them.
-struct PolygonCell {
-  std::vector<std::int32_t> boundary;
-  std::vector<std::int32_t> corners;
-
-  [[nodiscard]] int n_corners() const { return static_cast<int>(corners.size()); }
-  [[nodiscard]] std::int32_t n_pieces(int side) const {
-    const std::int32_t end =
-        side + 1 < n_corners() ? corners[side + 1] : static_cast<std::int32_t>(boundary.size());
-    return end - corners[side];
-  }
-  /// Vertex k of a side, 0 <= k <= n_pieces(side).
-  [[nodiscard]] std::int32_t vertex(int side, std::int32_t k) const {
-    return boundary[(corners[side] + k) % boundary.size()];
-  }
-  [[nodiscard]] bool is_undivided() const { return boundary.size() == corners.size(); }
-  [[nodiscard]] bool is_evenly_divided() const {
-    for (int side = 1; side < n_corners(); ++side) {
-      if (n_pieces(side) != n_pieces(0)) return false;
-    }
-    return true;
-  }
-  void clear() {
-    boundary.clear();
-    corners.clear();
-  }
-};
 
 /// The triangles that fill a polygon, or why they could not be made.
 struct Filling {
@@ -401,39 +375,6 @@ void PatchBuilder::add_patch(const std::array<std::int32_t, 4>& c) {
 }
 
 }  // namespace
-
-PatchCount count_patches(const radiosity::Scene& scene, const Topology& topology,
-                         const EdgeDivision& division) {
-  // Filling puts points about 0.7 max_edge apart; a triangle then has 0.433 of that squared.
-  const double triangle = 0.433 * std::pow(0.7 * division.max_edge, 2);
-  PatchCount count;
-  for (Index i = 0; i < topology.polygons.size(); ++i) {
-    const std::int64_t first = topology.polygons.first_corner[i];
-    const std::int64_t last = topology.polygons.first_corner[i + 1];
-    double n_boundary = 0;
-    std::int32_t most = 0;
-    std::int32_t fewest = std::numeric_limits<std::int32_t>::max();
-    for (std::int64_t c = first; c < last; ++c) {
-      const std::int32_t n = division.n_pieces[topology.edges.edge_of_corner[c]];
-      n_boundary += n;
-      most = std::max(most, n);
-      fewest = std::min(fewest, n);
-    }
-    const double sides = scene.surfaces[scene.polygon_surface[i]].two_sided ? 2 : 1;
-    const bool is_planar_quad = topology.kinds[i] == PolygonKind::planar_quad;
-    if (most == 1 && (last - first == 3 || is_planar_quad)) {
-      count.certain += sides;
-    } else if (division.is_grid[i]) {
-      const double n = static_cast<double>(division.n_pieces[topology.edges.edge_of_corner[first]]);
-      count.certain += sides * n * (n_boundary / 2 - n);
-    } else if (last - first == 3 && most == fewest) {
-      count.certain += sides * most * static_cast<double>(most);
-    } else {
-      count.estimated += sides * std::max(n_boundary - 2, topology.areas[i] / triangle);
-    }
-  }
-  return count;
-}
 
 radiosity::PatchMesh build_patches(const radiosity::Scene& scene, const Topology& topology,
                                    const EdgeDivision& division,

@@ -83,7 +83,7 @@ int samples_for(const PairEstimate& fraction, const RayEffort& effort) {
 }  // namespace
 
 SegmentSampler::Fan::Fan(const ConvexPolygon& polygon, const HalfSpace& other) {
-  const Vec3 origin = polygon[0];
+  const Vec3& origin = polygon[0];
   corner_height = static_cast<float>(other.normal.dot(origin) - other.offset);
   for (int axis = 0; axis < 3; ++axis) corner[axis] = static_cast<float>(origin[axis]);
   const auto set_edge = [&](const Vec3& end, std::size_t k,

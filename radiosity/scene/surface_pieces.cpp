@@ -379,25 +379,4 @@ SurfacePieces find_surface_pieces(const PatchMesh& mesh, const std::vector<std::
   return Joiner(mesh, patches, thickness).run();
 }
 
-double solid_angle(std::span<const Vec3> outline, const Vec3& point) {
-  double angle = 0;
-  const Vec3 a = outline[0] - point;
-  for (std::size_t k = 2; k < outline.size(); ++k) {
-    const Vec3 b = outline[k - 1] - point;
-    const Vec3 c = outline[k] - point;
-    const double la = a.norm();
-    const double lb = b.norm();
-    const double lc = c.norm();
-    angle += 2 * std::atan2(a.dot(b.cross(c)),
-                            la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
-  }
-  return angle;
-}
-
-int winding_number(const SurfacePieces& pieces, const SurfacePiece& piece, const Vec3& point) {
-  double angle = 0;
-  for (const std::int32_t f : piece.facets) angle += solid_angle(pieces.outline(f), point);
-  return static_cast<int>(std::lround(angle / (4 * kPi)));
-}
-
 }  // namespace radiosity

@@ -46,11 +46,4 @@ struct SurfacePieces {
 SurfacePieces find_surface_pieces(const PatchMesh& mesh, const std::vector<std::int32_t>& patches,
                                   double thickness);
 
-/// Solid angle of a facet as seen from a point, steradian; positive from behind. (van Oosterom &
-/// Strackee 1983)
-double solid_angle(std::span<const Vec3> outline, const Vec3& point);
-
-/// How often a closed piece winds about a point: 1 within a solid, -1 within a hollow, 0 outside.
-int winding_number(const SurfacePieces& pieces, const SurfacePiece& piece, const Vec3& point);
-
 }  // namespace radiosity

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <utility>
 
 namespace radiosity {
@@ -14,7 +15,30 @@ constexpr std::array<double, 2> kFarRadii{8, 32};
 /// whatever is rounded.
 constexpr double kLeastDoubt = 0.01;
 
+/// Solid angle of a facet as seen from a point, steradian; positive from behind. (van Oosterom &
+/// Strackee 1983)
+double solid_angle(std::span<const Vec3> outline, const Vec3& point) {
+  double angle = 0;
+  const Vec3 a = outline[0] - point;
+  for (std::size_t k = 2; k < outline.size(); ++k) {
+    const Vec3 b = outline[k - 1] - point;
+    const Vec3 c = outline[k] - point;
+    const double la = a.norm();
+    const double lb = b.norm();
+    const double lc = c.norm();
+    angle += 2 * std::atan2(a.dot(b.cross(c)),
+                            la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+  }
+  return angle;
+}
+
 }  // namespace
+
+int winding_number(const SurfacePieces& pieces, const SurfacePiece& piece, const Vec3& point) {
+  double angle = 0;
+  for (const std::int32_t f : piece.facets) angle += solid_angle(pieces.outline(f), point);
+  return static_cast<int>(std::lround(angle / (4 * kPi)));
+}
 
 WindingNumber::WindingNumber(const SurfacePieces& pieces, const SurfacePiece& piece)
     : pieces_(pieces), piece_(piece), facets_(piece.facets) {

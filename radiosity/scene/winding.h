@@ -8,15 +8,18 @@
 
 namespace radiosity {
 
-/// How often a closed piece winds about points, each in a time that grows with the logarithm of its
-/// facets: those far away are taken together, as dipoles, wherever that leaves no doubt about the
-/// number. (Barill et al. 2018)
+/// How often a closed piece winds about a point: 1 within a solid, -1 within a hollow, 0 outside.
+int winding_number(const SurfacePieces& pieces, const SurfacePiece& piece, const Vec3& point);
+
+/// The same about many points, each in a time that grows with the logarithm of the facets: those
+/// far away are taken together, as dipoles, wherever that leaves no doubt about the number. (Barill
+/// et al. 2018)
 class WindingNumber {
  public:
   /// Both must outlive this.
   WindingNumber(const SurfacePieces& pieces, const SurfacePiece& piece);
 
-  /// The same as winding_number(pieces, piece, point).
+  /// winding_number(pieces, piece, point).
   [[nodiscard]] int about(const Vec3& point) const;
 
  private:

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "radiosity/base/disjoint_sets.h"
+#include "radiosity/scene/winding.h"
 #include "radiosity/visibility/polytope.h"
 
 namespace radiosity {

@@ -36,7 +36,8 @@ class OuterPlanes {
     std::size_t n_first = 0;
     for (int direction = 0; direction < 26; ++direction) {
       const int code = direction < 13 ? direction : direction + 1;
-      const Vec3 way(code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1);
+      const Eigen::Array3i digits(code % 3, code / 3 % 3, code / 9);
+      const Vec3 way = (digits - 1).matrix().cast<double>();
       const auto furthest =
           std::max_element(order_.begin(), order_.end(),
                            [&](const Vec3& a, const Vec3& b) { return way.dot(a) < way.dot(b); });

@@ -65,8 +65,9 @@ std::vector<SurfacePoint> tile_of_points(const PatchMesh& mesh, const SurfacePoi
   const Vec3 v = mesh.normal[middle.patch].cross(u);
   std::vector<SurfacePoint> points;
   for (int k = 0; k < n * n; ++k) {
+    const int row = k / n;
     const double s = (k % n - 0.5 * (n - 1)) * spread;
-    const double t = (k / n - 0.5 * (n - 1)) * spread;
+    const double t = (row - 0.5 * (n - 1)) * spread;
     points.push_back({middle.patch, middle.position + s * u + t * v});
   }
   return points;

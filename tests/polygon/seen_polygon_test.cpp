@@ -117,7 +117,7 @@ TEST(FractionSampler, IsRightForPatchesThatTouch) {
 
   const ConvexPolygon floor(kSquare);
   const ConvexPolygon wall(wall_above(0));
-  const Vec3 center = visibility.center();
+  const Vec3& center = visibility.center();
   ConvexPolygon floor_local;
   ConvexPolygon wall_local;
   for (const Vec3& p : floor) floor_local.push_back(p - center);

@@ -85,7 +85,7 @@ def gltf(scale):
 
 def set_up(folder, sources):
     (folder / "scenes").symlink_to(sources / "scenes")
-    (folder / "room.obj").write_text(obj(500))  # mm
+    (folder / "room.obj").write_text(obj(300))  # mm
     (folder / "hall.obj").write_text(obj(0.05))  # small enough to be quick with patches of 5 cm
     (folder / "mesh.obj").write_text(obj(0.5))
     (folder / "room.mtl").write_text("newmtl wall\nKd .7 .7 .7\nnewmtl lamp\nKe 10 10 10\n")

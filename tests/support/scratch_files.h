@@ -60,7 +60,7 @@ class ScratchFiles : public testing::Test {
 
 #define EXPECT_CONTAINS(text, part)                          \
   do {                                                       \
-    const std::string text_ = (text);                        \
+    const std::string& text_ = (text);                       \
     EXPECT_NE(text_.find(part), std::string::npos) << text_; \
   } while (false)
 

@@ -12,6 +12,7 @@
 #include "radiosity/polygon/exchange_area.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/surface_pieces.h"
+#include "radiosity/scene/winding.h"
 #include "radiosity/visibility/blocker_set.h"
 #include "radiosity/visibility/coverage.h"
 #include "radiosity/visibility/polytope.h"

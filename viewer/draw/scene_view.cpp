@@ -123,7 +123,7 @@ void SceneView::set_colors(const std::vector<io::Rgb>& colors) {
   array->SetNumberOfComponents(3);
   array->SetNumberOfTuples(static_cast<vtkIdType>(colors.size()));
   for (std::size_t i = 0; i < colors.size(); ++i) {
-    std::copy(colors[i].begin(), colors[i].end(), array->GetPointer(static_cast<vtkIdType>(3 * i)));
+    std::copy(colors[i].begin(), colors[i].end(), array->GetPointer(3 * static_cast<vtkIdType>(i)));
   }
   parts.patches->GetPointData()->SetScalars(array);
   parts.patch_mapper->SetColorModeToDirectScalars();

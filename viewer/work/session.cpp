@@ -50,7 +50,7 @@ void Session::restart(const study::StudyOptions& options) {
   begin(model_.path, model_.scene);
 }
 
-void Session::begin(const std::string& path, std::shared_ptr<const Scene> scene) {
+void Session::begin(const std::string& path, const std::shared_ptr<const Scene>& scene) {
   start_ = std::chrono::steady_clock::now();
   asked_path_ = path;
   pause_.set(false);

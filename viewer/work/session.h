@@ -111,7 +111,7 @@ class Session {
 
  private:
   void forget_light_path();
-  void begin(const std::string& path, std::shared_ptr<const radiosity::Scene> scene);
+  void begin(const std::string& path, const std::shared_ptr<const radiosity::Scene>& scene);
   void take_model(Model model);
   void take_light(Light light);
   void relight();

@@ -7,6 +7,7 @@
 #include <stop_token>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "radiosity/base/progress.h"
@@ -45,7 +46,9 @@ class Worker {
    public:
     radiosity::Progress progress;  ///< stops the task when it is not wanted any more
     /// Has `deliver` called by `Worker::deliver`, unless the task is cancelled before.
-    void post(std::function<void()> deliver) const { worker_->post(progress.stop, deliver); }
+    void post(std::function<void()> deliver) const {
+      worker_->post(progress.stop, std::move(deliver));
+    }
 
    private:
     friend class Worker;
