@@ -67,7 +67,9 @@ void SolveCommand::run() const {
     check_all(scene, patches, quantities, terminal);
   };
   const study::Study solved = study::run(read_checked_scene(common_, events), compute_, events);
-  io::ResultOptions options = {.wavelengths = solved.scene.bands.wavelengths};
+  io::ResultOptions options = {.wavelengths = solved.scene.bands.wavelengths,
+                               .quantities = {},
+                               .camera = solved.scene.camera};
   for (const Quantity quantity : quantities) {
     options.quantities.push_back(radiosity::make_field(quantity, solved.mesh, solved.solution,
                                                        solved.scene.bands,
