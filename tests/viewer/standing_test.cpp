@@ -51,6 +51,17 @@ TEST(Session, PreviewFollowsTheMix) {
   EXPECT_EQ(session.light()->kind, Light::Kind::preview);
   EXPECT_NEAR(session.light()->solution.exitance.sum(), 0.5 * lit, 1e-9 * lit);
   EXPECT_GT(session.change_seconds(), 0);
+  // Also a slider that does not rest.
+  int version = session.versions().light;
+  int n_pictures = 0;
+  for (int k = 0; n_pictures < 3 && k < 60000; ++k) {
+    session.set_emitter(0, 0.5 + 0.01 * (k % 100), true);
+    std::this_thread::sleep_for(1ms);
+    session.update();
+    if (session.versions().light != version) ++n_pictures;
+    version = session.versions().light;
+  }
+  EXPECT_GE(n_pictures, 3);
 }
 
 // Nobody may take a preview for a result, and who waits is told so until all is known.

@@ -12,6 +12,7 @@
 #include "radiosity/base/error.h"
 #include "radiosity/picture/render.h"
 #include "radiosity/scene/patch_mesh.h"
+#include "viewer/work/standing.h"
 
 namespace viewer {
 
@@ -57,7 +58,13 @@ const char* first_quantity(Domain domain) {
 bool update(Desk& desk) {
   bool has_changed = desk.session.update();
   const Session& session = desk.session;
-  if (session.versions().file != desk.shown_file) greet(desk);
+  if (session.versions().file != desk.shown_file) {
+    greet(desk);
+  } else if (desk.facts && !session.selected() &&
+             session.versions().model != desk.facts_versions.model) {
+    // Divided otherwise: the question is about the same place.
+    desk.session.select(same_place(*session.model().mesh, *desk.facts));
+  }
   if (desk.asks_light_path) desk.session.ask_light_path();
   const Session::Versions& now = session.versions();
   const Session::Versions& then = desk.facts_versions;
@@ -140,6 +147,18 @@ std::optional<Index> patch_at(const Desk& desk, double x, double y) {
       camera.position, ray_direction(camera, x, y, aspect));
   if (!hit) return std::nullopt;
   return hit->patch;
+}
+
+std::string hovered_text(const Desk& desk) {
+  if (!desk.hovered || !desk.session.is_open()) return "";
+  const radiosity::PatchMesh& mesh = *desk.session.model().mesh;
+  const Index patch = *desk.hovered;
+  if (patch >= mesh.size()) return "";  // of the scene before
+  const std::string& surface = mesh.surface_names[mesh.surface[static_cast<std::size_t>(patch)]];
+  if (!desk.legend || desk.legend->values.size() != mesh.size()) return surface;
+  const int digits = standing(desk.session).is_rough ? kRoughDigits : kDigits;
+  const std::string unit = desk.legend->unit.empty() ? "" : " " + desk.legend->unit;
+  return fmt::format("{}, {}{}", surface, number_text(desk.legend->values[patch], digits), unit);
 }
 
 void check_output(const Desk& desk, const std::string& path) {

@@ -19,9 +19,11 @@ namespace viewer {
 /// What the colour bar beside the picture tells.
 struct Legend {
   std::vector<std::string> title;
+  std::string unit;  ///< "" of plain numbers
   io::ColorScale scale;
   double least = 0;  ///< of the values that are shown
   double greatest = 0;
+  Eigen::VectorXd values;  ///< of the patches
   bool has_below = false;  ///< values below the scale are shown, as its lowest colour
   bool has_above = false;
 };
@@ -56,11 +58,12 @@ struct Desk {
   std::vector<EmitterShare> emitter_shares;  ///< of its light, once the light path is known
   bool shows_panels = true;
   bool shows_help = false;
-  bool asks_light_path = false;           ///< for each patch that is selected
-  std::optional<int> function_key = {};   ///< the last one that was pressed, for scripts
-  int shown_file = 0;                     ///< of Session::Versions
-  Session::Versions facts_versions = {};  ///< at which the facts were found
-  std::optional<std::string> screenshot;  ///< file that the next drawing shall be written to
+  bool asks_light_path = false;             ///< for each patch that is selected
+  std::optional<radiosity::Index> hovered;  ///< patch under the mouse
+  std::optional<int> function_key = {};     ///< the last one that was pressed, for scripts
+  int shown_file = 0;                       ///< of Session::Versions
+  Session::Versions facts_versions = {};    ///< at which the facts were found
+  std::optional<std::string> screenshot;    ///< file that the next drawing shall be written to
   /// Not to be overwritten, beside what is open and what it refers to.
   std::vector<std::filesystem::path> kept_files = {};
 };
@@ -89,6 +92,9 @@ radiosity::Camera picture_camera(const Desk& desk);
 /// The patch whose emitting side is seen at a point of the picture; x and y in [0, 1] from its top
 /// left.
 std::optional<radiosity::Index> patch_at(const Desk& desk, double x, double y);
+
+/// What the mouse points at: "floor, 123.4 lux"; "" if it is nothing.
+std::string hovered_text(const Desk& desk);
 
 /// Throws OutputError if a file must not be written, since what is open is read from it.
 void check_output(const Desk& desk, const std::string& path);

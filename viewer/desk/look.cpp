@@ -45,7 +45,8 @@ Eigen::VectorXd one_band(const Eigen::MatrixXd& values, const radiosity::Bands& 
 ShownField banded(std::string what, const std::string& unit, const Eigen::MatrixXd& values,
                   const Session& session, const Look& look) {
   const radiosity::Bands& bands = session.model().bands;
-  ShownField field{.title = {std::move(what)}, .values = one_band(values, bands, look.band)};
+  ShownField field{
+      .title = {std::move(what)}, .unit = unit, .values = one_band(values, bands, look.band)};
   if (!unit.empty()) field.title.push_back(unit);
   if (values.cols() > 1) field.title.push_back(band_title(bands, look.band));
   return field;
@@ -173,6 +174,7 @@ std::optional<ShownField> shown_field(const Session& session, const Look& look) 
       return quantity_field(session, look);
     case Show::area:
       return ShownField{.title = {"area", "m²"},
+                        .unit = "m²",
                         .values = Eigen::Map<const Eigen::VectorXd>(
                             session.model().mesh->area.data(), session.model().mesh->size())};
     case Show::direct:

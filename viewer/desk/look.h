@@ -66,6 +66,7 @@ bool is_wide(Show show);
 /// One value per patch, in a unit.
 struct ShownField {
   std::vector<std::string> title;  ///< lines: what, unit, band
+  std::string unit = {};           ///< "" of plain numbers
   Eigen::VectorXd values;          ///< n; not finite = nothing is known
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "radiosity/solve/quantity.h"
@@ -90,6 +91,19 @@ PatchFacts patch_facts(const Session& session) {
   return facts;
 }
 
+std::optional<Index> same_place(const radiosity::PatchMesh& mesh, const PatchFacts& facts) {
+  std::optional<Index> nearest;
+  double least = std::numeric_limits<double>::infinity();
+  for (Index i = 0; i < mesh.size(); ++i) {
+    if (mesh.polygon[i] != facts.polygon || mesh.normal[i].dot(facts.normal) <= 0) continue;
+    const double distance = (mesh.centroid[i] - facts.centroid).norm();
+    if (distance >= least) continue;
+    least = distance;
+    nearest = i;
+  }
+  return nearest;
+}
+
 std::string number_text(double value, int digits) {
   if (value == 0) return "0";
   // Neither 1.641e+04 nor digits that mean nothing.
@@ -104,12 +118,14 @@ std::string number_text(double value, int digits) {
 std::string numbers_text(const Eigen::VectorXd& values, bool is_rough) {
   const int digits = is_rough ? kRoughDigits : values.size() == 1 ? kDigits : kDigitsOfMany;
   const std::string mark = is_rough ? "≈ " : "";
-  if (values.size() > kMostNumbers) {
+  if (values.size() > kMostNumbers && values.minCoeff() < values.maxCoeff()) {
     return fmt::format("{}{} to {}", mark, number_text(values.minCoeff(), digits),
                        number_text(values.maxCoeff(), digits));
   }
   std::string text = mark;
-  for (Index k = 0; k < values.size(); ++k) {
+  // Of many that are all alike one is enough.
+  const Index n = values.size() > kMostNumbers ? 1 : values.size();
+  for (Index k = 0; k < n; ++k) {
     text += (k > 0 ? "  " : "") + number_text(values[k], digits);
   }
   return text;

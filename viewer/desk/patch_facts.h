@@ -48,6 +48,11 @@ struct PatchFacts {
 /// Of the selected patch, which there must be.
 PatchFacts patch_facts(const Session& session);
 
+/// The patch of another division of the same scene that is nearest to where the facts' patch was;
+/// empty if its polygon has none.
+std::optional<radiosity::Index> same_place(const radiosity::PatchMesh& mesh,
+                                           const PatchFacts& facts);
+
 /// Digits that are shown of a value, and of one that is no more than a preview.
 inline constexpr int kDigits = 4;
 inline constexpr int kRoughDigits = 2;

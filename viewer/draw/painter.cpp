@@ -123,9 +123,11 @@ void Painter::paint_field(Desk& desk, SceneView& view, const ShownField& field) 
   const std::string note = scale_note(desk.look, scale);
   if (!note.empty()) title.push_back(note);
   desk.legend = Legend{.title = std::move(title),
+                       .unit = field.unit,
                        .scale = scale,
                        .least = field.values.minCoeff(),
                        .greatest = field.values.maxCoeff(),
+                       .values = field.values,
                        .has_below = field.values.minCoeff() < scale.low,
                        .has_above = field.values.maxCoeff() > scale.high};
 }

@@ -64,9 +64,10 @@ void draw_spectrum(const Desk& desk, const PatchFacts& facts) {
   const Eigen::VectorXf spectrum = facts.radiosity.cast<float>();
   const std::string range =
       fmt::format("radiosity B, {:.0f} to {:.0f} nm", wavelengths.front(), wavelengths.back());
+  ImGui::SetNextItemWidth(-1);
   ImGui::PlotLines("##spectrum", spectrum.data(), static_cast<int>(spectrum.size()), 0,
                    range.c_str(), 0, std::max(spectrum.maxCoeff(), 1e-30F),
-                   ImVec2(-1, 5 * ImGui::GetFontSize()));
+                   ImVec2(0, 5 * ImGui::GetFontSize()));
 }
 
 void draw_patch(const Desk& desk, const PatchFacts& facts) {

@@ -70,6 +70,7 @@ void Input::handle_mouse(Desk& desk) {
   const double x = (static_cast<double>(io.MousePos.x) - region.left) / region.width;
   const double y = (static_cast<double>(io.MousePos.y) - region.top) / region.height;
   const bool is_over = !io.WantCaptureMouse && x >= 0 && x < 1 && y >= 0 && y < 1;
+  desk.hovered = is_over && !is_dragging_ ? patch_at(desk, x, y) : std::nullopt;
   if (is_over && io.MouseWheel != 0) desk.camera.zoom(std::pow(kZoomStep, io.MouseWheel));
 
   const bool is_down = ImGui::IsMouseDown(0) || ImGui::IsMouseDown(1) || ImGui::IsMouseDown(2);

@@ -186,6 +186,10 @@ void Panels::draw_status(Desk& desk, float top, float width, float height) {
     ImGui::SameLine();
   }
   ImGui::TextUnformatted(status_text(desk).c_str());
+  if (const std::string hovered = hovered_text(desk); !hovered.empty()) {
+    ImGui::SameLine(width * 0.6F);
+    ImGui::TextDisabled("%s", hovered.c_str());
+  }
   if (!session.messages().empty()) {
     ImGui::SameLine(width - 4 * ImGui::GetFontSize());
     if (ImGui::SmallButton("Clear")) desk.session.clear_messages();

@@ -12,6 +12,8 @@ constexpr std::string_view kFormFactors = "form factors";
 // What a stage takes of the time that is left, as a guess. Form factors take most of it.
 constexpr double kFormFactorShare = 0.8;
 constexpr double kOtherShare = 0.4;
+constexpr double kRoundFormFactorShare = 0.12;  // as there may be ten rounds
+constexpr double kRoundOtherShare = 0.04;
 constexpr double kFirstGuess = 1;    // s, before which the time left is not guessed
 constexpr double kLeastDone = 0.02;  // likewise
 
@@ -44,18 +46,22 @@ void JobProgress::update(const WorkStatus& status, double now) {
   if (!is_busy_ || status.stage != stage_ || is_again) begin_stage(status, now);
   is_busy_ = true;
   done_ = std::max(done_, done);
-  const double share = stage_ == kFormFactors ? kFormFactorShare : kOtherShare;
+  const bool is_long = stage_ == kFormFactors;
+  const double share = has_rounds_ ? (is_long ? kRoundFormFactorShare : kRoundOtherShare)
+                                   : (is_long ? kFormFactorShare : kOtherShare);
   fraction_ = std::max(fraction_, done_before_ + (1 - done_before_) * share * done_);
 }
 
 std::string JobProgress::text() const {
   if (!is_busy_) return "";
-  std::string text = round_ > 1 ? fmt::format("round {}: ", round_) : "";
+  const bool is_in_round = has_rounds_ && round_ > 0;
+  std::string text = is_in_round ? fmt::format("round {}: ", round_) : "";
   text += stage_name(stage_);
   if (done_ > 0) text += fmt::format(" {:.0f} %", 100 * done_);
   const double spent = now_ - begun_;
   if (spent < kFirstGuess || done_ < kLeastDone || done_ >= 1) return text;
-  return text + fmt::format(", about {} left", duration_text(spent * (1 - done_) / done_));
+  return text + fmt::format(", about {}{} left", duration_text(spent * (1 - done_) / done_),
+                            is_in_round ? " of this round" : "");
 }
 
 std::string duration_text(double seconds) {

@@ -85,6 +85,7 @@ void Session::restart(const study::StudyOptions& options) {
 
 void Session::take_file(OpenedFile file, Clock::time_point start) {
   if (pipeline_.is_busy() || lighting_.is_busy()) job_ = {};  // that of the file before
+  job_.set_rounds(options_.patches.adaptive);
   cancel_computing();
   pause_.set(false);
   start_ = start;
@@ -101,6 +102,8 @@ void Session::take_file(OpenedFile file, Clock::time_point start) {
 }
 
 void Session::start_preview() {
+  is_quick_running_ = true;
+  is_relight_due_ = false;
   previewing_.start([this, model = model_, mix = mix_](const Worker::Context& context) {
     preview(model, mix,
             posting<radiosity::Solution, double>(
@@ -155,16 +158,16 @@ void Session::take_model(Model model) {
     original_mix_ = mix_;
     ++versions_.mix;
   }
+  if (is_relight_due_ && previewing_.is_busy()) start_preview();
   if (model_.transport) start_light_task();
 }
 
 void Session::take_light(Light light) {
   if (light.kind != Light::Kind::preview) previewing_.cancel();
   const bool is_first = light.kind == Light::Kind::solved && seconds_to_solve_ == 0;
-  if (is_first) {
-    seconds_to_solve_ = seconds_since(start_);
-  }
-  const bool is_quick = light.kind == Light::Kind::quick;
+  if (is_first) seconds_to_solve_ = seconds_since(start_);
+  const bool is_quick =
+      light.kind == Light::Kind::quick || (light.kind == Light::Kind::preview && !model_.transport);
   if (changed_ && !is_relight_due_) {
     change_seconds_ = seconds_since(*changed_);
     changed_.reset();
@@ -174,7 +177,7 @@ void Session::take_light(Light light) {
   ++versions_.light;
   if (is_quick) {
     is_quick_running_ = false;
-    if (std::exchange(is_relight_due_, false)) start_light_task();
+    if (std::exchange(is_relight_due_, false)) relight_anew();
   }
 }
 
@@ -205,17 +208,23 @@ void Session::relight() {
   ++versions_.mix;
   changed_ = Clock::now();
   change_seconds_ = 0;
-  if (!model_.transport) {
-    if (light_ || pipeline_.is_busy()) start_preview();
-  } else if (emitter_lights_) {
+  const Worker& worker = model_.transport ? lighting_ : previewing_;
+  if (emitter_lights_) {
     take_light({Light::Kind::solved, superpose(*emitter_lights_, mix_)});
     start_light_task();
-  } else if (is_quick_running_ && lighting_.is_busy()) {
+  } else if (is_quick_running_ && worker.is_busy()) {
     // Let it finish, else the picture would never follow a slider that keeps moving.
     is_relight_due_ = true;
   } else {
-    start_light_task();
+    relight_anew();
   }
+}
+
+void Session::relight_anew() {
+  // Until there are form factors, and until they have been used, there is a preview.
+  const bool is_previewed = !model_.transport && (light_ || pipeline_.is_busy());
+  if (is_previewed || previewing_.is_busy()) start_preview();
+  if (model_.transport) start_light_task();
 }
 
 void Session::set_emitter(std::size_t emitter, double scale, bool is_on) {

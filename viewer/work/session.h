@@ -133,6 +133,7 @@ class Session {
   void take_model(Model model);
   void take_light(Light light);
   void relight();
+  void relight_anew();
   void start_light_task();
   void add_message(bool is_error, const std::string& text);
 
@@ -151,7 +152,7 @@ class Session {
   std::deque<Message> messages_;
   Versions versions_;
   double unshot_share_ = 1;
-  bool is_quick_running_ = false;  // the light worker has not come to its first picture
+  bool is_quick_running_ = false;  // light or preview have not come to their first picture
   bool is_relight_due_ = false;    // the mix has changed since it began
   double seconds_to_solve_ = 0;
   double change_seconds_ = 0;
