@@ -27,6 +27,7 @@ constexpr double kFrameSeconds = 1.0 / 60;
 constexpr double kFrugalFrameSeconds = 1.0 / 36;
 constexpr double kIdleSeconds = 0.1;      // between looks at the background while nothing moves
 constexpr int kLivelyFrames = 4;          // after each event, until all widgets have settled
+constexpr int kFewFrames = 2;             // after news from the background
 constexpr int kScreenshotFrames = 3;      // likewise, before a picture of the window
 constexpr std::size_t kMostTimes = 4096;  // frames
 
@@ -43,6 +44,7 @@ class Application final : public ScriptHost {
         window_({.width = options.width, .height = options.height, .scale = options.scale}),
         desk_(options.solving, options.reading),
         panels_(options.solving) {
+    desk_.asked_up = options.up;
     if (options.path) desk_.kept_files.emplace_back(*options.path);
     if (!options.script) return;
     script_.emplace(*options.script);
@@ -57,13 +59,13 @@ class Application final : public ScriptHost {
     if (options_.path) open(*options_.path);
     while (!window_.is_closing()) {
       if (options_.stop.stop_requested()) throw radiosity::Interrupted();
-      draw_frame();
+      if (attend()) draw_frame();
       if (script_) script_->advance(desk_, *this);
       if (has_finished()) return;
     }
   }
 
-  void open(const std::string& path) override { panels_.open(desk_, path); }
+  void open(const std::string& path) override { desk_.session.open(path); }
   void resize(int width, int height) override { window_.resize(width, height); }
   [[nodiscard]] std::vector<double> frame_times() const override {
     return {frame_times_.begin(), frame_times_.end()};
@@ -71,17 +73,29 @@ class Application final : public ScriptHost {
   void forget_frame_times() override { frame_times_.clear(); }
 
  private:
-  void draw_frame() {
-    window_.begin_frame(waiting_time());
-    const auto start = Clock::now();
+  /// Takes in what has happened, waiting for it if there is nothing to do. Whether there is
+  /// something to draw.
+  bool attend() {
+    if (window_.handle_events(waiting_time())) lively_ = kLivelyFrames;
     for (const std::string& path : window_.take_dropped_files()) open(path);
-    if (update(desk_)) lively_ = kLivelyFrames;
-    if (titled_ != desk_.session.versions().model) {
-      titled_ = desk_.session.versions().model;
+    if (update(desk_)) lively_ = std::max(lively_, kFewFrames);
+    if (opened_ != desk_.session.versions().file) {
+      opened_ = desk_.session.versions().file;
       window_.set_title(window_title(desk_.session));
+      if (!is_unattended()) panels_.remember(desk_.session.model().path);
     }
-    input_.handle(desk_, panels_);
-    panels_.draw(desk_, window_.width(), window_.height(), window_.scale());
+    // The status line tells how far the work is.
+    const bool is_working = !desk_.session.is_idle() && !desk_.session.is_paused();
+    return is_hurried() || (window_.is_shown() && is_working);
+  }
+
+  void draw_frame() {
+    window_.begin_frame();
+    const auto start = Clock::now();
+    lively_ = std::max(0, lively_ - 1);
+    const std::vector<KeyPress> keys = window_.take_keys();
+    input_.handle(desk_, panels_, keys);
+    panels_.draw(desk_, keys, window_.width(), window_.height(), window_.scale());
     painter_.paint(desk_, view_);
     view_.set_region(desk_.region, window_.width(), window_.height());
     const bool is_frugal = window_.is_software() && !desk_.session.is_idle();
@@ -130,14 +144,14 @@ class Application final : public ScriptHost {
 
   [[nodiscard]] bool is_unattended() const { return options_.script || options_.screenshot; }
 
-  /// Seconds to wait for mouse and keyboard before the next frame.
-  double waiting_time() {
-    const bool is_busy = script_ || !desk_.session.is_idle() || lively_ > 0;
-    lively_ = std::max(0, lively_ - 1);
-    if (is_busy) return 0;
-    lively_ = 1;  // whatever ends the wait is shown with two frames
-    return kIdleSeconds;
+  /// Whether the next frame is wanted as soon as possible.
+  [[nodiscard]] bool is_hurried() const {
+    return is_unattended() ||
+           (window_.is_shown() && (lively_ > 0 || panels_.is_moving() || desk_.screenshot));
   }
+
+  /// Seconds to wait for mouse and keyboard before the next look.
+  [[nodiscard]] double waiting_time() const { return is_hurried() ? 0 : kIdleSeconds; }
 
   /// Whether the script, and then the screenshot, are done.
   bool has_finished() {
@@ -166,7 +180,7 @@ class Application final : public ScriptHost {
   std::optional<Script> script_;
   std::deque<double> frame_times_;  // ms
   Clock::time_point last_frame_ = Clock::now();
-  int titled_ = 0;  // version of the model that the title tells
+  int opened_ = 0;  // Session::Versions::file that the title tells
   int lively_ = kLivelyFrames;
   int screenshot_frames_ = 0;
   bool is_last_asked_ = false;

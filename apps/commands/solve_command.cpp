@@ -101,7 +101,8 @@ void SolveCommand::run() const {
   if (scenarios_) return solve_all(std::move(assembled), scenarios, events, terminal);
   const study::Study solved = study::with_light(std::move(assembled), compute_, events);
   const io::ResultOptions options = {.wavelengths = solved.scene.bands.wavelengths,
-                                     .quantities = fields(solved, quantities)};
+                                     .quantities = fields(solved, quantities),
+                                     .camera = solved.scene.camera};
   SolveSummary summary = {.solved = solved, .outputs = common_.outputs, .operator_file = operator_};
   for (const auto& field : options.quantities) {
     summary.quantities.push_back(radiosity::summarize(field, solved.mesh));
@@ -179,10 +180,11 @@ void SolveCommand::solve_all(study::Study assembled, const std::vector<Scenario>
     for (const auto& field : fields(solved, shown)) {
       rows[k].quantities.push_back(radiosity::summarize(field, solved.mesh));
     }
-    write_results(
-        solved, outputs_of(scenarios[k]),
-        {.wavelengths = solved.scene.bands.wavelengths, .quantities = fields(solved, asked)},
-        events.progress);
+    write_results(solved, outputs_of(scenarios[k]),
+                  {.wavelengths = solved.scene.bands.wavelengths,
+                   .quantities = fields(solved, asked),
+                   .camera = solved.scene.camera},
+                  events.progress);
   };
   const study::Study study =
       study::solve_scenarios(std::move(assembled), scenarios, compute_, events, visit);

@@ -36,13 +36,15 @@ ViewCommand::ViewCommand(CLI::App& program, Interruption& interruption)
                    "one, the scene is solved; then close the window")
       ->check([](const std::string& path) { return check_extension(path, {".png"}); })
       ->type_name("FILE");
-  command->add_option("--width", width_, "Width of the window, pixels")
+  command->add_option("--up", up_, "Axis that points upwards, y or z; default: guessed")
+      ->check(CLI::IsMember({"y", "z"}))
+      ->type_name("AXIS");
+  command->add_option("--width", width_, "Width of the window, pixels; default: 1280, by its scale")
       ->check(CLI::Range(64, kLargestWindow))
-      ->capture_default_str()
       ->type_name("W");
-  command->add_option("--height", height_, "Height of the window, pixels")
+  command
+      ->add_option("--height", height_, "Height of the window, pixels; default: 800, by its scale")
       ->check(CLI::Range(64, kLargestWindow))
-      ->capture_default_str()
       ->type_name("H");
   command
       ->add_option("--ui-scale", scale_,
@@ -72,6 +74,7 @@ void ViewCommand::run() const {
       .width = width_,
       .height = height_,
       .scale = scale_,
+      .up = viewer::up_named(up_),
       .stop = interruption_.token()};
   if (script_) options.script = *script_;
   if (screenshot_) options.screenshot = *screenshot_;

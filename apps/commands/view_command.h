@@ -28,8 +28,9 @@ class ViewCommand {
   std::optional<std::string> script_;
   std::optional<std::string> screenshot_;
   std::size_t n_threads_ = 0;
-  int width_ = 1280;
-  int height_ = 800;
+  int width_ = 0;   // 0 = what suits
+  int height_ = 0;  // likewise
+  std::string up_;
   double scale_ = 0;
   study::StudyOptions compute_;
 };

@@ -23,7 +23,8 @@ void write(const std::filesystem::path& path, const radiosity::PatchMesh& mesh,
           "{}: this program was built without VTK, which .vtp files need; expected .csv or .ply",
           path.string()));
     }
-    radiosity_io_write_vtp(path, mesh, solution, options.quantities, options.wavelengths);
+    radiosity_io_write_vtp(path, mesh, solution, options.quantities, options.wavelengths,
+                           options.camera);
   } else if (extension == ".csv") {
     write_patch_csv(path, mesh, solution, options.quantities);
   } else if (extension == ".ply") {

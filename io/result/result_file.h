@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "radiosity/scene/patch_mesh.h"
@@ -19,6 +20,8 @@ struct ResultOptions {
   /// .vtp. The first one, its mean over the bands, colours a .ply through `fitting_scale` and
   /// `map_color` instead of the radiosity.
   std::vector<radiosity::QuantityField> quantities = {};
+  /// From which the scene is to be looked at; a .vtp keeps it.
+  std::optional<radiosity::Camera> camera = {};
 };
 
 /// Writes a solution by extension: .vtp (ParaView: cell arrays radiosity, irradiance, exitance,

@@ -240,6 +240,24 @@ Solution read_solution(const PolydataArrays& arrays, const PatchMesh& mesh,
   return solution;
 }
 
+std::optional<radiosity::Camera> read_camera(const PolydataArrays& arrays,
+                                             const std::filesystem::path& path) {
+  const auto numbers = arrays.field_values("camera");
+  if (!numbers) return std::nullopt;
+  if (numbers->size() != 10) fail(path, "array \"camera\" is not ten numbers");
+  const auto vector = [&](std::size_t first) { return radiosity::Vec3(numbers->data() + first); };
+  const radiosity::Camera camera = {.position = vector(0),
+                                    .direction = vector(3),
+                                    .up = vector(6),
+                                    .vertical_fov = numbers->back()};
+  const bool sees = camera.position.allFinite() && std::abs(camera.direction.norm() - 1) < 1e-6 &&
+                    std::abs(camera.up.norm() - 1) < 1e-6 &&
+                    camera.direction.cross(camera.up).norm() > 0 && camera.vertical_fov > 0 &&
+                    camera.vertical_fov < radiosity::kPi;
+  if (!sees) fail(path, "array \"camera\" is of one that sees nothing");
+  return camera;
+}
+
 }  // namespace
 
 StoredResult read_result(const std::filesystem::path& path) {
@@ -251,6 +269,7 @@ StoredResult read_result(const std::filesystem::path& path) {
   result.mesh = read_mesh(arrays, path);
   result.solution = read_solution(arrays, result.mesh, path);
   result.bands = read_bands(arrays, result.solution.radiosity.cols(), path, result.warnings);
+  result.camera = read_camera(arrays, path);
   return result;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct StoredResult {
   radiosity::PatchMesh mesh;
   radiosity::Solution solution;  ///< all but `seconds`, which no file tells
   radiosity::Bands bands;
+  std::optional<radiosity::Camera> camera;
   std::vector<std::string> warnings;  ///< what the file does not tell and was made up
 };
 

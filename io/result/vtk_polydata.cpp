@@ -101,6 +101,15 @@ void add_bands(vtkPolyData& polydata, Index n_bands, const std::vector<double>& 
   }
 }
 
+void add_camera(vtkPolyData& polydata, const radiosity::Camera& camera) {
+  std::vector<double> numbers;
+  for (const radiosity::Vec3& vector : {camera.position, camera.direction, camera.up}) {
+    numbers.insert(numbers.end(), vector.begin(), vector.end());
+  }
+  numbers.push_back(camera.vertical_fov);
+  add_field(polydata, "camera", std::span<const double>(numbers));
+}
+
 /// What the solver says of the whole. Not its time, so that equal solutions give equal files.
 void add_solve_report(vtkPolyData& polydata, const Solution& solution) {
   const auto add_number = [&](const char* name, double value) {
@@ -125,7 +134,8 @@ void add_solve_report(vtkPolyData& polydata, const Solution& solution) {
 
 vtkSmartPointer<vtkPolyData> make_polydata(const PatchMesh& mesh, const Solution& solution,
                                            const std::vector<radiosity::QuantityField>& quantities,
-                                           const std::vector<double>& wavelengths) {
+                                           const std::vector<double>& wavelengths,
+                                           const std::optional<radiosity::Camera>& camera) {
   auto polydata = vtkSmartPointer<vtkPolyData>::New();
   polydata->SetPoints(make_points(mesh));
   polydata->SetPolys(make_polygons(mesh));
@@ -149,6 +159,7 @@ vtkSmartPointer<vtkPolyData> make_polydata(const PatchMesh& mesh, const Solution
   add_field(*polydata, "radiosity_version", std::vector{kResultVersion});
   add_bands(*polydata, solution.radiosity.cols(), wavelengths);
   add_solve_report(*polydata, solution);
+  if (camera) add_camera(*polydata, *camera);
   polydata->GetCellData()->SetActiveScalars("radiosity");
   return polydata;
 }

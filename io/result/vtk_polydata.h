@@ -3,9 +3,11 @@
 #include <vtkSmartPointer.h>
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "radiosity/scene/patch_mesh.h"
+#include "radiosity/scene/scene.h"
 #include "radiosity/solve/quantity.h"
 #include "radiosity/solve/solution.h"
 
@@ -24,11 +26,13 @@ inline constexpr int kResultVersion = 1;
 /// surface_two_sided (0 or 1), radiosity_version, bands ("grey", "rgb" or "wavelengths"; absent for
 /// another number of bands without `wavelengths`), wavelengths (nm), energy_emitted,
 /// energy_absorbed, energy_escaped (one value per band), solve_method, solve_iterations,
-/// solve_converged, solve_products, solve_residual, solve_error_bound and transport_error_bound.
+/// solve_converged, solve_products, solve_residual, solve_error_bound, transport_error_bound, and
+/// `camera`, if there is one: position (m), direction, up, vertical field of view (radian).
 vtkSmartPointer<vtkPolyData> make_polydata(
     const radiosity::PatchMesh& mesh, const radiosity::Solution& solution,
     const std::vector<radiosity::QuantityField>& quantities = {},
-    const std::vector<double>& wavelengths = {});
+    const std::vector<double>& wavelengths = {},
+    const std::optional<radiosity::Camera>& camera = {});
 
 /// Writes VTK XML (.vtp), zlib-compressed. Throws OutputError naming `path`.
 void write_polydata(const std::filesystem::path& path, vtkPolyData& polydata);

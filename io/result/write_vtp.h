@@ -1,9 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "radiosity/scene/patch_mesh.h"
+#include "radiosity/scene/scene.h"
 #include "radiosity/solve/quantity.h"
 #include "radiosity/solve/solution.h"
 
@@ -13,4 +15,4 @@
 extern "C" [[gnu::weak]] void radiosity_io_write_vtp(
     const std::filesystem::path& path, const radiosity::PatchMesh& mesh,
     const radiosity::Solution& solution, const std::vector<radiosity::QuantityField>& quantities,
-    const std::vector<double>& wavelengths);
+    const std::vector<double>& wavelengths, const std::optional<radiosity::Camera>& camera);

@@ -122,8 +122,12 @@ TEST_F(ResultReader, GivesBackWhatWasWritten) {
   for (const auto& [kind, wavelengths] : bands) {
     const Bands written{kind, wavelengths};
     const Solution solution = make_solution(mesh, written.count());
-    io::write(folder() / "out.vtp", mesh, solution, {.wavelengths = wavelengths});
+    io::ResultOptions options{.wavelengths = wavelengths};
+    if (kind == Bands::Kind::rgb) options.camera = radiosity::Camera{.position = {1. / 3, 2, -5}};
+    io::write(folder() / "out.vtp", mesh, solution, options);
     const io::StoredResult read = io::read_result(folder() / "out.vtp");
+    ASSERT_EQ(read.camera.has_value(), options.camera.has_value());
+    EXPECT_TRUE(!read.camera || read.camera->position == options.camera->position);
     expect_equal(read.mesh, mesh);
     EXPECT_EQ(read.bands.kind, kind);
     EXPECT_EQ(read.bands.wavelengths, wavelengths);
@@ -144,7 +148,8 @@ TEST_F(ResultReader, GivesBackWhatWasWritten) {
     EXPECT_TRUE(read.solution.converged);
     EXPECT_TRUE(read.warnings.empty());
     // What was read makes the same file.
-    io::write(folder() / "again.vtp", read.mesh, read.solution, {.wavelengths = wavelengths});
+    options.camera = read.camera;
+    io::write(folder() / "again.vtp", read.mesh, read.solution, options);
     EXPECT_EQ(file_bytes(folder() / "again.vtp"), file_bytes(folder() / "out.vtp"));
   }
 }

@@ -1,98 +1,17 @@
 // The desktop window, driven by scripts on a virtual display.
 #include <gtest/gtest.h>
-#include <png.h>
 
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "tests/support/program.h"
-#include "tests/support/virtual_display.h"
+#include "tests/support/view_program.h"
 #include "tests/support/wait_until.h"
 
 namespace radiosity::test {
 namespace {
 
 using nlohmann::json;
-
-const std::string kScenes = RADIOSITY_SCENES;
-const std::string kBox = kScenes + "/cornell-box.json";
-
-struct Picture {
-  int width = 0;
-  int height = 0;
-  std::vector<png_byte> bytes;
-
-  [[nodiscard]] std::array<int, 3> at(int x, int y) const {
-    const std::size_t first = 3 * (static_cast<std::size_t>(y) * width + x);
-    return {bytes[first], bytes[first + 1], bytes[first + 2]};
-  }
-};
-
-Picture read_png(const fs::path& path) {
-  png_image image{};
-  image.version = PNG_IMAGE_VERSION;
-  Picture picture;
-  EXPECT_NE(png_image_begin_read_from_file(&image, path.c_str()), 0) << path;
-  image.format = PNG_FORMAT_RGB;
-  picture.width = static_cast<int>(image.width);
-  picture.height = static_cast<int>(image.height);
-  picture.bytes.resize(PNG_IMAGE_SIZE(image));
-  png_image_finish_read(&image, nullptr, picture.bytes.data(), 0, nullptr);
-  return picture;
-}
-
-/// Sets a variable of the programs that are started, while it lives.
-class Environment {
- public:
-  Environment(std::string name, const char* value) : name_(std::move(name)) {
-    if (const char* before = std::getenv(name_.c_str())) before_ = before;
-    set(value);
-  }
-  ~Environment() { set(before_ ? before_->c_str() : nullptr); }
-  Environment(const Environment&) = delete;
-  Environment& operator=(const Environment&) = delete;
-
- private:
-  void set(const char* value) {
-    if (value != nullptr) {
-      setenv(name_.c_str(), value, 1);
-    } else {
-      unsetenv(name_.c_str());
-    }
-  }
-  std::string name_;
-  std::optional<std::string> before_;
-};
-
-class View : public Program {
- protected:
-  // The list of recent files must not be the user's.
-  View() : state_("XDG_STATE_HOME", folder().c_str()) {}
-
-  void SetUp() override {
-    if (!display_.is_there()) GTEST_SKIP() << "there is no Xvfb";
-  }
-
-  /// Runs the script with 600 patches in a window of 640 x 400 pixels, half as wide as it is by
-  /// itself: OpenGL is software here. Its reports and pictures are in results.
-  Outcome run_script(const json& actions) const {
-    return run({"view", "--patches", "600", "--width", "640", "--height", "400", "--ui-scale",
-                "0.5", "--script", write_file("script.json", actions.dump())});
-  }
-  json report(const std::string& name) const { return json::parse(contents(result(name))); }
-
- private:
-  VirtualDisplay display_;
-  Environment state_;
-};
-
-/// The colour in the picture's part of a window, x and y in [0, 1].
-std::array<int, 3> color_at(const Picture& picture, const json& report, double x, double y) {
-  const json& region = report["region"];
-  return picture.at(static_cast<int>(region["left"].get<int>() + x * region["width"].get<int>()),
-                    static_cast<int>(region["top"].get<int>() + y * region["height"].get<int>()));
-}
+using View = ViewProgram;
 
 TEST_F(View, ShowsTheSolvedBoxInItsColors) {
   const json actions = {{{"load", kBox}},
@@ -150,6 +69,11 @@ TEST_F(View, AnswersWhatIsAskedOfAPatch) {
     EXPECT_NEAR(patch["emitters"][0]["radiosity"][b].get<double>(), patch["radiosity"][b],
                 1e-5 * patch["radiosity"][b].get<double>());
   }
+  double shares = 0;
+  for (const json& arrival : patch["arrivals"]) shares += arrival["share"].get<double>();
+  EXPECT_NEAR(shares, 1, 1e-12);
+  // The picture stays where it is, with a colour bar or without.
+  EXPECT_EQ(report("d.json")["region"], report("a.json")["region"]);
   const json legend = report("d.json")["look"]["legend"];
   EXPECT_EQ(legend["low"], 1);
   EXPECT_EQ(legend["high"], 1000);
@@ -345,7 +269,8 @@ json random_actions(std::mt19937& random, int n) {
             {{"action", "resize"}, {"width", 300 + below(900)}, {"height", 100 + below(700)}});
         break;
       case 8:
-        actions.push_back({{"load", below(2) == 0 ? kBox : kScenes + "/l-room.json"}});
+        actions.push_back(
+            {{"load", below(2) == 0 ? kBox : std::string(RADIOSITY_SCENES) + "/l-room.json"}});
         actions.push_back("wait-solved");
         break;
       case 9:

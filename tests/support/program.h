@@ -28,6 +28,7 @@ class Running {
  public:
   Running(const Arguments& arguments, fs::path folder);
 
+  [[nodiscard]] pid_t pid() const { return pid_; }
   void send(int signal) const;
   /// Waits until the program has printed `words`; whether it has within a minute. What it prints
   /// tells that it listens to signals.

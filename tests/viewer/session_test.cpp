@@ -2,58 +2,22 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
-#include <functional>
-#include <set>
 #include <thread>
 
-#include "io/result/form_factor_file.h"
-#include "io/result/operator_file.h"
-#include "io/result/result_file.h"
 #include "io/scene/scene_file.h"
 #include "meshing/patches/patches.h"
 #include "radiosity/base/error.h"
 #include "radiosity/base/machine_memory.h"
-#include "radiosity/compressed/make_compressed_transport.h"
 #include "radiosity/scene/radiometry.h"
 #include "radiosity/solve/solve.h"
-#include "radiosity/visibility/visibility.h"
-#include "tests/support/output_folder.h"
+#include "tests/viewer/sessions.h"
 #include "viewer/desk/desk.h"
 
 namespace {
 
 using radiosity::Index;
 using viewer::Light;
-using namespace std::chrono_literals;
-namespace fs = std::filesystem;
-
-const std::string kRoom = std::string(RADIOSITY_SCENES) + "/l-room.json";
-const std::string kBox = std::string(RADIOSITY_SCENES) + "/cornell-box.json";
-const std::string kThermal = std::string(RADIOSITY_SCENES) + "/thermal-enclosure.json";
-
-/// With what takes seconds, but for a machine under load and sanitizers.
-constexpr auto kPatience = 900s;
-
-/// Coarse enough for a test to take seconds.
-study::StudyOptions coarse() { return {.patches = {.n_patches = 300}}; }
-
-void wait_until(viewer::Session& session, const std::function<bool()>& is_done) {
-  const auto deadline = std::chrono::steady_clock::now() + kPatience;
-  while (!is_done()) {
-    ASSERT_LT(std::chrono::steady_clock::now(), deadline);
-    session.update();
-    std::this_thread::sleep_for(1ms);
-  }
-}
-
-void settle(viewer::Session& session) {
-  wait_until(session, [&] { return session.is_idle(); });
-}
-
-void open(viewer::Session& session, const std::string& path) {
-  session.open(path);
-  settle(session);
-}
+using namespace radiosity::test;
 
 /// The radiosity of the mix from a solve that knows nothing of other mixes.
 Eigen::MatrixXd fresh_radiosity(const viewer::Session& session) {
@@ -228,6 +192,22 @@ TEST(Session, FactsOfAPatchAreThoseOfTheOperator) {
     EXPECT_EQ(desk.facts->direct, direct);
     EXPECT_TRUE((desk.facts->direct.array() <= desk.facts->irradiance.array() + 1e-12).all());
 
+    // Where the light comes from: the irradiance, all of it, by surface.
+    Eigen::VectorXd arrived = Eigen::VectorXd::Zero(3);
+    double shares = 0;
+    for (const viewer::Arrival& arrival : desk.facts->arrivals) {
+      arrived += arrival.irradiance;
+      shares += arrival.share;
+    }
+    EXPECT_LE((arrived - desk.facts->irradiance).norm(), 1e-6 * desk.facts->irradiance.norm());
+    EXPECT_NEAR(shares, 1, 1e-12);
+    viewer::show(desk, "arriving");
+    const auto sent = viewer::shown_field(desk.session, desk.look);
+    ASSERT_TRUE(sent);
+    const Eigen::Map<const Eigen::VectorXd> area(desk.session.model().mesh->area.data(),
+                                                 transport.size());
+    EXPECT_NEAR(sent->values.dot(area), arrived.mean(), 1e-9 * arrived.mean());
+
     viewer::show(desk, "form-factors");
     const auto field = viewer::shown_field(desk.session, desk.look);
     ASSERT_TRUE(field);
@@ -318,99 +298,6 @@ TEST(Session, StopsAndStartsAgain) {
   settle(session);
   EXPECT_EQ(session.light()->kind, Light::Kind::complete);
   EXPECT_EQ(session.light()->solution.radiosity.rows(), session.model().mesh->size());
-}
-
-class Results : public OutputFolder {};
-
-TEST_F(Results, OpenWithoutBeingSolvedAgain) {
-  viewer::Desk desk(coarse());
-  open(desk.session, kBox);
-  const std::string vtp = (folder() / "box.vtp").string();
-  const std::string h5 = (folder() / "box.h5").string();
-  const std::string json = (folder() / "box.json").string();
-  viewer::save_result(desk, vtp);
-  viewer::save_scene(desk, json);
-  io::write_form_factors(h5, *desk.session.model().mesh, *desk.session.model().transport);
-  const auto light = *desk.session.light();
-  const auto mesh = desk.session.model().mesh;
-  const Eigen::VectorXd row = rows_of(*desk.session.model().transport).row(5);
-
-  open(desk.session, vtp);
-  ASSERT_NE(desk.session.light(), nullptr);
-  EXPECT_EQ(desk.session.light()->kind, Light::Kind::stored);
-  EXPECT_EQ(desk.session.light()->solution.radiosity, light.solution.radiosity);
-  EXPECT_EQ(desk.session.light()->solution.radiosity_error, light.solution.radiosity_error);
-  EXPECT_EQ(desk.session.model().mesh->vertices, mesh->vertices);
-  EXPECT_FALSE(desk.session.model().factors);
-  fs::create_hard_link(vtp, folder() / "link.vtp");
-  for (const char* name : {"box.vtp", "./box.vtp", "link.vtp"}) {
-    EXPECT_THROW(viewer::save_result(desk, (folder() / name).string()), radiosity::OutputError);
-  }
-
-  open(desk.session, h5);
-  EXPECT_EQ(desk.session.light(), nullptr);
-  EXPECT_EQ(desk.session.model().mesh->corners, mesh->corners);
-  ASSERT_TRUE(desk.session.model().factors);
-  EXPECT_LE((desk.session.model().factors->row(5) - row).norm(), 1e-12);
-  desk.session.restart(coarse());
-  EXPECT_TRUE(desk.session.messages().back().is_error);
-
-  const radiosity::Visibility visibility(*mesh);
-  const auto compressed = radiosity::make_compressed_transport(*mesh, visibility);
-  io::write_operator(h5, *mesh, *compressed);
-  open(desk.session, h5);
-  ASSERT_TRUE(desk.session.model().factors);
-  EXPECT_EQ(desk.session.model().factors->row(5), compressed->row(5));
-
-  open(desk.session, json);
-  EXPECT_LE(difference(desk.session.light()->solution.radiosity, light.solution.radiosity), 1e-7);
-  EXPECT_THROW(viewer::save_scene(desk, json), radiosity::OutputError);
-}
-
-// Neither a preview nor light without its errors, nor of a mix that is not the one shown, may leave
-// as a result.
-TEST_F(Results, AreSavedOnlyOnceTheyAre) {
-  viewer::Desk desk({.patches = {.n_patches = 60}});
-  desk.session.open(kBox);
-  const std::string file = (folder() / "box.csv").string();
-  std::set<Light::Kind> refused;
-  const auto save = [&] {
-    try {
-      viewer::save_result(desk, file);
-      return true;
-    } catch (const radiosity::OutputError&) {
-      return false;
-    }
-  };
-  while (!desk.session.is_settled() || desk.session.light() == nullptr) {
-    desk.session.update();
-    const bool is_result =
-        desk.session.light() != nullptr && desk.session.light()->kind == Light::Kind::complete;
-    EXPECT_EQ(save(), is_result);
-    if (desk.session.light() != nullptr && !is_result) refused.insert(desk.session.light()->kind);
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-  settle(desk.session);
-  EXPECT_TRUE(refused.contains(Light::Kind::preview));
-  EXPECT_TRUE(save());
-  desk.session.set_emitter(0, 0.25, true);
-  EXPECT_FALSE(save());
-  settle(desk.session);
-  EXPECT_TRUE(save());
-}
-
-// A lamp that is dimmed and a wall that is painted must be in the scene that is saved.
-TEST_F(Results, SavedSceneHasTheChanges) {
-  viewer::Desk desk(coarse());
-  open(desk.session, kBox);
-  desk.session.set_emitter(0, 0.25, true);
-  desk.session.set_reflectance(1, Eigen::Vector3d(0.1, 0.5, 0.9));
-  settle(desk.session);
-  const Eigen::MatrixXd expected = desk.session.light()->solution.radiosity;
-  const std::string json = (folder() / "changed.json").string();
-  viewer::save_scene(desk, json);
-  open(desk.session, json);
-  EXPECT_LE(difference(desk.session.light()->solution.radiosity, expected), 1e-7);
 }
 
 }  // namespace

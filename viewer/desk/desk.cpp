@@ -2,22 +2,69 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <stdexcept>
 
 #include "io/base/output_check.h"
 #include "io/result/result_file.h"
+#include "io/scene/read_options.h"
 #include "io/scene/scene_writer.h"
 #include "radiosity/base/error.h"
 #include "radiosity/picture/render.h"
 #include "radiosity/scene/patch_mesh.h"
+#include "viewer/work/standing.h"
 
 namespace viewer {
 
 using radiosity::Index;
 
+namespace {
+
+Domain domain_of(const Session& session) {
+  if (session.is_thermal()) return Domain::heat;
+  const bool is_dark = !session.model().scene && session.light() == nullptr;
+  return is_dark ? Domain::factors : Domain::light;
+}
+
+/// What a person set for the last file would hide the new one.
+void greet(Desk& desk) {
+  const Session& session = desk.session;
+  desk.shown_file = session.versions().file;
+  desk.look.range.reset();
+  desk.look.logarithmic = is_wide(desk.look.show);
+  desk.look.band.reset();
+  const Domain domain = domain_of(session);
+  const bool is_of_iteration = desk.look.show == Show::watched || desk.look.show == Show::unshot;
+  if (domain != desk.domain || is_of_iteration) show(desk, first_quantity(domain));
+  desk.domain = domain;
+  desk.up = desk.asked_up.value_or(guessed_up(*session.model().mesh, session.model().camera));
+  use_scene_camera(desk);
+}
+
+}  // namespace
+
+const char* first_quantity(Domain domain) {
+  switch (domain) {
+    case Domain::heat:
+      return "net-flux";
+    case Domain::factors:
+      return "form-factors";
+    case Domain::light:
+      break;
+  }
+  return "true-colour";
+}
+
 bool update(Desk& desk) {
   bool has_changed = desk.session.update();
   const Session& session = desk.session;
+  if (session.versions().file != desk.shown_file) {
+    greet(desk);
+  } else if (desk.facts && !session.selected() &&
+             session.versions().model != desk.facts_versions.model) {
+    // Divided otherwise: the question is about the same place.
+    desk.session.select(same_place(*session.model().mesh, *desk.facts));
+  }
   if (desk.asks_light_path) desk.session.ask_light_path();
   const Session::Versions& now = session.versions();
   const Session::Versions& then = desk.facts_versions;
@@ -48,6 +95,7 @@ void show(Desk& desk, const std::string& name) {
   desk.look.show = known->show;
   if (known->show == Show::quantity) desk.look.quantity = known->quantity;
   desk.look.range.reset();
+  desk.look.logarithmic = is_wide(known->show);
   if (known->show == Show::light_path) desk.asks_light_path = true;
 }
 
@@ -61,20 +109,56 @@ void fit_camera(Desk& desk) {
 void use_scene_camera(Desk& desk) {
   if (!desk.session.is_open()) return;
   const Model& model = desk.session.model();
-  const bool has_camera = model.scene && model.scene->camera;
-  desk.camera =
-      CameraControl(has_camera ? *model.scene->camera : radiosity::fit_camera(*model.mesh),
-                    radiosity::bounds(*model.mesh));
+  // A camera with another up would turn about the wrong axis.
+  const bool has_camera = model.camera && guessed_up(*model.mesh, model.camera) == desk.up;
+  desk.camera = CameraControl(has_camera ? *model.camera : outside_camera(*model.mesh, desk.up),
+                              radiosity::bounds(*model.mesh));
+}
+
+void set_up(Desk& desk, UpAxis up) {
+  desk.up = up;
+  if (!desk.session.is_open()) return;
+  const radiosity::PatchMesh& mesh = *desk.session.model().mesh;
+  desk.camera = CameraControl(outside_camera(mesh, up), radiosity::bounds(mesh));
+}
+
+void set_unit(Desk& desk, const std::string& unit) {
+  io::metres_per_unit(unit);  // to refuse what is none
+  const Model& model = desk.session.model();
+  if (!model.scene) throw radiosity::SceneError("a unit can be chosen for scenes only");
+  desk.session.open(model.path, unit);
+}
+
+radiosity::Camera picture_camera(const Desk& desk) {
+  radiosity::Camera camera = desk.camera.camera();
+  const bool is_high = desk.region.width > 0 && desk.region.width < desk.region.height;
+  if (is_high) {
+    const double aspect = static_cast<double>(desk.region.width) / desk.region.height;
+    camera.vertical_fov = 2 * std::atan(std::tan(camera.vertical_fov / 2) / aspect);
+  }
+  return camera;
 }
 
 std::optional<Index> patch_at(const Desk& desk, double x, double y) {
   if (!desk.session.is_open() || desk.region.height <= 0) return std::nullopt;
   const double aspect = static_cast<double>(desk.region.width) / desk.region.height;
-  const radiosity::Camera& camera = desk.camera.camera();
+  const radiosity::Camera camera = picture_camera(desk);
   const auto hit = desk.session.model().visibility->first_front_hit(
       camera.position, ray_direction(camera, x, y, aspect));
   if (!hit) return std::nullopt;
   return hit->patch;
+}
+
+std::string hovered_text(const Desk& desk) {
+  if (!desk.hovered || !desk.session.is_open()) return "";
+  const radiosity::PatchMesh& mesh = *desk.session.model().mesh;
+  const Index patch = *desk.hovered;
+  if (patch >= mesh.size()) return "";  // of the scene before
+  const std::string& surface = mesh.surface_names[mesh.surface[static_cast<std::size_t>(patch)]];
+  if (!desk.legend || desk.legend->values.size() != mesh.size()) return surface;
+  const int digits = standing(desk.session).is_rough ? kRoughDigits : kDigits;
+  const std::string unit = desk.legend->unit.empty() ? "" : " " + desk.legend->unit;
+  return fmt::format("{}, {}{}", surface, number_text(desk.legend->values[patch], digits), unit);
 }
 
 void check_output(const Desk& desk, const std::string& path) {
@@ -100,7 +184,9 @@ void save_result(const Desk& desk, const std::string& path) {
   }
   check_output(desk, path);
   io::write(path, *desk.session.model().mesh, desk.session.light()->solution,
-            {.wavelengths = desk.session.model().bands.wavelengths});
+            {.wavelengths = desk.session.model().bands.wavelengths,
+             .quantities = {},
+             .camera = desk.camera.camera()});
 }
 
 void save_scene(const Desk& desk, const std::string& path) {

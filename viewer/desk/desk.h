@@ -9,6 +9,7 @@
 #include "radiosity/base/geometry.h"
 #include "viewer/desk/camera_control.h"
 #include "viewer/desk/look.h"
+#include "viewer/desk/orientation.h"
 #include "viewer/desk/patch_facts.h"
 #include "viewer/desk/region.h"
 #include "viewer/work/session.h"
@@ -18,10 +19,24 @@ namespace viewer {
 /// What the colour bar beside the picture tells.
 struct Legend {
   std::vector<std::string> title;
+  std::string unit;  ///< "" of plain numbers
   io::ColorScale scale;
+  double least = 0;  ///< of the values that are shown
+  double greatest = 0;
+  Eigen::VectorXd values;  ///< of the patches
   bool has_below = false;  ///< values below the scale are shown, as its lowest colour
   bool has_above = false;
 };
+
+/// What a file is about, and so what is shown of it at first.
+enum class Domain {
+  light,   ///< true colour
+  heat,    ///< net flux: a scene whose surfaces radiate by their temperature
+  factors  ///< form factors without any light
+};
+
+/// The name of what is shown of it at first.
+const char* first_quantity(Domain domain);
 
 /// Everything that the window shows. Panels, keys and scripts act on it through the functions below
 /// and through its session, so that all can do the same.
@@ -32,6 +47,9 @@ struct Desk {
   Session session;
   Look look;
   CameraControl camera;
+  UpAxis up = UpAxis::y;
+  std::optional<UpAxis> asked_up = {};  ///< of all files; absent: guessed for each
+  Domain domain = Domain::light;
   double exposure = 1;                       ///< automatic part, from radiosity to display value
   bool is_exposure_due = true;               ///< it shall be found anew
   std::optional<Legend> legend;              ///< of what is shown now
@@ -40,17 +58,22 @@ struct Desk {
   std::vector<EmitterShare> emitter_shares;  ///< of its light, once the light path is known
   bool shows_panels = true;
   bool shows_help = false;
-  bool asks_light_path = false;           ///< for each patch that is selected
-  Session::Versions facts_versions = {};  ///< at which the facts were found
-  std::optional<std::string> screenshot;  ///< file that the next drawing shall be written to
+  bool asks_light_path = false;             ///< for each patch that is selected
+  std::optional<radiosity::Index> hovered;  ///< patch under the mouse
+  std::optional<int> function_key = {};     ///< the last one that was pressed, for scripts
+  int shown_file = 0;                       ///< of Session::Versions
+  Session::Versions facts_versions = {};    ///< at which the facts were found
+  std::optional<std::string> screenshot;    ///< file that the next drawing shall be written to
   /// Not to be overwritten, beside what is open and what it refers to.
   std::vector<std::filesystem::path> kept_files = {};
 };
 
-/// Brings the session and what is told of the selected patch up to date. Whether anything changed.
+/// Brings the session and what is told of the selected patch up to date; a file that was opened is
+/// shown from its camera, with a range of values that fits. Whether anything changed.
 bool update(Desk& desk);
 
-/// Shows what has that name (`show_named`). Throws std::invalid_argument if nothing has.
+/// Shows what has that name (`show_named`), on a scale that suits it. Throws std::invalid_argument
+/// if nothing has.
 void show(Desk& desk, const std::string& name);
 
 /// Moves the camera until it sees the whole scene from outside, in its direction.
@@ -58,9 +81,20 @@ void fit_camera(Desk& desk);
 /// The scene's camera, or one that sees the whole scene.
 void use_scene_camera(Desk& desk);
 
+/// Makes an axis point upwards and looks at the scene from outside.
+void set_up(Desk& desk, UpAxis up);
+/// Opens the file that is open again, with its coordinates in that unit ("mm"). Throws SceneError
+/// for an unknown unit or if no scene is open.
+void set_unit(Desk& desk, const std::string& unit);
+/// The camera as the picture has it: its angle of view holds across the narrower side.
+radiosity::Camera picture_camera(const Desk& desk);
+
 /// The patch whose emitting side is seen at a point of the picture; x and y in [0, 1] from its top
 /// left.
 std::optional<radiosity::Index> patch_at(const Desk& desk, double x, double y);
+
+/// What the mouse points at: "floor, 123.4 lux"; "" if it is nothing.
+std::string hovered_text(const Desk& desk);
 
 /// Throws OutputError if a file must not be written, since what is open is read from it.
 void check_output(const Desk& desk, const std::string& path);

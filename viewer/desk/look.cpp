@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "radiosity/solve/solution.h"
+#include "viewer/work/arrivals.h"
 
 namespace viewer {
 namespace {
@@ -24,8 +25,8 @@ const std::vector<ShowName>& names() {
     for (const ShowName& name :
          {ShowName{"area", Show::area}, ShowName{"direct", Show::direct},
           ShowName{"indirect", Show::indirect}, ShowName{"form-factors", Show::form_factors},
-          ShowName{"light-path", Show::light_path}, ShowName{"watched", Show::watched},
-          ShowName{"unshot", Show::unshot}}) {
+          ShowName{"arriving", Show::arriving}, ShowName{"light-path", Show::light_path},
+          ShowName{"watched", Show::watched}, ShowName{"unshot", Show::unshot}}) {
       list.push_back(name);
     }
     return list;
@@ -44,7 +45,8 @@ Eigen::VectorXd one_band(const Eigen::MatrixXd& values, const radiosity::Bands& 
 ShownField banded(std::string what, const std::string& unit, const Eigen::MatrixXd& values,
                   const Session& session, const Look& look) {
   const radiosity::Bands& bands = session.model().bands;
-  ShownField field{.title = {std::move(what)}, .values = one_band(values, bands, look.band)};
+  ShownField field{
+      .title = {std::move(what)}, .unit = unit, .values = one_band(values, bands, look.band)};
   if (!unit.empty()) field.title.push_back(unit);
   if (values.cols() > 1) field.title.push_back(band_title(bands, look.band));
   return field;
@@ -52,14 +54,12 @@ ShownField banded(std::string what, const std::string& unit, const Eigen::Matrix
 
 std::optional<ShownField> quantity_field(const Session& session, const Look& look) {
   if (session.light() == nullptr) return std::nullopt;
+  if (look.quantity == Quantity::error && !session.light()->has_errors()) return std::nullopt;
   const QuantityField field = make_field(look.quantity, *session.model().mesh,
                                          session.light()->solution, session.model().bands);
   std::string name(field.info.name);
   std::replace(name.begin(), name.end(), '-', ' ');
-  if (look.quantity == Quantity::error) {
-    name = "error of radiosity (1 σ)";
-    if (!session.light()->has_errors()) return std::nullopt;
-  }
+  if (look.quantity == Quantity::error) name = "error of radiosity (1 σ)";
   return banded(std::move(name), field.unit, field.values, session, look);
 }
 
@@ -81,6 +81,16 @@ std::optional<ShownField> row_field(const Session& session) {
                     .values = session.model().factors->row(patch)};
 }
 
+std::optional<ShownField> arriving_field(const Session& session, const Look& look) {
+  const Model& model = session.model();
+  if (!session.selected() || !model.factors || session.light() == nullptr) return std::nullopt;
+  const Index patch = *session.selected();
+  const Eigen::MatrixXd density =
+      arrival_density(*model.mesh, model.factors->row(patch), session.light()->solution.radiosity);
+  return banded(fmt::format("light sent to patch {}", patch),
+                radiosity::band_unit("W/m² per m²", model.bands), density, session, look);
+}
+
 std::optional<ShownField> path_field(const Session& session, const Look& look) {
   const LightPath* path = session.light_path();
   if (path == nullptr) return std::nullopt;
@@ -88,8 +98,8 @@ std::optional<ShownField> path_field(const Session& session, const Look& look) {
   const Eigen::Map<const Eigen::VectorXd> area(session.model().mesh->area.data(),
                                                session.model().mesh->size());
   const Eigen::MatrixXd density = area.cwiseInverse().asDiagonal() * path->importance;
-  return banded(fmt::format("share reaching patch {}", path->patch), "per W emitted, 1/m²", density,
-                session, look);
+  return banded(fmt::format("importance for patch {}", path->patch), "B there per W emitted, 1/m²",
+                density, session, look);
 }
 
 const IterationFrame* watched_frame(const Session& session, const Look& look) {
@@ -123,6 +133,37 @@ std::string_view show_name(const Look& look) {
   return "";
 }
 
+bool is_offered(const ShowName& name, const Session& session) {
+  const bool is_seen =
+      name.show == Show::true_color ||
+      (name.show == Show::quantity && radiosity::quantity_info(name.quantity).is_photometric);
+  return !is_seen || !session.is_thermal();
+}
+
+bool is_smooth(const Look& look) {
+  switch (look.show) {
+    case Show::quantity:
+      return look.smooth && look.quantity != Quantity::error && look.quantity != Quantity::power &&
+             look.quantity != Quantity::luminous_flux && look.quantity != Quantity::reflectance;
+    case Show::true_color:
+    case Show::watched:
+    case Show::direct:
+    case Show::indirect:
+      return look.smooth;
+    case Show::area:
+    case Show::form_factors:
+    case Show::arriving:
+    case Show::light_path:
+    case Show::unshot:
+      return false;
+  }
+  return false;
+}
+
+bool is_wide(Show show) {
+  return show == Show::form_factors || show == Show::arriving || show == Show::light_path;
+}
+
 std::optional<ShownField> shown_field(const Session& session, const Look& look) {
   if (!session.is_open()) return std::nullopt;
   switch (look.show) {
@@ -133,6 +174,7 @@ std::optional<ShownField> shown_field(const Session& session, const Look& look) 
       return quantity_field(session, look);
     case Show::area:
       return ShownField{.title = {"area", "m²"},
+                        .unit = "m²",
                         .values = Eigen::Map<const Eigen::VectorXd>(
                             session.model().mesh->area.data(), session.model().mesh->size())};
     case Show::direct:
@@ -140,6 +182,8 @@ std::optional<ShownField> shown_field(const Session& session, const Look& look) 
       return direct_field(session, look);
     case Show::form_factors:
       return row_field(session);
+    case Show::arriving:
+      return arriving_field(session, look);
     case Show::light_path:
       return path_field(session, look);
     case Show::unshot: {

@@ -23,7 +23,8 @@ enum class Show {
   direct,        ///< irradiance straight from the emitters
   indirect,      ///< irradiance by way of reflections
   form_factors,  ///< the row of the selected patch
-  light_path,    ///< what each patch's exitance contributes to the selected patch
+  arriving,      ///< what each patch sends to the selected patch
+  light_path,    ///< what each patch's exitance contributes to the selected patch, by all ways
   watched,       ///< radiosity at a step of the recorded iteration, in true colour
   unshot         ///< light not passed on yet at that step
 };
@@ -55,9 +56,17 @@ std::optional<ShowName> show_named(std::string_view name);
 /// The name of what a look shows.
 std::string_view show_name(const Look& look);
 
+/// Whether it can be had of what is open: the eye sees nothing of a thermal scene.
+bool is_offered(const ShowName& name, const Session& session);
+/// Whether values of neighbours may be blended: not where each is of its own patch.
+bool is_smooth(const Look& look);
+/// Whether values spread over decades, so that a linear scale shows little of them.
+bool is_wide(Show show);
+
 /// One value per patch, in a unit.
 struct ShownField {
   std::vector<std::string> title;  ///< lines: what, unit, band
+  std::string unit = {};           ///< "" of plain numbers
   Eigen::VectorXd values;          ///< n; not finite = nothing is known
 };
 

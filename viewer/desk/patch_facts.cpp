@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "radiosity/solve/quantity.h"
@@ -15,6 +17,7 @@ using radiosity::Index;
 
 constexpr std::size_t kMostPartners = 10;
 constexpr Index kMostNumbers = 4;
+constexpr int kDigitsOfMany = 3;  // so that they fit into a line
 
 std::vector<Partner> largest(const Eigen::VectorXd& row, const Eigen::VectorXd& error) {
   std::vector<Index> order(static_cast<std::size_t>(row.size()));
@@ -28,6 +31,17 @@ std::vector<Partner> largest(const Eigen::VectorXd& row, const Eigen::VectorXd& 
     partners.push_back({order[k], row[order[k]], error[order[k]]});
   }
   return partners;
+}
+
+/// By how much the mix makes a surface emit more than in the file.
+double factor_of(const Session& session, std::int32_t surface) {
+  for (const Emitter& emitter : session.mix().emitters) {
+    const auto& surfaces = emitter.surfaces;
+    if (std::find(surfaces.begin(), surfaces.end(), surface) != surfaces.end()) {
+      return emitter.factor();
+    }
+  }
+  return 1;
 }
 
 void add_light(PatchFacts& facts, const Session& session) {
@@ -53,7 +67,12 @@ PatchFacts patch_facts(const Session& session) {
   const std::int32_t surface = model.mesh->surface[i];
   facts.surface = model.mesh->surface_names[surface];
   if (model.scene) {
-    facts.material = model.scene->materials[model.scene->surfaces[surface].material].name;
+    const radiosity::Material& material =
+        model.scene->materials[model.scene->surfaces[surface].material];
+    facts.material = material.name;
+    if (material.emission.kind == radiosity::Emission::Kind::temperature) {
+      facts.temperature = material.emission.value[0] * std::pow(factor_of(session, surface), 0.25);
+    }
   }
   facts.polygon = model.mesh->polygon[i];
   facts.area = model.mesh->area[i];
@@ -65,16 +84,50 @@ PatchFacts patch_facts(const Session& session) {
   facts.has_factors = true;
   facts.partners = largest(row, model.factors->row_error(facts.patch));
   facts.row_sum = row.sum();
-  if (facts.has_light) facts.direct = session.light()->solution.exitance.transpose() * row;
+  if (!facts.has_light) return facts;
+  const radiosity::Solution& solution = session.light()->solution;
+  facts.direct = solution.exitance.transpose() * row;
+  facts.arrivals = arrivals(*model.mesh, row, solution.radiosity, model.bands);
   return facts;
 }
 
-std::string numbers_text(const Eigen::VectorXd& values) {
-  std::string text;
-  for (Index k = 0; k < std::min(values.size(), kMostNumbers); ++k) {
-    text += fmt::format("{}{:.3g}", k > 0 ? "  " : "", values[k]);
+std::optional<Index> same_place(const radiosity::PatchMesh& mesh, const PatchFacts& facts) {
+  std::optional<Index> nearest;
+  double least = std::numeric_limits<double>::infinity();
+  for (Index i = 0; i < mesh.size(); ++i) {
+    if (mesh.polygon[i] != facts.polygon || mesh.normal[i].dot(facts.normal) <= 0) continue;
+    const double distance = (mesh.centroid[i] - facts.centroid).norm();
+    if (distance >= least) continue;
+    least = distance;
+    nearest = i;
   }
-  if (values.size() > kMostNumbers) text += fmt::format("  … ({} bands)", values.size());
+  return nearest;
+}
+
+std::string number_text(double value, int digits) {
+  if (value == 0) return "0";
+  // Neither 1.641e+04 nor digits that mean nothing.
+  const double size = std::abs(value);
+  if (size >= 1e6 || size < 1e-3) return fmt::format("{:.{}g}", value, digits);
+  const int before = static_cast<int>(std::floor(std::log10(size))) + 1;  // the decimal point
+  if (before <= digits) return fmt::format("{:.{}f}", value, digits - before);
+  const double unit = std::pow(10, before - digits);
+  return fmt::format("{:.0f}", unit * std::round(value / unit));
+}
+
+std::string numbers_text(const Eigen::VectorXd& values, bool is_rough) {
+  const int digits = is_rough ? kRoughDigits : values.size() == 1 ? kDigits : kDigitsOfMany;
+  const std::string mark = is_rough ? "≈ " : "";
+  if (values.size() > kMostNumbers && values.minCoeff() < values.maxCoeff()) {
+    return fmt::format("{}{} to {}", mark, number_text(values.minCoeff(), digits),
+                       number_text(values.maxCoeff(), digits));
+  }
+  std::string text = mark;
+  // Of many that are all alike one is enough.
+  const Index n = values.size() > kMostNumbers ? 1 : values.size();
+  for (Index k = 0; k < n; ++k) {
+    text += (k > 0 ? "  " : "") + number_text(values[k], digits);
+  }
   return text;
 }
 

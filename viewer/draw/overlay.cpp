@@ -9,6 +9,7 @@
 
 #include "io/picture/color_bar.h"
 #include "radiosity/scene/patch_mesh.h"
+#include "viewer/work/standing.h"
 
 namespace viewer {
 namespace {
@@ -17,17 +18,20 @@ using radiosity::Index;
 using radiosity::Vec3;
 
 constexpr ImU32 kInk = IM_COL32(235, 235, 235, 255);
-constexpr ImU32 kPanel = IM_COL32(26, 27, 31, 255);
+constexpr ImU32 kPanel = IM_COL32(26, 27, 31, 235);
+constexpr ImU32 kNoResult = IM_COL32(255, 190, 60, 255);
+constexpr ImU32 kResult = IM_COL32(170, 175, 180, 255);
 constexpr ImU32 kOutline = IM_COL32(255, 170, 40, 255);
 constexpr ImU32 kPartner = IM_COL32(255, 255, 255, 230);
-constexpr float kLegendMargin = 12;  // at scale 1, as the others
+constexpr float kLegendWidth = 160;  // at scale 1, as the others
+constexpr float kLegendMargin = 10;
 constexpr float kBarWidth = 18;
 constexpr float kBarHeight = 380;
 constexpr ImU32 kShadow = IM_COL32(0, 0, 0, 200);
 
 /// Where a point of the scene appears; empty if it lies behind the camera.
 std::optional<ImVec2> project(const Desk& desk, const Vec3& point) {
-  const radiosity::Camera& camera = desk.camera.camera();
+  const radiosity::Camera camera = picture_camera(desk);
   const Vec3 offset = point - camera.position;
   const double depth = offset.dot(camera.direction);
   if (!(depth > 0)) return std::nullopt;
@@ -52,12 +56,24 @@ void outline(const Desk& desk, ImDrawList& list, Index patch, ImU32 color, float
   list.AddPolyline(corners.data(), n, color, ImDrawFlags_Closed, width);
 }
 
-/// Whether the camera sees the middle of a patch.
-bool is_seen(const Desk& desk, Index patch) {
-  const Model& model = desk.session.model();
+/// Whether the camera sees a point of a patch.
+bool is_seen_at(const Desk& desk, Index patch, const Vec3& point) {
   const Vec3 origin = desk.camera.camera().position;
-  const auto hit = model.visibility->first_front_hit(origin, model.mesh->centroid[patch] - origin);
+  const auto hit = desk.session.model().visibility->first_front_hit(origin, point - origin);
   return hit && hit->patch == patch;
+}
+
+/// Whether the camera sees the middle of a patch, or a place near one of its corners.
+bool is_seen(const Desk& desk, Index patch) {
+  constexpr double kNearCorner = 0.9;
+  const radiosity::PatchMesh& mesh = *desk.session.model().mesh;
+  const Vec3 center = mesh.centroid[patch];
+  if (is_seen_at(desk, patch, center)) return true;
+  for (int k = 0; k < mesh.n_corners(patch); ++k) {
+    const Vec3 place = center + kNearCorner * (mesh.corner(patch, k) - center);
+    if (is_seen_at(desk, patch, place)) return true;
+  }
+  return false;
 }
 
 void draw_text(ImDrawList& list, ImVec2 place, ImU32 color, const std::string& text) {
@@ -115,25 +131,34 @@ std::vector<double> ticks_of(const Legend& legend, float bar_height) {
   return io::tick_values(legend.scale, std::max(2, most));
 }
 
+/// Returns where the next line goes.
+float draw_line(ImDrawList& list, ImVec2 place, float width, const std::string& text) {
+  const char* end = text.c_str() + text.size();
+  list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), place, kInk, text.c_str(), end, width);
+  return place.y + ImGui::CalcTextSize(text.c_str(), end, false, width).y;
+}
+
+/// Over the picture's right edge, always as wide, so that the picture stays where it is.
 void draw_legend(const Desk& desk, ImDrawList& list, float scale) {
   const Legend& legend = *desk.legend;
   const float line = ImGui::GetTextLineHeight();
   const float margin = kLegendMargin * scale;
+  const float width = kLegendWidth * scale;
+  const float text_width = width - 2 * margin;
   const auto top = static_cast<float>(desk.region.top);
-  const auto left = static_cast<float>(desk.region.left + desk.region.width);
-  list.AddRectFilled(
-      ImVec2(left, top),
-      ImVec2(left + legend_width(desk, scale), top + static_cast<float>(desk.region.height)),
-      kPanel);
+  const auto height = static_cast<float>(desk.region.height);
+  const auto left = static_cast<float>(desk.region.left + desk.region.width) - width;
   ImVec2 place(left + margin, top + margin);
+  float title_height = 0;
   for (const std::string& text : legend.title) {
-    list.AddText(place, kInk, text.c_str());
-    place.y += line;
+    title_height += ImGui::CalcTextSize(text.c_str(), nullptr, false, text_width).y;
   }
-  place.y += 1.5F * line;
-  const float room = top + static_cast<float>(desk.region.height) - place.y - 2 * line;
-  const float bar_height = std::min(room, kBarHeight * scale);
+  const float around = title_height + 7 * line + 2 * margin;
+  const float bar_height = std::min(height - around, kBarHeight * scale);
   if (bar_height < 2 * line) return;
+  list.AddRectFilled(ImVec2(left, top), ImVec2(left + width, top + around + bar_height), kPanel);
+  for (const std::string& text : legend.title) place.y = draw_line(list, place, text_width, text);
+  place.y += 1.5F * line;
   const float bar_width = kBarWidth * scale;
   draw_bar(list, legend, place, ImVec2(bar_width, bar_height));
   for (const double tick : ticks_of(legend, bar_height)) {
@@ -143,9 +168,40 @@ void draw_legend(const Desk& desk, ImDrawList& list, float scale) {
     list.AddLine(ImVec2(x, y), ImVec2(x + 4 * scale, y), kInk, scale);
     list.AddText(ImVec2(x + 8 * scale, y - line / 2), kInk, io::tick_label(tick).c_str());
   }
+  place.y += bar_height + 1.5F * line;
+  place.y = draw_line(list, place, text_width, "least " + number_text(legend.least));
+  draw_line(list, place, text_width, "greatest " + number_text(legend.greatest));
 }
 
-/// What to say if what is to be shown is not there, or is no result yet.
+/// How far what is shown can be trusted.
+Standing shown_standing(const Desk& desk) {
+  const Show show = desk.look.show;
+  const IterationRecord* record = desk.session.iteration();
+  if (show == Show::area || show == Show::form_factors) return {};
+  if (show != Show::watched && show != Show::unshot) return standing(desk.session);
+  if (record == nullptr || record->frames.empty()) return {};
+  const std::size_t frame = std::min(desk.look.step, record->frames.size() - 1);
+  return {.text = fmt::format("step {} of {}", record->frames[frame]->iteration,
+                              method_name(record->method))};
+}
+
+/// The same in the picture's corner.
+void draw_badge(const Desk& desk, ImDrawList& list, float scale) {
+  const Standing now = shown_standing(desk);
+  if (now.text.empty()) return;
+  const ImVec2 place(static_cast<float>(desk.region.left) + 12 * scale,
+                     static_cast<float>(desk.region.top) + 10 * scale);
+  const float width = static_cast<float>(desk.region.width) - 24 * scale;
+  const char* text = now.text.c_str();
+  const ImVec2 extent = ImGui::CalcTextSize(text, nullptr, false, width);
+  list.AddRectFilled(ImVec2(place.x - 6 * scale, place.y - 4 * scale),
+                     ImVec2(place.x + extent.x + 6 * scale, place.y + extent.y + 4 * scale), kPanel,
+                     4 * scale);
+  list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), place, now.is_result ? kResult : kNoResult,
+               text, nullptr, width);
+}
+
+/// What to say if what is to be shown is not there.
 std::string missing_text(const Desk& desk) {
   const Session& session = desk.session;
   if (!session.is_open()) {
@@ -153,40 +209,22 @@ std::string missing_text(const Desk& desk) {
                                     : "Drop a scene or result file here, or press Ctrl+O";
   }
   const Show show = desk.look.show;
-  if (show == Show::form_factors && !desk.legend) {
-    return session.model().factors ? "Click a patch to see its form factors"
-                                   : "Form factors are not known (yet)";
-  }
-  if (show == Show::light_path && !desk.legend) {
-    if (!session.model().transport) return "Light paths need form factors, not known (yet)";
-    return session.selected() ? "Working out where the light comes from ..."
-                              : "Click a patch to see where its light comes from";
-  }
+  const bool is_painted = show == Show::true_color || show == Show::watched;
   if ((show == Show::watched || show == Show::unshot) && session.iteration() == nullptr) {
     return "Record an iteration in the panel 'Watch'";
   }
-  if (show != Show::true_color && show != Show::watched && !desk.legend) return "Not known yet";
-  if (session.light() == nullptr && !session.status().is_busy) return "No light is known";
-  const bool is_preview = session.light() != nullptr && !session.light()->is_solved();
-  if (is_preview && show != Show::watched && show != Show::unshot) return "Preview, not solved yet";
-  return "";
+  if (desk.legend || (is_painted && session.light() != nullptr)) return "";
+  if (is_wide(show)) {
+    if (!session.model().factors) {
+      return session.is_settled() ? "Form factors are not known" : "Waits for the form factors ...";
+    }
+    if (!session.selected()) return "Click a patch";
+    if (show == Show::light_path) return "Working out where the light comes from ...";
+  }
+  return session.is_settled() ? "No light is known" : "Waits for the light ...";
 }
 
 }  // namespace
-
-float legend_width(const Desk& desk, double scale) {
-  if (!desk.legend) return 0;
-  const auto size = static_cast<float>(scale);
-  float width = 0;
-  for (const double tick : ticks_of(*desk.legend, kBarHeight * size)) {
-    width = std::max(width, ImGui::CalcTextSize(io::tick_label(tick).c_str()).x);
-  }
-  width += (kBarWidth + 8) * size;
-  for (const std::string& text : desk.legend->title) {
-    width = std::max(width, ImGui::CalcTextSize(text.c_str()).x);
-  }
-  return width + 2 * kLegendMargin * size;
-}
 
 void draw_overlay(const Desk& desk, double scale) {
   if (desk.region.width <= 0 || desk.region.height <= 0) return;
@@ -200,20 +238,22 @@ void draw_overlay(const Desk& desk, double scale) {
     if (desk.look.show == Show::form_factors && desk.session.model().factors) {
       draw_partners(desk, list, size);
     }
-    outline(desk, list, *desk.session.selected(), kOutline, 2.5F * size);
+    const Index patch = *desk.session.selected();
+    if (is_seen(desk, patch)) outline(desk, list, patch, kOutline, 2.5F * size);
   }
+  draw_badge(desk, list, size);
   if (const std::string text = missing_text(desk); !text.empty()) {
     const ImVec2 extent = ImGui::CalcTextSize(text.c_str());
     const ImVec2 place(
         (top_left.x + bottom_right.x - extent.x) / 2,
-        desk.session.is_open() ? top_left.y + 2 * extent.y : (top_left.y + bottom_right.y) / 2);
+        desk.session.is_open() ? top_left.y + 4 * extent.y : (top_left.y + bottom_right.y) / 2);
     list.AddRectFilled(ImVec2(place.x - 8 * size, place.y - 4 * size),
                        ImVec2(place.x + extent.x + 8 * size, place.y + extent.y + 4 * size), kPanel,
                        4 * size);
     list.AddText(place, kInk, text.c_str());
   }
-  list.PopClipRect();
   if (desk.legend) draw_legend(desk, list, size);
+  list.PopClipRect();
 }
 
 }  // namespace viewer

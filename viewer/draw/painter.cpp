@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "io/picture/tone_mapping.h"
 #include "radiosity/base/parallel.h"
+#include "viewer/desk/shown_scale.h"
 
 namespace viewer {
 namespace {
@@ -26,7 +28,7 @@ bool is_same(const Look& a, const Look& b) {
 }
 
 bool needs_repaint(const Session::Versions& a, const Session::Versions& b, Show show) {
-  const bool is_selection_shown = show == Show::form_factors || show == Show::light_path;
+  const bool is_selection_shown = is_wide(show);  // all of them are about the selected patch
   return a.model != b.model || a.light != b.light ||
          (is_selection_shown && a.selection != b.selection) || a.iteration != b.iteration;
 }
@@ -42,23 +44,23 @@ std::vector<io::Rgb> exposed(const Eigen::MatrixXd& linear, double exposure) {
   return colors;
 }
 
-/// The range that was asked for or fits, logarithmic if asked for and possible.
-io::ColorScale scale_of(const Look& look, const Eigen::VectorXd& values) {
-  if (!look.range) return io::fitting_scale(values, look.logarithmic);
-  io::ColorScale scale = *look.range;
-  scale.logarithmic = look.logarithmic && scale.low > 0;
-  return scale;
-}
-
 }  // namespace
 
 Eigen::MatrixX3f display_colors(const Eigen::MatrixXd& values, const radiosity::Bands& bands) {
   return io::display_colors(values.cast<float>(), bands.wavelengths);
 }
 
+Eigen::MatrixX3f surface_colors(const Eigen::MatrixXd& reflectance, const radiosity::Bands& bands) {
+  const Eigen::MatrixXd all = Eigen::MatrixXd::Ones(1, reflectance.cols());
+  const Eigen::Array3f white = display_colors(all, bands).row(0).transpose().array();
+  Eigen::MatrixX3f colors = display_colors(reflectance, bands);
+  if ((white > 0).all()) colors.array().rowwise() /= white.transpose();
+  return colors.cwiseMax(0.F).cwiseMin(1.F);
+}
+
 void Painter::paint(Desk& desk, SceneView& view) {
   if (desk.session.model().mesh != mesh_) take_patches(desk, view);
-  view.set_camera(desk.camera.camera());
+  view.set_camera(picture_camera(desk));
   view.set_edges(desk.look.edges);
   view.set_backs_hidden(desk.look.hide_backs);
   if (!points_) return;
@@ -79,8 +81,6 @@ void Painter::take_patches(Desk& desk, SceneView& view) {
   view.set_patches(mesh_, *points_);
   has_painted_ = false;
   desk.is_exposure_due = true;
-  if (path_ != model.path) use_scene_camera(desk);
-  path_ = model.path;
 }
 
 void Painter::paint_colors(Desk& desk, SceneView& view) {
@@ -102,13 +102,13 @@ void Painter::paint_light(Desk& desk, SceneView& view, const Eigen::MatrixXd& ra
   if (desk.is_exposure_due || was_spreading_) desk.exposure = io::automatic_exposure(colors);
   desk.is_exposure_due = false;
   was_spreading_ = is_spreading;
-  const Eigen::MatrixXd points = points_->values(colors.cast<double>(), desk.look.smooth);
+  const Eigen::MatrixXd points = points_->values(colors.cast<double>(), is_smooth(desk.look));
   view.set_colors(exposed(points, desk.exposure * std::exp2(desk.look.stops)));
 }
 
 void Painter::paint_field(Desk& desk, SceneView& view, const ShownField& field) {
-  const io::ColorScale scale = scale_of(desk.look, field.values);
-  const Eigen::MatrixXd values = points_->values(field.values, desk.look.smooth);
+  const io::ColorScale scale = shown_scale(desk.look, field.values);
+  const Eigen::MatrixXd values = points_->values(field.values, is_smooth(desk.look));
   std::vector<float> positions(static_cast<std::size_t>(values.rows()));
   for (Index i = 0; i < values.rows(); ++i) {
     const double value = values(i, 0);
@@ -119,8 +119,15 @@ void Painter::paint_field(Desk& desk, SceneView& view, const ShownField& field) 
             : -1.F;
   }
   view.set_map_positions(positions);
-  desk.legend = Legend{.title = field.title,
+  std::vector<std::string> title = field.title;
+  const std::string note = scale_note(desk.look, scale);
+  if (!note.empty()) title.push_back(note);
+  desk.legend = Legend{.title = std::move(title),
+                       .unit = field.unit,
                        .scale = scale,
+                       .least = field.values.minCoeff(),
+                       .greatest = field.values.maxCoeff(),
+                       .values = field.values,
                        .has_below = field.values.minCoeff() < scale.low,
                        .has_above = field.values.maxCoeff() > scale.high};
 }
@@ -134,12 +141,13 @@ void Painter::paint_unlit(const Desk& desk, SceneView& view) {
       const auto& surface = model.scene->surfaces[mesh_->surface[i]];
       const Eigen::MatrixXd reflectance =
           model.scene->materials[surface.material].reflectance.transpose();
-      colors.row(i) = display_colors(reflectance, model.bands).cast<double>();
+      colors.row(i) = surface_colors(reflectance, model.bands).cast<double>();
     }
     const double brightest = colors.maxCoeff();
     if (brightest > 0) colors *= 0.8 / brightest;
   }
-  const radiosity::Vec3 light = radiosity::Vec3(0.4, 0.8, 0.45).normalized();
+  const radiosity::Vec3 light =
+      (up_direction(desk.up) + radiosity::Vec3(0.5, 0.3, 0.4)).normalized();
   for (Index i = 0; i < mesh_->size(); ++i) {
     colors.row(i) *= 0.55 + 0.45 * mesh_->normal[i].dot(light);
   }

@@ -2,7 +2,6 @@
 
 #include <memory>
 #include <optional>
-#include <string>
 
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/scene.h"
@@ -27,7 +26,6 @@ class Painter {
   void paint_unlit(const Desk& desk, SceneView& view);
 
   std::shared_ptr<const radiosity::PatchMesh> mesh_;
-  std::string path_;
   std::unique_ptr<PatchPoints> points_;
   Session::Versions painted_;
   Look look_;
@@ -37,5 +35,8 @@ class Painter {
 
 /// Linear sRGB of patches' values in any bands, n x 3.
 Eigen::MatrixX3f display_colors(const Eigen::MatrixXd& values, const radiosity::Bands& bands);
+/// Linear sRGB in [0, 1] of surfaces of that reflectance (n x b) in a light in which one that
+/// reflects all is white, n x 3.
+Eigen::MatrixX3f surface_colors(const Eigen::MatrixXd& reflectance, const radiosity::Bands& bands);
 
 }  // namespace viewer

@@ -30,6 +30,7 @@ using radiosity::Vec3;
 constexpr int kMapColors = 256;
 constexpr std::array<double, 3> kBackground = {0.13, 0.14, 0.16};
 constexpr std::array<double, 3> kUnknown = {0.45, 0.45, 0.45};
+constexpr std::array<double, 3> kBacks = {0.3, 0.31, 0.33};
 constexpr std::array<double, 3> kEdges = {0.05, 0.05, 0.05};
 
 void fill_color_map(vtkLookupTable& table) {
@@ -61,6 +62,9 @@ struct SceneView::Parts {
   vtkNew<vtkPolyData> patches;
   vtkNew<vtkPolyDataMapper> patch_mapper;
   vtkNew<vtkActor> patch_actor;
+  vtkNew<vtkPolyData> backs;  // which have no light of their own
+  vtkNew<vtkPolyDataMapper> back_mapper;
+  vtkNew<vtkActor> back_actor;
   vtkNew<vtkPolyData> edges;
   vtkNew<vtkPolyDataMapper> edge_mapper;
   vtkNew<vtkActor> edge_actor;
@@ -81,6 +85,13 @@ SceneView::SceneView() : parts_(std::make_unique<Parts>()) {
   parts.patch_actor->SetMapper(parts.patch_mapper);
   parts.patch_actor->GetProperty()->LightingOff();
   parts.patch_actor->GetProperty()->BackfaceCullingOn();
+  parts.back_mapper->SetInputData(parts.backs);
+  parts.back_mapper->ScalarVisibilityOff();
+  parts.back_actor->SetMapper(parts.back_mapper);
+  parts.back_actor->GetProperty()->LightingOff();
+  parts.back_actor->GetProperty()->SetColor(kBacks[0], kBacks[1], kBacks[2]);
+  parts.back_actor->GetProperty()->FrontfaceCullingOn();
+  parts.back_actor->VisibilityOff();
   fill_color_map(*parts.color_map);
   parts.edge_mapper->SetInputData(parts.edges);
   parts.edge_mapper->ScalarVisibilityOff();
@@ -90,7 +101,9 @@ SceneView::SceneView() : parts_(std::make_unique<Parts>()) {
   parts.edge_actor->VisibilityOff();
   vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
   parts.patch_mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(1, 1);
+  parts.back_mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(1, 1);
   parts.renderer->AddActor(parts.patch_actor);
+  parts.renderer->AddActor(parts.back_actor);
   parts.renderer->AddActor(parts.edge_actor);
 }
 
@@ -104,14 +117,24 @@ void SceneView::set_patches(std::shared_ptr<const PatchMesh> mesh, const PatchPo
   parts.origin = radiosity::bounds(*parts.mesh).center();
   parts.edges->Initialize();
   vtkNew<vtkCellArray> triangles;
+  vtkNew<vtkCellArray> backs;
   triangles->AllocateEstimate(static_cast<vtkIdType>(points.triangles().size()), 3);
-  for (const auto& triangle : points.triangles()) {
-    const std::array<vtkIdType, 3> ids = {triangle[0], triangle[1], triangle[2]};
-    triangles->InsertNextCell(3, ids.data());
+  std::size_t next = 0;
+  for (Index i = 0; i < parts.mesh->size(); ++i) {
+    const int n_triangles = parts.mesh->n_corners(i) == 3 ? 1 : 4;  // as PatchPoints cuts them
+    for (int k = 0; k < n_triangles; ++k) {
+      const auto& triangle = points.triangles()[next++];
+      const std::array<vtkIdType, 3> ids = {triangle[0], triangle[1], triangle[2]};
+      triangles->InsertNextCell(3, ids.data());
+      if (parts.mesh->twin[i] < 0) backs->InsertNextCell(3, ids.data());
+    }
   }
   parts.patches->Initialize();
   parts.patches->SetPoints(make_points(points.positions(), parts.origin));
   parts.patches->SetPolys(triangles);
+  parts.backs->Initialize();
+  parts.backs->SetPoints(parts.patches->GetPoints());
+  parts.backs->SetPolys(backs);
   set_map_positions(std::vector<float>(points.positions().size(), -1.F));
   parts.are_edges_stale = true;
   update_edges();
@@ -153,9 +176,8 @@ void SceneView::set_edges(bool are_shown) {
 }
 
 void SceneView::set_backs_hidden(bool are_hidden) {
-  vtkProperty& property = *parts_->patch_actor->GetProperty();
-  if (static_cast<bool>(property.GetBackfaceCulling()) == are_hidden) return;
-  property.SetBackfaceCulling(are_hidden ? 1 : 0);
+  if (static_cast<bool>(parts_->back_actor->GetVisibility()) == !are_hidden) return;
+  parts_->back_actor->SetVisibility(are_hidden ? 0 : 1);
   parts_->are_edges_stale = true;
   update_edges();
   is_dirty_ = true;
@@ -208,7 +230,7 @@ void SceneView::update_edges() {
   if (!parts.mesh || !parts.are_edges_stale || parts.edge_actor->GetVisibility() == 0) return;
   parts.are_edges_stale = false;
   const PatchMesh& mesh = *parts.mesh;
-  const bool hides_backs = parts.patch_actor->GetProperty()->GetBackfaceCulling() != 0;
+  const bool hides_backs = parts.back_actor->GetVisibility() == 0;
   if (parts.edges->GetNumberOfPoints() != static_cast<vtkIdType>(mesh.vertices.size())) {
     parts.edges->Initialize();
     parts.edges->SetPoints(make_points(mesh.vertices, parts.origin));

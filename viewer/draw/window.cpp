@@ -15,7 +15,10 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <utility>
+
+#include "viewer/draw/window_events.h"
 
 VTK_MODULE_INIT(vtkRenderingOpenGL2)
 
@@ -24,6 +27,8 @@ namespace {
 
 constexpr double kTextSize = 15;  // pixels on a plain screen
 constexpr int kMultiSamples = 4;
+constexpr int kPlainWidth = 1280;  // of a window on a plain screen, pixels
+constexpr int kPlainHeight = 800;
 
 /// GLFW reports errors through a function without context.
 std::string& last_glfw_error() {
@@ -44,6 +49,36 @@ struct Library {
   Library(const Library&) = delete;
   Library& operator=(const Library&) = delete;
 };
+
+/// The scale that the screen asks for, and what it has room for.
+struct Screen {
+  double scale = 1;
+  int width = kPlainWidth;
+  int height = kPlainHeight;
+};
+
+Screen main_screen() {
+  Screen screen;
+  GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+  if (monitor == nullptr) return screen;
+  float scale = 1;
+  glfwGetMonitorContentScale(monitor, &scale, nullptr);
+  screen.scale = std::max(1.0F, scale);
+  glfwGetMonitorWorkarea(monitor, nullptr, nullptr, &screen.width, &screen.height);
+  return screen;
+}
+
+/// The options with a size and a scale.
+WindowOptions completed(WindowOptions options) {
+  const Screen screen = main_screen();
+  if (!(options.scale > 0)) options.scale = screen.scale;
+  const auto fitting = [&](int plain, int most) {
+    return std::max(1, std::min(static_cast<int>(plain * std::max(1.0, options.scale)), most));
+  };
+  if (options.width == 0) options.width = fitting(kPlainWidth, screen.width);
+  if (options.height == 0) options.height = fitting(kPlainHeight, screen.height);
+  return options;
+}
 
 GLFWwindow* open_window(const WindowOptions& options) {
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
@@ -88,6 +123,7 @@ void set_style(double scale) {
   style.FrameRounding = 3;
   style.WindowBorderSize = 1;
   style.Colors[ImGuiCol_WindowBg] = ImVec4(0.10F, 0.105F, 0.12F, 1.0F);
+  style.Colors[ImGuiCol_PopupBg] = style.Colors[ImGuiCol_WindowBg];
   style.ScaleAllSizes(static_cast<float>(scale));
 }
 
@@ -98,7 +134,7 @@ struct Window::Parts {
   GLFWwindow* window = nullptr;
   vtkNew<vtkGenericOpenGLRenderWindow> render_window;
   vtkRenderer* renderer = nullptr;  // the one that is in the render window
-  std::vector<std::string> dropped;
+  std::optional<WindowEvents> events;
   double scale = 1;
   bool is_software = false;
   bool is_antialiased = true;
@@ -107,14 +143,13 @@ struct Window::Parts {
   int height = 0;
 };
 
-Window::Window(const WindowOptions& options) : parts_(std::make_unique<Parts>()) {
+Window::Window(const WindowOptions& asked) : parts_(std::make_unique<Parts>()) {
   Parts& parts = *parts_;
+  const WindowOptions options = completed(asked);
+  parts.scale = options.scale;
   parts.window = open_window(options);
   glfwMakeContextCurrent(parts.window);
   glfwSwapInterval(1);
-  float x_scale = 1;
-  glfwGetWindowContentScale(parts.window, &x_scale, nullptr);
-  parts.scale = options.scale > 0 ? options.scale : std::max(1.0F, x_scale);
   glfwGetFramebufferSize(parts.window, &parts.width, &parts.height);
 
   parts.render_window->SetOwnContext(0);
@@ -127,18 +162,17 @@ Window::Window(const WindowOptions& options) : parts_(std::make_unique<Parts>())
   parts.render_window->InitializeFromCurrentContext();
   parts.is_software = is_software_renderer();
 
-  glfwSetWindowUserPointer(parts.window, &parts);
-  glfwSetDropCallback(parts.window, [](GLFWwindow* window, int n, const char** paths) {
-    auto& dropped = static_cast<Parts*>(glfwGetWindowUserPointer(window))->dropped;
-    dropped.insert(dropped.end(), paths, paths + n);
-  });
+  parts.events.emplace(parts.window);
 
   IMGUI_CHECKVERSION();
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;  // leave no files about
+  ImGui::GetIO().ConfigInputTextCursorBlink =
+      false;  // or it would have to be drawn again and again
   set_style(parts.scale);
   add_font(parts.scale);
   ImGui_ImplGlfw_InitForOpenGL(parts.window, true);
+  parts.events->hold_keys();
   ImGui_ImplOpenGL3_Init("#version 150");
 }
 
@@ -174,13 +208,22 @@ void Window::set_antialiased(bool is_on) {
   parts_->is_stale = true;
 }
 
-void Window::begin_frame(double seconds) {
+bool Window::handle_events(double seconds) {
   if (seconds > 0) {
     glfwWaitEventsTimeout(seconds);
   } else {
     glfwPollEvents();
   }
   glfwGetFramebufferSize(parts_->window, &parts_->width, &parts_->height);
+  return parts_->events->take_any();
+}
+
+bool Window::is_shown() const {
+  return glfwGetWindowAttrib(parts_->window, GLFW_ICONIFIED) == GLFW_FALSE;
+}
+
+void Window::begin_frame() {
+  parts_->events->forward_keys();
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
   ImGui::NewFrame();
@@ -244,6 +287,10 @@ io::RgbPicture Window::read_pixels() const {
   return picture;
 }
 
-std::vector<std::string> Window::take_dropped_files() { return std::exchange(parts_->dropped, {}); }
+std::vector<std::string> Window::take_dropped_files() {
+  return parts_->events->take_dropped_files();
+}
+
+std::vector<KeyPress> Window::take_keys() { return parts_->events->take_keys(); }
 
 }  // namespace viewer

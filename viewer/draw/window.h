@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "io/picture/rgb_picture.h"
+#include "viewer/desk/key_press.h"
 #include "viewer/draw/scene_view.h"
 
 namespace viewer {
@@ -18,8 +19,8 @@ struct WindowError : std::runtime_error {
 
 struct WindowOptions {
   std::string title = "radiosity";
-  int width = 1280;  ///< pixels
-  int height = 800;  ///< pixels
+  int width = 0;     ///< pixels; 0 = what suits the scale and the screen
+  int height = 0;    ///< pixels; likewise
   double scale = 0;  ///< of text and panels; 0 = what the screen asks for
 };
 
@@ -47,9 +48,13 @@ class Window {
   /// Whether edges are smoothed; on by default. Costs most of the time if OpenGL is software.
   void set_antialiased(bool is_on);
 
-  /// Handles what has happened at keyboard and mouse, waiting at most `seconds` for it, and begins
-  /// a frame of ImGui.
-  void begin_frame(double seconds);
+  /// Handles what has happened at keyboard and mouse, waiting at most `seconds` for it. Whether
+  /// there was anything, or something was to be drawn again.
+  bool handle_events(double seconds);
+  /// Whether there is anything to be drawn: not while the window is minimised.
+  [[nodiscard]] bool is_shown() const;
+  /// Begins a frame of ImGui.
+  void begin_frame();
   /// Draws the scene, if that is needed, and the panels above it, and shows them. Nothing is drawn
   /// while the window has no size.
   void end_frame(SceneView& view);
@@ -58,6 +63,8 @@ class Window {
 
   /// Files that were dropped onto the window since the last call.
   std::vector<std::string> take_dropped_files();
+  /// Keys that were pressed since the last call, however short, in that order.
+  std::vector<KeyPress> take_keys();
 
  private:
   void draw(SceneView& view);

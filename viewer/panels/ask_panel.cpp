@@ -3,73 +3,112 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/solve/quantity.h"
+#include "viewer/panels/inks.h"
 #include "viewer/panels/panels.h"
+#include "viewer/work/standing.h"
 
 namespace viewer {
 namespace {
 
+constexpr std::size_t kMostArrivals = 8;
 constexpr ImGuiTableFlags kTable =
     ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerH;
 
-void row(const char* what, const std::string& value) {
+void row(const char* what, const std::string& value, const ImVec4& ink = kPlainInk) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::TextDisabled("%s", what);
   ImGui::TableNextColumn();
+  ImGui::PushStyleColor(ImGuiCol_Text, ink);
   ImGui::TextWrapped("%s", value.c_str());
+  ImGui::PopStyleColor();
 }
 
+/// Of a preview two digits, in a colour of their own.
 void draw_light(const Desk& desk, const PatchFacts& facts) {
-  const std::string unit = radiosity::band_unit("W/m²", desk.session.model().bands);
-  row("radiosity B", numbers_text(facts.radiosity));
-  row("± (2 σ)", facts.error.size() > 0 ? numbers_text(2 * facts.error) : "not known (yet)");
-  row("irradiance H", numbers_text(facts.irradiance));
+  const Session& session = desk.session;
+  const Standing now = standing(session);
+  const auto value = [&](const char* what, const std::string& text) {
+    row(what, text, now.is_rough ? kDoubtInk : kPlainInk);
+  };
+  const auto values = [&](const char* what, const Eigen::VectorXd& numbers) {
+    value(what, numbers_text(numbers, now.is_rough));
+  };
+  values("radiosity B", facts.radiosity);
+  const char* unknown = session.is_settled() ? "not known" : "not known yet";
+  row("± (2 σ)", facts.error.size() > 0 ? numbers_text(2 * facts.error) : unknown);
+  values("irradiance H", facts.irradiance);
   if (facts.direct.size() > 0) {
-    row("  direct", numbers_text(facts.direct));
-    const Eigen::VectorXd indirect = (facts.irradiance - facts.direct).cwiseMax(0);
-    row("  indirect", numbers_text(indirect));
+    values("  direct", facts.direct);
+    values("  indirect", (facts.irradiance - facts.direct).cwiseMax(0));
   }
-  row("emitted M", numbers_text(facts.exitance));
-  row("net flux B − H", numbers_text(facts.radiosity - facts.irradiance));
-  row("in", unit);
+  values("emitted M", facts.exitance);
+  values("net flux B − H", facts.radiosity - facts.irradiance);
+  row("in", radiosity::band_unit("W/m²", session.model().bands));
   row("reflectance ρ", numbers_text(facts.reflectance));
-  row("illuminance", fmt::format("{:.4g} lux", facts.illuminance));
-  row("luminance", fmt::format("{:.4g} cd/m²", facts.luminance));
+  if (session.is_thermal()) return;
+  const std::string mark = now.is_rough ? "≈ " : "";
+  const int digits = now.is_rough ? kRoughDigits : kDigits;
+  value("illuminance", mark + number_text(facts.illuminance, digits) + " lux");
+  value("luminance", mark + number_text(facts.luminance, digits) + " cd/m²");
+}
+
+/// The radiosity over the wavelengths, of many bands.
+void draw_spectrum(const Desk& desk, const PatchFacts& facts) {
+  const std::vector<double>& wavelengths = desk.session.model().bands.wavelengths;
+  if (!facts.has_light || wavelengths.size() < 2) return;
+  const Eigen::VectorXf spectrum = facts.radiosity.cast<float>();
+  const std::string range =
+      fmt::format("radiosity B, {:.0f} to {:.0f} nm", wavelengths.front(), wavelengths.back());
+  ImGui::SetNextItemWidth(-1);
+  ImGui::PlotLines("##spectrum", spectrum.data(), static_cast<int>(spectrum.size()), 0,
+                   range.c_str(), 0, std::max(spectrum.maxCoeff(), 1e-30F),
+                   ImVec2(0, 5 * ImGui::GetFontSize()));
 }
 
 void draw_patch(const Desk& desk, const PatchFacts& facts) {
   ImGui::Text("Patch %ld", static_cast<long>(facts.patch));
+  const Standing now = standing(desk.session);
+  ImGui::PushTextWrapPos(0);
+  if (facts.has_light)
+    ImGui::TextColored(now.is_result ? kPlainInk : kDoubtInk, "%s", now.text.c_str());
+  ImGui::PopTextWrapPos();
   if (!ImGui::BeginTable("facts", 2, kTable)) return;
-  ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch, 0.36F);
-  ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 0.64F);
+  ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch, 0.33F);
+  ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 0.67F);
   row("surface", facts.surface);
   if (!facts.material.empty()) row("material", facts.material);
+  if (facts.temperature) row("temperature", number_text(*facts.temperature) + " K");
   row("polygon", std::to_string(facts.polygon));
-  row("area", fmt::format("{:.4g} m²", facts.area));
+  row("area", number_text(facts.area) + " m²");
   row("centroid", fmt::format("{:.4g}  {:.4g}  {:.4g} m", facts.centroid[0], facts.centroid[1],
                               facts.centroid[2]));
   if (facts.has_light) draw_light(desk, facts);
   ImGui::EndTable();
+  draw_spectrum(desk, facts);
 }
 
 void draw_factors(Desk& desk, const PatchFacts& facts) {
   bool is_shown = desk.look.show == Show::form_factors;
   if (ImGui::Checkbox("form factors over the scene", &is_shown)) {
-    show(desk, is_shown ? "form-factors" : "true-colour");
+    show(desk, is_shown ? "form-factors" : first_quantity(desk.domain));
   }
   if (!facts.has_factors) {
-    ImGui::TextDisabled("not known (yet)");
+    ImGui::TextDisabled("%s", desk.session.is_settled() ? "not known" : "not known yet");
     return;
   }
   ImGui::Text("row sum %.6f   unseen rest %.2g", facts.row_sum, 1 - facts.row_sum);
   if (!ImGui::BeginTable("partners", 4, kTable)) return;
-  ImGui::TableSetupColumn("patch");
-  ImGui::TableSetupColumn("surface");
-  ImGui::TableSetupColumn("F");
-  ImGui::TableSetupColumn("± σ");
+  // Widths that do not wait for the first frame's contents.
+  const float width = ImGui::GetFontSize();
+  ImGui::TableSetupColumn("patch", ImGuiTableColumnFlags_WidthFixed, 3.5F * width);
+  ImGui::TableSetupColumn("surface", ImGuiTableColumnFlags_WidthStretch);
+  ImGui::TableSetupColumn("F", ImGuiTableColumnFlags_WidthFixed, 5 * width);
+  ImGui::TableSetupColumn("± σ", ImGuiTableColumnFlags_WidthFixed, 3.5F * width);
   ImGui::TableHeadersRow();
   const radiosity::PatchMesh& mesh = *desk.session.model().mesh;
   std::optional<radiosity::Index> chosen;
@@ -95,30 +134,76 @@ void draw_factors(Desk& desk, const PatchFacts& facts) {
   if (chosen) desk.session.select(*chosen);
 }
 
-void draw_path(Desk& desk) {
-  ImGui::Checkbox("where does the light come from?", &desk.asks_light_path);
-  if (!desk.asks_light_path) return;
-  bool is_shown = desk.look.show == Show::light_path;
-  if (ImGui::Checkbox("light path over the scene", &is_shown)) {
-    show(desk, is_shown ? "light-path" : "true-colour");
+/// A table of who sends how much.
+bool begin_shares(const char* name, const char* who, const char* what) {
+  if (!ImGui::BeginTable(name, 3, kTable)) return false;
+  ImGui::TableSetupColumn(who, ImGuiTableColumnFlags_WidthStretch);
+  const float width = ImGui::GetFontSize();
+  ImGui::TableSetupColumn("share", ImGuiTableColumnFlags_WidthFixed, 3.8F * width);
+  ImGui::TableSetupColumn(what, ImGuiTableColumnFlags_WidthFixed, 5 * width);
+  ImGui::TableHeadersRow();
+  return true;
+}
+
+void share_row(const std::string& who, double share, const std::string& value) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(who.c_str());
+  ImGui::TableNextColumn();
+  ImGui::Text("%.1f %%", 100 * share);
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(value.c_str());
+}
+
+std::string mean_text(const Desk& desk, const Eigen::VectorXd& values) {
+  const auto& wavelengths = desk.session.model().bands.wavelengths;
+  return number_text(radiosity::mean_over_bands(values.transpose(), wavelengths)[0], 3);
+}
+
+/// The surfaces that the light arrives from, whoever emitted it.
+void draw_arrivals(Desk& desk, const PatchFacts& facts) {
+  bool is_shown = desk.look.show == Show::arriving;
+  if (ImGui::Checkbox("light sent here, over the scene", &is_shown)) {
+    show(desk, is_shown ? "arriving" : first_quantity(desk.domain));
   }
-  if (desk.emitter_shares.empty()) {
-    ImGui::TextDisabled("not known (yet)");
+  if (facts.arrivals.empty()) {
+    ImGui::TextDisabled("no light from any surface");
     return;
   }
-  if (!ImGui::BeginTable("shares", 3, kTable)) return;
-  ImGui::TableSetupColumn("lamp");
-  ImGui::TableSetupColumn("share");
-  ImGui::TableSetupColumn("of B, W/m²");
-  ImGui::TableHeadersRow();
+  if (!begin_shares("arrivals", "comes from", "H, W/m²")) return;
+  const radiosity::PatchMesh& mesh = *desk.session.model().mesh;
+  const std::size_t n = std::min(kMostArrivals, facts.arrivals.size());
+  for (std::size_t k = 0; k < n; ++k) {
+    const Arrival& arrival = facts.arrivals[k];
+    share_row(mesh.surface_names[arrival.surface], arrival.share,
+              mean_text(desk, arrival.irradiance));
+  }
+  if (n < facts.arrivals.size()) {
+    double rest = 1;
+    for (std::size_t k = 0; k < n; ++k) rest -= facts.arrivals[k].share;
+    share_row(fmt::format("{} others", facts.arrivals.size() - n), std::max(0.0, rest), "");
+  }
+  ImGui::EndTable();
+}
+
+/// The lamps that emitted it, by whatever reflections.
+void draw_path(Desk& desk) {
+  const bool is_thermal = desk.session.is_thermal();
+  ImGui::Checkbox(is_thermal ? "shares of the sources" : "shares of the lamps",
+                  &desk.asks_light_path);
+  if (!desk.asks_light_path) return;
+  bool is_shown = desk.look.show == Show::light_path;
+  if (ImGui::Checkbox("importance over the scene", &is_shown)) {
+    show(desk, is_shown ? "light-path" : first_quantity(desk.domain));
+  }
+  if (desk.emitter_shares.empty()) {
+    ImGui::TextDisabled("%s", desk.session.is_idle() ? "not known" : "not known yet");
+    return;
+  }
+  if (!begin_shares("shares", is_thermal ? "source" : "lamp", "B, W/m²")) return;
   for (const EmitterShare& share : desk.emitter_shares) {
-    ImGui::TableNextRow();
-    ImGui::TableNextColumn();
-    ImGui::TextUnformatted(desk.session.mix().emitters[share.emitter].name.c_str());
-    ImGui::TableNextColumn();
-    ImGui::Text("%.1f %%", 100 * share.share);
-    ImGui::TableNextColumn();
-    ImGui::TextUnformatted(numbers_text(share.radiosity).c_str());
+    share_row(desk.session.mix().emitters[share.emitter].name, share.share,
+              mean_text(desk, share.radiosity));
   }
   ImGui::EndTable();
 }
@@ -137,11 +222,12 @@ constexpr Key kKeys[] = {{"left drag", "turn the scene"},
                          {"Esc", "ask no patch"},
                          {"F", "fit the scene"},
                          {"C", "the scene's camera"},
+                         {"Z", "turn: y or z is up"},
                          {"T", "true colour"},
                          {"I", "illuminance, lux"},
                          {"R", "error of radiosity"},
                          {"X", "form factors of the patch"},
-                         {"L", "light path of the patch"},
+                         {"L", "light sent to the patch"},
                          {"G", "logarithmic scale"},
                          {"M", "smooth or flat patches"},
                          {"N", "patch edges"},
@@ -151,6 +237,7 @@ constexpr Key kKeys[] = {{"left drag", "turn the scene"},
                          {"Tab", "hide or show the panels"},
                          {"Ctrl+O", "open a file (or drop it here)"},
                          {"Ctrl+P", "save the picture"},
+                         {"Enter, Esc", "in dialogs: do it, cancel"},
                          {"?", "this help"}};
 
 }  // namespace
@@ -163,8 +250,11 @@ void draw_ask_panel(Desk& desk) {
   }
   const PatchFacts facts = *desk.facts;  // a partner that is clicked changes it
   draw_patch(desk, facts);
+  if (facts.has_light && facts.has_factors) {
+    draw_arrivals(desk, facts);
+    draw_path(desk);
+  }
   draw_factors(desk, facts);
-  draw_path(desk);
 }
 
 void draw_help(Desk& desk, double scale) {

@@ -56,23 +56,15 @@ void FileBrowser::enter(const fs::path& folder) {
   });
 }
 
-std::optional<std::string> FileBrowser::draw(double scale) {
-  if (is_due_) ImGui::OpenPopup(kTitle);
-  is_due_ = false;
-  const auto size = static_cast<float>(scale);
-  ImGui::SetNextWindowSize(ImVec2(560 * size, 420 * size), ImGuiCond_Appearing);
-  if (!ImGui::BeginPopupModal(kTitle)) return std::nullopt;
+std::optional<std::string> FileBrowser::follow_text() {
+  std::error_code error;
+  if (!fs::is_directory(text_, error)) return text_;
+  enter(text_);
+  return std::nullopt;
+}
+
+std::optional<std::string> FileBrowser::draw_entries() {
   std::optional<std::string> chosen;
-  ImGui::SetNextItemWidth(-1);
-  if (ImGui::InputText("##path", &text_, ImGuiInputTextFlags_EnterReturnsTrue)) {
-    std::error_code error;
-    if (fs::is_directory(text_, error)) {
-      enter(text_);
-    } else {
-      chosen = text_;
-    }
-  }
-  ImGui::BeginChild("entries", ImVec2(0, -ImGui::GetFrameHeightWithSpacing()), true);
   std::optional<fs::path> next;
   if (ImGui::Selectable("..", false, ImGuiSelectableFlags_DontClosePopups)) {
     next = folder_.parent_path();
@@ -81,18 +73,40 @@ std::optional<std::string> FileBrowser::draw(double scale) {
     std::error_code ignored;
     const bool is_folder = fs::is_directory(entry, ignored);
     const std::string label = entry.filename().string() + (is_folder ? "/" : "");
-    if (!ImGui::Selectable(label.c_str(), false, ImGuiSelectableFlags_DontClosePopups)) continue;
+    constexpr ImGuiSelectableFlags kFlags =
+        ImGuiSelectableFlags_DontClosePopups | ImGuiSelectableFlags_AllowDoubleClick;
+    if (!ImGui::Selectable(label.c_str(), entry == text_, kFlags)) continue;
     if (is_folder) {
       next = entry;
     } else {
-      chosen = entry.string();
+      text_ = entry.string();
+      if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) chosen = text_;
     }
   }
-  ImGui::EndChild();
   if (next) enter(*next);
-  const bool is_cancelled = ImGui::Button("Cancel") || ImGui::IsKeyPressed(ImGuiKey_Escape);
+  return chosen;
+}
+
+std::optional<std::string> FileBrowser::draw(const DialogKeys& keys, double scale) {
+  if (is_due_) ImGui::OpenPopup(kTitle);
+  is_due_ = false;
+  const auto size = static_cast<float>(scale);
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowSize(ImVec2(std::min(560 * size, screen.x), std::min(420 * size, screen.y)),
+                           ImGuiCond_Appearing);
+  if (!ImGui::BeginPopupModal(kTitle)) return std::nullopt;
+  ImGui::SetNextItemWidth(-1);
+  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+  ImGui::InputText("##path", &text_, ImGuiInputTextFlags_AutoSelectAll);
+  ImGui::BeginChild("entries", ImVec2(0, -ImGui::GetFrameHeightWithSpacing()), true);
+  std::optional<std::string> chosen = draw_entries();
+  ImGui::EndChild();
+  if (ImGui::Button("Open") || keys.has_enter) chosen = follow_text();
+  ImGui::SameLine();
+  const bool is_cancelled = ImGui::Button("Cancel") || keys.has_escape;
   if (chosen || is_cancelled) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();
+  if (is_cancelled) return std::nullopt;
   return chosen;
 }
 

@@ -3,6 +3,7 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -16,30 +17,50 @@ constexpr double kWalk = 0.25;         // of the scene's size per second
 constexpr double kFast = 4;            // times as fast with Shift
 constexpr double kExposureStep = 0.5;  // stops
 
-/// A letter, tab, space or escape as ImGui counts it.
+/// Whether a letter is held down, as ImGui counts keys.
+bool is_down(int key) {
 #if IMGUI_VERSION_NUM >= 18700
-ImGuiKey imgui_key(int key) {
-  if (key == GLFW_KEY_TAB) return ImGuiKey_Tab;
-  if (key == GLFW_KEY_SPACE) return ImGuiKey_Space;
-  if (key == GLFW_KEY_ESCAPE) return ImGuiKey_Escape;
   assert(key >= GLFW_KEY_A && key <= GLFW_KEY_Z);
-  return static_cast<ImGuiKey>(ImGuiKey_A + (key - GLFW_KEY_A));
-}
+  return ImGui::IsKeyDown(static_cast<ImGuiKey>(ImGuiKey_A + (key - GLFW_KEY_A)));
 #else
-int imgui_key(int key) { return key; }  // as GLFW does
+  return ImGui::IsKeyDown(key);  // as GLFW does
 #endif
+}
 
-bool is_pressed(int key) { return ImGui::IsKeyPressed(imgui_key(key)); }
-bool is_down(int key) { return ImGui::IsKeyDown(imgui_key(key)); }
+/// What a letter does for the picture.
+void press_letter(Desk& desk, int key) {
+  Look& look = desk.look;
+  if (key == GLFW_KEY_F) fit_camera(desk);
+  if (key == GLFW_KEY_C) use_scene_camera(desk);
+  if (key == GLFW_KEY_Z) set_up(desk, desk.up == UpAxis::z ? UpAxis::y : UpAxis::z);
+  if (key == GLFW_KEY_T) show(desk, "true-colour");
+  if (key == GLFW_KEY_I) show(desk, "illuminance");
+  if (key == GLFW_KEY_R) show(desk, "error");
+  if (key == GLFW_KEY_X) show(desk, "form-factors");
+  if (key == GLFW_KEY_L) show(desk, "arriving");
+  if (key == GLFW_KEY_G) look.logarithmic = !look.logarithmic;
+  if (key == GLFW_KEY_M) look.smooth = !look.smooth;
+  if (key == GLFW_KEY_N) look.edges = !look.edges;
+  if (key == GLFW_KEY_B) look.hide_backs = !look.hide_backs;
+}
 
 }  // namespace
 
-void Input::handle(Desk& desk, Panels& panels) {
+void Input::handle(Desk& desk, Panels& panels, std::span<const KeyPress> keys) {
   handle_mouse(desk);
-  if (!ImGui::GetIO().WantCaptureKeyboard && !Panels::is_popup_open()) {
-    handle_keys(desk, panels);
-    fly(desk);
+  for (const KeyPress& key : keys) {
+    const bool is_function_key = key.key >= GLFW_KEY_F1 && key.key <= GLFW_KEY_F12;
+    if (is_function_key) desk.function_key = key.key - GLFW_KEY_F1 + 1;
   }
+  if (ImGui::GetIO().WantCaptureKeyboard || Panels::is_popup_open()) return;
+  for (const KeyPress& key : keys) press(desk, panels, key);
+  // By the letter, since keyboards have them in different places.
+  for (const ImWchar letter : ImGui::GetIO().InputQueueCharacters) {
+    if (letter == '?') desk.shows_help = !desk.shows_help;
+    if (letter == '+') desk.look.stops += kExposureStep;
+    if (letter == '-') desk.look.stops -= kExposureStep;
+  }
+  fly(desk, keys);
 }
 
 void Input::handle_mouse(Desk& desk) {
@@ -49,6 +70,7 @@ void Input::handle_mouse(Desk& desk) {
   const double x = (static_cast<double>(io.MousePos.x) - region.left) / region.width;
   const double y = (static_cast<double>(io.MousePos.y) - region.top) / region.height;
   const bool is_over = !io.WantCaptureMouse && x >= 0 && x < 1 && y >= 0 && y < 1;
+  desk.hovered = is_over && !is_dragging_ ? patch_at(desk, x, y) : std::nullopt;
   if (is_over && io.MouseWheel != 0) desk.camera.zoom(std::pow(kZoomStep, io.MouseWheel));
 
   const bool is_down = ImGui::IsMouseDown(0) || ImGui::IsMouseDown(1) || ImGui::IsMouseDown(2);
@@ -63,6 +85,7 @@ void Input::handle_mouse(Desk& desk) {
   }
   if (!is_down) is_dragging_ = false;
   if (!is_dragging_) return;
+  if (went_down) return;  // how the mouse came here is no drag
   dragged_ += std::hypot(io.MouseDelta.x, io.MouseDelta.y);
   if (dragged_ < kClick) return;
   const double right = static_cast<double>(io.MouseDelta.x) / region.height;
@@ -76,40 +99,33 @@ void Input::handle_mouse(Desk& desk) {
   }
 }
 
-void Input::handle_keys(Desk& desk, Panels& panels) {
-  const ImGuiIO& io = ImGui::GetIO();
-  if (io.KeyCtrl) {
-    if (is_pressed(GLFW_KEY_O)) panels.choose_file(desk);
-    if (is_pressed(GLFW_KEY_P)) desk.screenshot = "radiosity.png";
+void Input::press(Desk& desk, Panels& panels, const KeyPress& key) {
+  if (key.has_control) {
+    if (key.key == GLFW_KEY_O) panels.choose_file(desk);
+    if (key.key == GLFW_KEY_P) panels.begin_save(desk, SaveDialog::Kind::picture);
     return;
   }
-  if (is_pressed(GLFW_KEY_F)) fit_camera(desk);
-  if (is_pressed(GLFW_KEY_C)) use_scene_camera(desk);
-  if (is_pressed(GLFW_KEY_T)) show(desk, "true-colour");
-  if (is_pressed(GLFW_KEY_I)) show(desk, "illuminance");
-  if (is_pressed(GLFW_KEY_R)) show(desk, "error");
-  if (is_pressed(GLFW_KEY_X)) show(desk, "form-factors");
-  if (is_pressed(GLFW_KEY_L)) show(desk, "light-path");
-  if (is_pressed(GLFW_KEY_G)) desk.look.logarithmic = !desk.look.logarithmic;
-  if (is_pressed(GLFW_KEY_M)) desk.look.smooth = !desk.look.smooth;
-  if (is_pressed(GLFW_KEY_N)) desk.look.edges = !desk.look.edges;
-  if (is_pressed(GLFW_KEY_B)) desk.look.hide_backs = !desk.look.hide_backs;
-  if (is_pressed(GLFW_KEY_TAB)) desk.shows_panels = !desk.shows_panels;
-  if (is_pressed(GLFW_KEY_SPACE)) desk.session.set_paused(!desk.session.is_paused());
-  if (is_pressed(GLFW_KEY_ESCAPE)) desk.session.select(std::nullopt);
-  // By the letter, since keyboards have them in different places.
-  for (const ImWchar letter : io.InputQueueCharacters) {
-    if (letter == '?') desk.shows_help = !desk.shows_help;
-    if (letter == '+') desk.look.stops += kExposureStep;
-    if (letter == '-') desk.look.stops -= kExposureStep;
+  press_letter(desk, key.key);
+  if (key.key == GLFW_KEY_TAB) desk.shows_panels = !desk.shows_panels;
+  if (key.key == GLFW_KEY_SPACE) desk.session.set_paused(!desk.session.is_paused());
+  if (key.key == GLFW_KEY_ESCAPE) {
+    if (desk.shows_help) {
+      desk.shows_help = false;
+    } else {
+      desk.session.select(std::nullopt);
+    }
   }
 }
 
-void Input::fly(Desk& desk) {
+void Input::fly(Desk& desk, std::span<const KeyPress> keys) {
   const ImGuiIO& io = ImGui::GetIO();
   if (!desk.session.is_open() || io.KeyCtrl) return;
-  const auto direction = [](int forth, int back) {
-    return (is_down(forth) ? 1.0 : 0.0) - (is_down(back) ? 1.0 : 0.0);
+  const auto is_wanted = [&](int key) {
+    return is_down(key) || std::any_of(keys.begin(), keys.end(),
+                                       [&](const KeyPress& press) { return press.key == key; });
+  };
+  const auto direction = [&](int forth, int back) {
+    return (is_wanted(forth) ? 1.0 : 0.0) - (is_wanted(back) ? 1.0 : 0.0);
   };
   const double forward = direction(GLFW_KEY_W, GLFW_KEY_S);
   const double right = direction(GLFW_KEY_D, GLFW_KEY_A);

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <span>
+
 #include "viewer/desk/desk.h"
+#include "viewer/desk/key_press.h"
 #include "viewer/panels/panels.h"
 
 namespace viewer {
@@ -8,12 +11,13 @@ namespace viewer {
 /// What mouse and keyboard do over the picture. Needs an ImGui frame.
 class Input {
  public:
-  void handle(Desk& desk, Panels& panels);
+  /// `keys` are those that were pressed since the last call.
+  void handle(Desk& desk, Panels& panels, std::span<const KeyPress> keys);
 
  private:
   void handle_mouse(Desk& desk);
-  static void handle_keys(Desk& desk, Panels& panels);
-  static void fly(Desk& desk);
+  static void press(Desk& desk, Panels& panels, const KeyPress& key);
+  static void fly(Desk& desk, std::span<const KeyPress> keys);
 
   bool is_dragging_ = false;  // a button went down over the picture
   double dragged_ = 0;        // pixels since then

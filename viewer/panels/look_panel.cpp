@@ -1,11 +1,8 @@
-#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
 #include <string>
 
-#include "io/picture/tone_mapping.h"
-#include "viewer/draw/painter.h"
 #include "viewer/panels/panels.h"
 
 namespace viewer {
@@ -15,18 +12,19 @@ using radiosity::Index;
 
 /// What can be shown, in words.
 std::string caption(const ShowName& name) {
+  if (name.show == Show::arriving) return "light sent to the patch";
+  if (name.show == Show::light_path) return "importance for the patch";
   std::string text(name.name);
   std::replace(text.begin(), text.end(), '-', ' ');
-  if (name.show == Show::quantity && name.quantity == radiosity::Quantity::illuminance) {
-    return "illuminance (lux)";
-  }
-  return text;
+  if (name.show != Show::quantity) return text;
+  const std::string unit(radiosity::quantity_info(name.quantity).unit);
+  return unit.empty() ? text : text + " (" + unit + ")";
 }
 
 bool is_banded(const Look& look) {
   if (look.show == Show::quantity) return !radiosity::quantity_info(look.quantity).is_photometric;
   return look.show == Show::direct || look.show == Show::indirect || look.show == Show::unshot ||
-         look.show == Show::light_path;
+         look.show == Show::arriving || look.show == Show::light_path;
 }
 
 void choose_shown(Desk& desk) {
@@ -37,6 +35,7 @@ void choose_shown(Desk& desk) {
     return;
   }
   for (const ShowName& name : show_names()) {
+    if (!is_offered(name, desk.session)) continue;
     if (ImGui::Selectable(caption(name).c_str(), name.name == now)) {
       show(desk, std::string(name.name));
     }
@@ -67,8 +66,10 @@ void choose_range(Desk& desk) {
     if (!is_automatic && desk.legend) look.range = desk.legend->scale;
   }
   if (!look.range) return;
-  double low = look.range->low;
-  double high = look.range->high;
+  // As it is shown: a logarithm has no 0.
+  const io::ColorScale& shown = desk.legend ? desk.legend->scale : *look.range;
+  double low = shown.low;
+  double high = shown.high;
   const float width = ImGui::GetFontSize() * 6;
   ImGui::SetNextItemWidth(width);
   bool has_changed = ImGui::InputDouble("##low", &low, 0, 0, "%.4g");
@@ -78,45 +79,6 @@ void choose_range(Desk& desk) {
   ImGui::SetNextItemWidth(width);
   has_changed |= ImGui::InputDouble("##high", &high, 0, 0, "%.4g");
   if (has_changed && low < high) look.range = io::ColorScale{.low = low, .high = high};
-}
-
-/// Sliders for one emitter.
-void draw_emitter(Desk& desk, std::size_t e) {
-  const Emitter& emitter = desk.session.mix().emitters[e];
-  ImGui::PushID(static_cast<int>(e));
-  bool is_on = emitter.is_on;
-  auto percent = static_cast<float>(100 * emitter.scale);
-  bool has_changed = ImGui::Checkbox(emitter.name.c_str(), &is_on);
-  ImGui::SetNextItemWidth(-1);
-  has_changed |= ImGui::SliderFloat("##scale", &percent, 0, 200, "%.0f %%");
-  if (has_changed) {
-    const double scale = std::max(0.0F, percent) / 100.0;
-    attempt(desk, [&] { desk.session.set_emitter(e, scale, is_on); });
-  }
-  ImGui::PopID();
-}
-
-/// A slider and a patch of colour for one material.
-void draw_material(Desk& desk, std::size_t m) {
-  const Session& session = desk.session;
-  const Eigen::VectorXd& now = session.mix().reflectance[m];
-  const Eigen::VectorXd& original = session.original_mix().reflectance[m];
-  ImGui::PushID(static_cast<int>(m));
-  const Eigen::MatrixX3f color =
-      display_colors(now.transpose(), session.model().bands).cwiseMax(0.F).cwiseMin(1.F);
-  const auto shown = io::srgb_bytes(color.row(0), 1);
-  ImGui::ColorButton("##color", ImVec4(shown[0] / 255.0F, shown[1] / 255.0F, shown[2] / 255.0F, 1),
-                     ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoBorder,
-                     ImVec2(ImGui::GetFontSize(), ImGui::GetFontSize()));
-  ImGui::SameLine();
-  ImGui::TextUnformatted(session.model().scene->materials[m].name.c_str());
-  ImGui::SetNextItemWidth(-1);
-  auto mean = static_cast<float>(now.mean());
-  if (ImGui::SliderFloat("##reflectance", &mean, 0, 1, "mean reflectance %.3f",
-                         ImGuiSliderFlags_AlwaysClamp)) {
-    attempt(desk, [&] { desk.session.set_reflectance(m, with_mean_reflectance(original, mean)); });
-  }
-  ImGui::PopID();
 }
 
 }  // namespace
@@ -141,22 +103,7 @@ void draw_look_panel(Desk& desk) {
   ImGui::Checkbox("smooth", &look.smooth);
   ImGui::SameLine();
   ImGui::Checkbox("edges", &look.edges);
-  ImGui::SameLine();
   ImGui::Checkbox("hide backs", &look.hide_backs);
-}
-
-void draw_what_if_panel(Desk& desk) {
-  if (!ImGui::CollapsingHeader("What if", ImGuiTreeNodeFlags_DefaultOpen)) return;
-  Session& session = desk.session;
-  if (!session.model().scene) {
-    ImGui::TextWrapped("Lamps and materials can be changed in scenes, not in result files.");
-    return;
-  }
-  if (ImGui::Button("As in the file")) session.reset_mix();
-  ImGui::TextDisabled("Lamps");
-  for (std::size_t e = 0; e < session.mix().emitters.size(); ++e) draw_emitter(desk, e);
-  ImGui::TextDisabled("Materials");
-  for (std::size_t m = 0; m < session.mix().reflectance.size(); ++m) draw_material(desk, m);
 }
 
 }  // namespace viewer

@@ -1,10 +1,14 @@
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "viewer/desk/desk.h"
+#include "viewer/desk/key_press.h"
 #include "viewer/panels/file_browser.h"
 #include "viewer/panels/recent_files.h"
+#include "viewer/panels/save_dialog.h"
+#include "viewer/panels/watch_panel.h"
 
 namespace viewer {
 
@@ -14,42 +18,42 @@ class Panels {
  public:
   explicit Panels(const study::StudyOptions& options);
 
-  /// Draws them all and leaves the rest of a window of this size (pixels) to `desk.region`. Needs
-  /// an ImGui frame; `scale` is the size of text relative to a plain screen.
-  void draw(Desk& desk, int width, int height, double scale);
-  /// Opens a file and remembers it.
-  void open(Desk& desk, const std::string& path);
+  /// Draws them all and leaves the rest of a window of this size (pixels) to `desk.region`. `keys`
+  /// are those that were pressed since the last call. Needs an ImGui frame; `scale` is the size of
+  /// text relative to a plain screen.
+  void draw(Desk& desk, std::span<const KeyPress> keys, int width, int height, double scale);
+  /// Notes a file that was opened, to offer it again.
+  void remember(const std::string& path) { recent_.add(path); }
   /// Shows the popup to choose a file.
-  void choose_file(const Desk& desk);
+  void choose_file(const Desk& desk) { browser_.open(desk.session.model().path); }
+  /// Shows the popup to save something.
+  void begin_save(const Desk& desk, SaveDialog::Kind kind) { save_.open(desk, kind); }
   /// Whether a popup has the keyboard.
   [[nodiscard]] static bool is_popup_open();
+  /// Whether something moves by itself.
+  [[nodiscard]] bool is_moving() const { return watch_.is_playing(); }
 
  private:
-  enum class Save { none, screenshot, result, scene };
   void draw_menu(Desk& desk);
-  void draw_popups(Desk& desk, double scale);
+  void draw_right(Desk& desk, double scale);
   void draw_solve(Desk& desk);
-  void draw_watch(Desk& desk, double scale);
-  void draw_status(const Desk& desk, float top, float width, float height);
-  void begin_save(const Desk& desk, Save what);
+  void draw_status(Desk& desk, float top, float width, float height);
 
   FileBrowser browser_;
   RecentFiles recent_;
-  Save save_ = Save::none;
-  bool is_save_due_ = false;
-  std::string save_path_;
+  SaveDialog save_;
+  WatchPanel watch_;
   int n_patches_;
   bool is_adaptive_;
-  int method_ = 1;
-  bool is_playing_ = false;
   int console_length_ = 0;
-  double next_step_ = 0;  // time at which the next step is shown, s
 };
 
 /// Parts of the panels that remember nothing.
+void draw_scene_panel(Desk& desk);
 void draw_look_panel(Desk& desk);
 void draw_what_if_panel(Desk& desk);
 void draw_ask_panel(Desk& desk);
+void draw_heat_panel(const Desk& desk);
 void draw_help(Desk& desk, double scale);
 
 /// Does what may fail; the console tells why if it does.

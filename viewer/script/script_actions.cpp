@@ -54,6 +54,15 @@ bool wait_idle(Stage& stage, ScriptArguments& arguments) {
   return !stage.is_first && stage.desk.session.is_idle();
 }
 
+/// Until a person, or what acts as one, presses a function key: all keys before it have been taken
+/// in by then.
+bool wait_key(Stage& stage, ScriptArguments& arguments) {
+  check_patience(stage, arguments);
+  const std::string name = arguments.text("key");
+  if (stage.is_first) stage.desk.function_key.reset();
+  return stage.desk.function_key && name == fmt::format("F{}", *stage.desk.function_key);
+}
+
 void load(Stage& stage, ScriptArguments& arguments) { stage.host.open(arguments.text("scene")); }
 
 void select_patch(Stage& stage, ScriptArguments& arguments) {
@@ -71,7 +80,7 @@ void select_at(Stage& stage, ScriptArguments& arguments) {
 void set_quantity(Stage& stage, ScriptArguments& arguments) {
   Look& look = stage.desk.look;
   show(stage.desk, arguments.text("quantity"));
-  look.logarithmic = arguments.flag_or("log", false);
+  look.logarithmic = arguments.flag_or("log", look.logarithmic);
   look.band.reset();
   if (arguments.has("band")) {
     const long band = arguments.integer("band");
@@ -104,6 +113,12 @@ void set_look(Stage& stage, ScriptArguments& arguments) {
   desk.look.hide_backs = arguments.flag_or("hide_backs", desk.look.hide_backs);
   desk.shows_panels = arguments.flag_or("panels", desk.shows_panels);
   desk.shows_help = arguments.flag_or("help", desk.shows_help);
+}
+
+void set_up_axis(Stage& stage, ScriptArguments& arguments) {
+  const auto axis = up_named(arguments.text("axis"));
+  if (!axis) throw std::invalid_argument("'axis' must be y or z");
+  set_up(stage.desk, *axis);
 }
 
 std::size_t emitter_of(const Stage& stage, ScriptArguments& arguments) {
@@ -234,6 +249,7 @@ const std::map<std::string, ActionKind>& action_kinds() {
       {"load", {"scene", at_once(load)}},
       {"wait-solved", {"timeout", wait_solved}},
       {"wait-idle", {"timeout", wait_idle}},
+      {"wait-key", {"key", wait_key}},
       {"wait",
        {"seconds",
         [](Stage& stage, ScriptArguments& arguments) {
@@ -244,6 +260,10 @@ const std::map<std::string, ActionKind>& action_kinds() {
       {"set-quantity", {"quantity", at_once(set_quantity)}},
       {"set-exposure", {"stops", at_once(set_exposure)}},
       {"set-look", {"", at_once(set_look)}},
+      {"set-up", {"axis", at_once(set_up_axis)}},
+      {"set-unit", {"unit", at_once([](Stage& stage, ScriptArguments& arguments) {
+                      set_unit(stage.desk, arguments.text("unit"));
+                    })}},
       {"set-emitter", {"emitter", at_once(set_emitter)}},
       {"toggle-emitter", {"emitter", at_once(toggle_emitter)}},
       {"set-reflectance", {"material", at_once(set_reflectance)}},

@@ -8,7 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "radiosity/scene/patch_mesh.h"
 #include "radiosity/solve/solution.h"
+#include "viewer/work/standing.h"
 
 namespace viewer {
 namespace {
@@ -47,13 +49,18 @@ json light_json(const Session& session) {
   const radiosity::Solution& solution = light->solution;
   const Eigen::Map<const Eigen::VectorXd> area(session.model().mesh->area.data(),
                                                session.model().mesh->size());
-  return {{"kind", kind_name(light->kind)},
-          {"residual", number(solution.residual)},
-          {"iterations", solution.iterations},
-          {"unshot_share", number(session.unshot_share())},
-          {"seconds", number(session.seconds_to_solve())},
-          {"mean_radiosity",
-           list(Eigen::VectorXd(solution.radiosity.transpose() * area / area.sum()))}};
+  const Standing now = standing(session);
+  return {
+      {"kind", kind_name(light->kind)},
+      {"standing", now.text},
+      {"is_result", now.is_result},
+      {"relative_error", light->relative_error ? number(*light->relative_error) : json(nullptr)},
+      {"residual", number(solution.residual)},
+      {"iterations", solution.iterations},
+      {"unshot_share", number(session.unshot_share())},
+      {"seconds", number(session.seconds_to_solve())},
+      {"mean_radiosity",
+       list(Eigen::VectorXd(solution.radiosity.transpose() * area / area.sum()))}};
 }
 
 json patch_json(const Desk& desk) {
@@ -72,6 +79,13 @@ json patch_json(const Desk& desk) {
     result["direct"] = list(facts.direct);
     result["illuminance"] = number(facts.illuminance);
     result["luminance"] = number(facts.luminance);
+  }
+  result["arrivals"] = json::array();
+  for (const Arrival& arrival : facts.arrivals) {
+    result["arrivals"].push_back(
+        {{"surface", desk.session.model().mesh->surface_names[arrival.surface]},
+         {"share", number(arrival.share)},
+         {"irradiance", list(arrival.irradiance)}});
   }
   if (facts.has_factors) {
     result["row_sum"] = number(facts.row_sum);
@@ -128,6 +142,11 @@ json look_json(const Desk& desk) {
   return result;
 }
 
+json size_json(const Session& session) {
+  if (!session.is_open()) return nullptr;
+  return list(radiosity::Vec3(radiosity::bounds(*session.model().mesh).sizes()));
+}
+
 json camera_json(const Desk& desk) {
   const radiosity::Camera& camera = desk.camera.camera();
   return {{"position", list(camera.position)},
@@ -172,7 +191,11 @@ json state_report(const Desk& desk) {
   }
   return {{"path", session.model().path},
           {"patches", session.is_open() ? session.model().mesh->size() : 0},
+          {"size", size_json(session)},
+          {"unit", session.model().unit ? json(*session.model().unit) : json(nullptr)},
+          {"up", up_name(desk.up)},
           {"resident_bytes", resident_bytes()},
+          {"progress", {{"text", session.job().text()}, {"done", session.job().fraction()}}},
           {"settled", session.is_settled()},
           {"paused", session.is_paused()},
           {"light", light_json(session)},

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <map>
 
+#include "radiosity/scene/radiometry.h"
+
 namespace viewer {
 namespace {
 
@@ -118,6 +120,16 @@ Eigen::MatrixXd emitter_exitance(const radiosity::PatchMesh& mesh, const Eigen::
   return result;
 }
 
+Eigen::MatrixXd mix_exitance(const Scene& scene, const radiosity::PatchMesh& mesh,
+                             const LightMix& mix) {
+  const Eigen::MatrixXd full = radiosity::exitance(scene, mesh);
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(full.rows(), full.cols());
+  for (const Emitter& emitter : mix.emitters) {
+    if (emitter.factor() > 0) result += emitter.factor() * emitter_exitance(mesh, full, emitter);
+  }
+  return result;
+}
+
 radiosity::Solution superpose(const EmitterLights& lights, const LightMix& mix) {
   assert(lights.irradiance.size() == mix.emitters.size());
   radiosity::Solution sum;
@@ -131,7 +143,6 @@ radiosity::Solution superpose(const EmitterLights& lights, const LightMix& mix) 
     sum.irradiance += factor * lights.irradiance[e];
   }
   sum.radiosity = sum.exitance + sum.reflectance.cwiseProduct(sum.irradiance);
-  sum.radiosity_error = Eigen::MatrixXd::Zero(sum.radiosity.rows(), sum.radiosity.cols());
   return sum;
 }
 

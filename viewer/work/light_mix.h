@@ -57,6 +57,10 @@ radiosity::Scene mixed_scene(const radiosity::Scene& scene, const LightMix& mix)
 Eigen::MatrixXd emitter_exitance(const radiosity::PatchMesh& mesh, const Eigen::MatrixXd& exitance,
                                  const Emitter& emitter);
 
+/// Exitance of the mix on the patches, W/m², n x b. `scene` has its reflectances.
+Eigen::MatrixXd mix_exitance(const radiosity::Scene& scene, const radiosity::PatchMesh& mesh,
+                             const LightMix& mix);
+
 /// The light of each emitter alone, at full strength, for one choice of reflectances. Since light
 /// adds up, any mix of the emitters is a weighted sum.
 struct EmitterLights {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "radiosity/operator/factor_rows.h"
@@ -16,8 +17,10 @@ namespace viewer {
 /// it is known: a form-factor file never has light, a result file no scene.
 struct Model {
   std::string path;
+  std::optional<std::string> unit;  ///< of the file's coordinates, if it was asked for
   std::shared_ptr<const radiosity::Scene> scene;
   radiosity::Bands bands;
+  std::optional<radiosity::Camera> camera;  ///< that the file tells
   std::shared_ptr<const radiosity::PatchMesh> mesh;
   std::shared_ptr<const radiosity::Visibility> visibility;
   std::shared_ptr<const radiosity::Transport> transport;
@@ -35,6 +38,7 @@ struct Light {
   };
   Kind kind = Kind::preview;
   radiosity::Solution solution;
+  std::optional<double> relative_error = {};  ///< `viewer::relative_error`, if it has errors
 
   [[nodiscard]] bool is_solved() const { return kind != Kind::preview && kind != Kind::quick; }
   [[nodiscard]] bool has_errors() const { return kind == Kind::complete || kind == Kind::stored; }

@@ -1,8 +1,5 @@
 #include "viewer/work/pipeline.h"
 
-#include <algorithm>
-#include <chrono>
-#include <filesystem>
 #include <optional>
 #include <utility>
 
@@ -15,7 +12,6 @@
 #include "radiosity/base/error.h"
 #include "radiosity/base/machine_memory.h"
 #include "radiosity/operator/transport.h"
-#include "radiosity/picture/shooting_preview.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/radiometry.h"
 #include "radiosity/solve/discretisation_error.h"
@@ -35,48 +31,10 @@ using radiosity::Scene;
 using radiosity::Solution;
 using radiosity::Transport;
 
-constexpr double kPreviewSeconds = 3;
-constexpr double kPreviewInterval = 0.08;  // s
-constexpr double kLittleUnshot = 0.01;     // share of the emitted power at which a preview ends
-
 constexpr double kQuickTolerance = 1e-3;  // no pixel shows it
 
 /// Bytes that a polygon takes in the window at most, with its share of the ray tracer's tree.
 constexpr std::size_t kShownBytes = 2000;
-
-/// Radiosity before any iteration as a solution, to be shown.
-Solution preview_solution(Eigen::MatrixXd radiosity, const Eigen::MatrixXd& exitance,
-                          const Eigen::MatrixXd& reflectance) {
-  Solution solution;
-  // H = (B - M) / ρ; where nothing is reflected it is not known.
-  solution.irradiance = (reflectance.array() > 0)
-                            .select((radiosity - exitance).array() / reflectance.array(), 0)
-                            .matrix();
-  solution.radiosity = std::move(radiosity);
-  solution.exitance = exitance;
-  solution.reflectance = reflectance;
-  solution.radiosity_error = Eigen::MatrixXd::Zero(exitance.rows(), exitance.cols());
-  return solution;
-}
-
-void preview(const Model& model, const LightMix& mix, const PipelineEvents& events,
-             const Progress& progress) {
-  const Scene scene = with_reflectance(*model.scene, mix);
-  const Eigen::MatrixXd emitted = mix_exitance(scene, *model.mesh, mix);
-  if (emitted.isZero(0)) return;
-  const Eigen::MatrixXd reflectance = radiosity::reflectance(scene, *model.mesh);
-  radiosity::ShootingPreview shooting(*model.mesh, *model.visibility, emitted, reflectance);
-  const auto start = std::chrono::steady_clock::now();
-  double seconds = 0;
-  while (seconds < kPreviewSeconds && shooting.unshot_share() > kLittleUnshot) {
-    shooting.shoot(kPreviewInterval, progress);
-    events.previewed(preview_solution(shooting.with_ambient(), emitted, reflectance),
-                     shooting.unshot_share());
-    seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    progress.check();
-    if (progress.report) progress.report("preview", seconds, kPreviewSeconds, "s");
-  }
-}
 
 Model with_patches(Model model, study::Patches patches) {
   model.mesh = std::make_shared<PatchMesh>(std::move(patches.mesh));
@@ -92,18 +50,6 @@ std::optional<study::Patches> polygons_as_patches(const Scene& scene, const Prog
   PatchMesh mesh = meshing::make_patches(scene, {.progress = progress});
   radiosity::Visibility visibility(mesh);
   return study::Patches{std::move(mesh), std::move(visibility)};
-}
-
-/// The model with its patches, to be solved. One that is too large for that is opened all the same.
-Model divided(const Model& model, const study::StudyOptions& options, const PipelineEvents& events,
-              const study::StudyEvents& studying) {
-  try {
-    return with_patches(model, study::divide(*model.scene, options, studying));
-  } catch (const radiosity::SolveError&) {
-    auto polygons = polygons_as_patches(*model.scene, studying.progress);
-    if (polygons) events.opened(with_patches(model, *std::move(polygons)));
-    throw;
-  }
 }
 
 radiosity::SolveOptions solve_options(double tolerance, const Progress& progress) {
@@ -142,16 +88,17 @@ bool is_result_file(const std::string& path) {
   return extension == ".vtp" || extension == ".h5";
 }
 
-void open_result(const std::string& path, const PipelineEvents& events) {
-  Model model;
+OpenedFile open_result(const std::string& path) {
+  OpenedFile file;
+  Model& model = file.model;
   model.path = path;
-  std::optional<Solution> solution;
   if (io::lower_case_extension(path) == ".vtp") {
     io::StoredResult result = io::read_result(path);
-    for (const std::string& warning : result.warnings) events.warned(warning);
+    file.warnings = std::move(result.warnings);
     model.mesh = std::make_shared<PatchMesh>(std::move(result.mesh));
     model.bands = result.bands;
-    solution = std::move(result.solution);
+    model.camera = result.camera;
+    file.light = std::move(result.solution);
   } else if (io::is_compressed_operator(path)) {
     io::StoredOperator stored = io::read_operator(path);
     model.mesh = std::make_shared<PatchMesh>(std::move(stored.mesh));
@@ -160,52 +107,56 @@ void open_result(const std::string& path, const PipelineEvents& events) {
     model.factors = {transport, transport->rows()};
   } else {
     auto reader = std::make_shared<io::FormFactorReader>(path);
-    for (const std::string& warning : reader->warnings()) events.warned(warning);
+    file.warnings = reader->warnings();
     model.mesh = std::make_shared<PatchMesh>(reader->mesh());
     model.bands.kind = radiosity::Bands::Kind::grey;
     model.factors = reader;
   }
   model.visibility = std::make_shared<radiosity::Visibility>(*model.mesh);
-  events.opened(std::move(model));
-  if (solution) events.stored(*std::move(solution));
+  return file;
 }
 
 Scene read_whole_scene(const std::string& path, const io::ReadOptions& options,
-                       const PipelineEvents& events, const Progress& progress) {
+                       const Progress& progress) {
   io::ReadOptions reading = options;
   reading.progress = progress;
   Scene scene = io::read_scene(path, reading);
   if (scene.n_polygons() == 0) throw radiosity::SceneError(path + ": the scene has no polygons");
-  for (const std::string& warning : scene.warnings) events.warned(warning);
   return scene;
 }
 
-void run_pipeline(const std::string& path, std::shared_ptr<const Scene> scene, const LightMix& mix,
-                  const study::StudyOptions& options, const PipelineEvents& events,
-                  const Progress& progress) {
-  const study::StudyEvents studying = {.warned = events.warned, .progress = progress};
-  Model model;
-  model.path = path;
-  model.scene = std::move(scene);
-  model.bands = model.scene->bands;
-  model = divided(model, options, events, studying);
-  events.opened(model);
-  preview(model, mix, events, progress);
-  study::FormFactors factors =
-      study::make_form_factors(*model.scene, *model.mesh, *model.visibility, options, studying);
-  if (factors.refined) model = with_patches(model, *std::move(factors.refined));
-  model.transport = std::move(factors.transport);
-  model.factors = {model.transport, model.transport->rows()};
-  events.assembled(std::move(model));
+OpenedFile open_scene(const std::string& path, std::shared_ptr<const Scene> scene,
+                      const study::StudyOptions& options, const Progress& progress) {
+  OpenedFile file;
+  file.warnings = scene->warnings;
+  file.model.path = path;
+  file.model.bands = scene->bands;
+  file.model.camera = scene->camera;
+  file.model.scene = std::move(scene);
+  const study::StudyEvents studying = {
+      .warned = [&](const std::string& text) { file.warnings.push_back(text); },
+      .progress = progress};
+  try {
+    file.model = with_patches(file.model, study::divide(*file.model.scene, options, studying));
+  } catch (const radiosity::SolveError& error) {
+    auto polygons = polygons_as_patches(*file.model.scene, progress);
+    if (!polygons) throw;
+    file.model = with_patches(file.model, *std::move(polygons));
+    file.refusal = error.what();
+  }
+  return file;
 }
 
-Eigen::MatrixXd mix_exitance(const Scene& scene, const PatchMesh& mesh, const LightMix& mix) {
-  const Eigen::MatrixXd full = radiosity::exitance(scene, mesh);
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(full.rows(), full.cols());
-  for (const Emitter& emitter : mix.emitters) {
-    if (emitter.factor() > 0) result += emitter.factor() * emitter_exitance(mesh, full, emitter);
-  }
-  return result;
+Model with_form_factors(Model model, const study::StudyOptions& options,
+                        const std::function<void(const std::string&)>& warned,
+                        const Progress& progress) {
+  study::FormFactors factors =
+      study::make_form_factors(*model.scene, *model.mesh, *model.visibility, options,
+                               {.warned = warned, .progress = progress});
+  if (factors.refined) model = with_patches(std::move(model), *std::move(factors.refined));
+  model.transport = std::move(factors.transport);
+  model.factors = {model.transport, model.transport->rows()};
+  return model;
 }
 
 void solve_light(const Model& model, const LightMix& mix, const LightStart& start,

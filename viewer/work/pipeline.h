@@ -2,11 +2,12 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "io/scene/read_options.h"
 #include "radiosity/base/progress.h"
-#include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/scene.h"
 #include "radiosity/solve/solution.h"
 #include "study/study_options.h"
@@ -15,36 +16,35 @@
 
 namespace viewer {
 
-/// What the pipeline from a file to its form factors tells on its way, on its own thread.
-struct PipelineEvents {
-  std::function<void(Model)> opened;                                        ///< patches are there
-  std::function<void(radiosity::Solution, double unshot_share)> previewed;  ///< every 0.1 s or so
-  std::function<void(Model)> assembled;  ///< with form factors, of refined patches perhaps
-  std::function<void(radiosity::Solution)> stored;  ///< a result file had light
-  std::function<void(const std::string&)> warned;
+/// A file that could be opened: nothing of it is missing but what takes long to compute.
+struct OpenedFile {
+  Model model;                                    ///< with its patches
+  std::optional<radiosity::Solution> light = {};  ///< of a result file
+  std::vector<std::string> warnings = {};
+  /// Why the scene cannot be solved, if so: too much for memory. Its patches are its polygons then.
+  std::optional<std::string> refusal = {};
 };
 
 /// Whether a file holds a result of ours (.vtp, .h5), not a scene.
 bool is_result_file(const std::string& path);
 
 /// Reads a result file. Throws SceneError.
-void open_result(const std::string& path, const PipelineEvents& events);
+OpenedFile open_result(const std::string& path);
 
-/// Reads a scene file. Throws SceneError, also if there are no polygons.
+/// Reads a scene file. Throws SceneError, also if there are no polygons; Interrupted.
 radiosity::Scene read_whole_scene(const std::string& path, const io::ReadOptions& options,
-                                  const PipelineEvents& events,
                                   const radiosity::Progress& progress);
 
-/// Divides the scene, previews its light by progressive shooting for some seconds, and computes the
-/// form factors. `mix` is what the preview shows. A scene whose form factors will not fit into
-/// memory is opened as it is before SolveError tells so. Throws MeshError, SolveError, Interrupted.
-void run_pipeline(const std::string& path, std::shared_ptr<const radiosity::Scene> scene,
-                  const LightMix& mix, const study::StudyOptions& options,
-                  const PipelineEvents& events, const radiosity::Progress& progress);
+/// Divides a scene that was read from `path`. Throws MeshError; SolveError if it does not even fit
+/// into memory as it is; Interrupted.
+OpenedFile open_scene(const std::string& path, std::shared_ptr<const radiosity::Scene> scene,
+                      const study::StudyOptions& options, const radiosity::Progress& progress);
 
-/// Exitance of the mix on the patches, W/m², n x b.
-Eigen::MatrixXd mix_exitance(const radiosity::Scene& scene, const radiosity::PatchMesh& mesh,
-                             const LightMix& mix);
+/// The model of a scene with its form factors, of refined patches perhaps. Throws MeshError,
+/// SolveError, Interrupted.
+Model with_form_factors(Model model, const study::StudyOptions& options,
+                        const std::function<void(const std::string&)>& warned,
+                        const radiosity::Progress& progress);
 
 /// What solving a mix tells on its way.
 struct LightEvents {

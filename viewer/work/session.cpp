@@ -10,7 +10,10 @@
 #include "radiosity/solve/importance.h"
 #include "radiosity/solve/solution.h"
 #include "radiosity/solve/solve.h"
+#include "radiosity/solve/surface_flux.h"
 #include "viewer/work/pipeline.h"
+#include "viewer/work/preview.h"
+#include "viewer/work/relative_error.h"
 
 namespace viewer {
 namespace {
@@ -19,6 +22,10 @@ using radiosity::Index;
 using radiosity::Scene;
 
 constexpr std::size_t kMostMessages = 200;
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
 
 /// A callback for a worker's thread: what it is told is delivered to `take` on the window's thread.
 template <typename... Arguments, typename Take>
@@ -36,10 +43,29 @@ Session::Session(study::StudyOptions options, io::ReadOptions reading)
     : options_(options),
       reading_(std::move(reading)),
       pipeline_(&pause_),
+      previewing_(&pause_),
       lighting_(&pause_),
       recording_(&pause_) {}
 
-void Session::open(const std::string& path) { begin(path, nullptr); }
+void Session::open(const std::string& path, const std::optional<std::string>& unit) {
+  asked_path_ = path;
+  opening_.start([this, path, unit, options = options_, reading = reading_,
+                  start = Clock::now()](const Worker::Context& context) mutable {
+    OpenedFile file;
+    if (is_result_file(path)) {
+      file = open_result(path);
+    } else {
+      if (unit) reading.unit = unit;
+      auto scene = std::make_shared<const Scene>(read_whole_scene(path, reading, context.progress));
+      file = open_scene(path, std::move(scene), options, context.progress);
+      file.model.unit = reading.unit;
+    }
+    posting<OpenedFile>(context, [this, start](OpenedFile opened) {
+      ++versions_.file;
+      take_file(std::move(opened), start);
+    })(std::move(file));
+  });
+}
 
 void Session::restart(const study::StudyOptions& options) {
   options_ = options;
@@ -47,48 +73,66 @@ void Session::restart(const study::StudyOptions& options) {
     tell_error("only a scene can be solved again; a result file holds its result alone");
     return;
   }
-  begin(model_.path, model_.scene);
+  opening_.start([this, options, path = model_.path, scene = model_.scene, unit = model_.unit,
+                  start = Clock::now()](const Worker::Context& context) {
+    OpenedFile file = open_scene(path, scene, options, context.progress);
+    file.model.unit = unit;
+    posting<OpenedFile>(context, [this, start](OpenedFile opened) {
+      take_file(std::move(opened), start);
+    })(std::move(file));
+  });
 }
 
-void Session::begin(const std::string& path, const std::shared_ptr<const Scene>& scene) {
-  start_ = std::chrono::steady_clock::now();
-  asked_path_ = path;
+void Session::take_file(OpenedFile file, Clock::time_point start) {
+  if (pipeline_.is_busy() || lighting_.is_busy()) job_ = {};  // that of the file before
+  job_.set_rounds(options_.patches.adaptive);
+  cancel_computing();
   pause_.set(false);
-  const auto take_model = [this](Model model) { this->take_model(std::move(model)); };
-  pipeline_.start([=, this, options = options_, reading = reading_,
-                   mix = mix_](const Worker::Context& context) {
-    const PipelineEvents events = {.opened = posting<Model>(context, take_model),
-                                   .previewed = posting<radiosity::Solution, double>(
-                                       context,
-                                       [this](radiosity::Solution solution, double unshot) {
-                                         unshot_share_ = unshot;
-                                         take_light({Light::Kind::preview, std::move(solution)});
-                                       }),
-                                   .assembled = posting<Model>(context, take_model),
-                                   .stored = posting<radiosity::Solution>(
-                                       context,
-                                       [this](radiosity::Solution solution) {
-                                         take_light({Light::Kind::stored, std::move(solution)});
-                                       }),
-                                   .warned = posting<const std::string&>(
-                                       context, [this](const std::string& text) { tell(text); })};
-    if (is_result_file(path)) {
-      open_result(path, events);
-    } else if (scene) {
-      run_pipeline(path, scene, mix, options, events, context.progress);
-    } else {
-      const auto read =
-          std::make_shared<const Scene>(read_whole_scene(path, reading, events, context.progress));
-      run_pipeline(path, read, make_mix(*read), options, events, context.progress);
-    }
+  start_ = start;
+  take_model(std::move(file.model));
+  for (const std::string& warning : file.warnings) tell(warning);
+  if (file.refusal) {
+    tell_error(*file.refusal);
+  } else if (file.light) {
+    take_light({Light::Kind::stored, *std::move(file.light)});
+  } else if (model_.scene) {
+    if (!mix_.emitters.empty()) start_preview();
+    start_form_factors();
+  }
+}
+
+void Session::start_preview() {
+  is_quick_running_ = true;
+  is_relight_due_ = false;
+  previewing_.start([this, model = model_, mix = mix_](const Worker::Context& context) {
+    preview(model, mix,
+            posting<radiosity::Solution, double>(
+                context,
+                [this](radiosity::Solution solution, double unshot) {
+                  unshot_share_ = unshot;
+                  take_light({Light::Kind::preview, std::move(solution)});
+                }),
+            context.progress);
   });
+}
+
+void Session::start_form_factors() {
+  pipeline_.start([this, model = model_, options = options_](const Worker::Context& context) {
+    const auto warned =
+        posting<const std::string&>(context, [this](const std::string& text) { tell(text); });
+    posting<Model>(context, [this](Model found) { take_model(std::move(found)); })(
+        with_form_factors(model, options, warned, context.progress));
+  });
+}
+
+void Session::cancel_computing() {
+  for (Worker* worker : {&pipeline_, &previewing_, &lighting_, &recording_}) worker->cancel();
 }
 
 void Session::stop() {
   pause_.set(false);
-  pipeline_.cancel();
-  lighting_.cancel();
-  recording_.cancel();
+  opening_.cancel();
+  cancel_computing();
   tell("stopped");
 }
 
@@ -98,9 +142,11 @@ void Session::take_model(Model model) {
   model_ = std::move(model);
   ++versions_.model;
   if (is_other_mesh) {
+    previewing_.cancel();
     lighting_.cancel();
     forget_light_path();
     light_.reset();
+    changed_.reset();
     emitter_lights_.reset();
     seconds_to_solve_ = 0;
     select(std::nullopt);
@@ -112,26 +158,26 @@ void Session::take_model(Model model) {
     original_mix_ = mix_;
     ++versions_.mix;
   }
+  if (is_relight_due_ && previewing_.is_busy()) start_preview();
   if (model_.transport) start_light_task();
 }
 
 void Session::take_light(Light light) {
+  if (light.kind != Light::Kind::preview) previewing_.cancel();
   const bool is_first = light.kind == Light::Kind::solved && seconds_to_solve_ == 0;
-  if (is_first) {
-    seconds_to_solve_ =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-  const bool is_quick = light.kind == Light::Kind::quick;
+  if (is_first) seconds_to_solve_ = seconds_since(start_);
+  const bool is_quick =
+      light.kind == Light::Kind::quick || (light.kind == Light::Kind::preview && !model_.transport);
   if (changed_ && !is_relight_due_) {
-    change_seconds_ =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - *changed_).count();
+    change_seconds_ = seconds_since(*changed_);
     changed_.reset();
   }
   light_ = std::move(light);
+  if (light_->has_errors()) light_->relative_error = relative_error(*model_.mesh, light_->solution);
   ++versions_.light;
   if (is_quick) {
     is_quick_running_ = false;
-    if (std::exchange(is_relight_due_, false)) start_light_task();
+    if (std::exchange(is_relight_due_, false)) relight_anew();
   }
 }
 
@@ -160,18 +206,25 @@ void Session::start_light_task() {
 
 void Session::relight() {
   ++versions_.mix;
-  changed_ = std::chrono::steady_clock::now();
+  changed_ = Clock::now();
   change_seconds_ = 0;
-  if (!model_.transport) return;  // the mix is taken up when there are form factors
+  const Worker& worker = model_.transport ? lighting_ : previewing_;
   if (emitter_lights_) {
     take_light({Light::Kind::solved, superpose(*emitter_lights_, mix_)});
     start_light_task();
-  } else if (is_quick_running_ && lighting_.is_busy()) {
+  } else if (is_quick_running_ && worker.is_busy()) {
     // Let it finish, else the picture would never follow a slider that keeps moving.
     is_relight_due_ = true;
   } else {
-    start_light_task();
+    relight_anew();
   }
+}
+
+void Session::relight_anew() {
+  // Until there are form factors, and until they have been used, there is a preview.
+  const bool is_previewed = !model_.transport && (light_ || pipeline_.is_busy());
+  if (is_previewed || previewing_.is_busy()) start_preview();
+  if (model_.transport) start_light_task();
 }
 
 void Session::set_emitter(std::size_t emitter, double scale, bool is_on) {
@@ -267,7 +320,7 @@ void Session::record_iteration(radiosity::Method method) {
       });
     };
     constexpr auto kInterval = std::chrono::milliseconds(200);
-    auto shown = std::chrono::steady_clock::now();
+    auto shown = Clock::now();
     radiosity::SolveOptions options;
     options.method = method;
     options.tolerance = 1e-6;
@@ -276,9 +329,9 @@ void Session::record_iteration(radiosity::Method method) {
     options.progress = context.progress;
     options.on_step = [&](const radiosity::SolveStep& step) {
       recorder.add(step);
-      if (std::chrono::steady_clock::now() - shown < kInterval) return;
+      if (Clock::now() - shown < kInterval) return;
       show();
-      shown = std::chrono::steady_clock::now();
+      shown = Clock::now();
     };
     recorder.finish(
         solve(*model.transport, emitted, radiosity::reflectance(scene, *model.mesh), options));
@@ -294,33 +347,46 @@ void Session::forget_iteration() {
 
 bool Session::update() {
   bool has_changed = false;
-  for (Worker* worker : {&pipeline_, &lighting_, &asking_, &recording_}) {
+  for (Worker* worker : {&opening_, &pipeline_, &previewing_, &lighting_, &asking_, &recording_}) {
     has_changed |= worker->deliver();
     if (const auto error = worker->take_error()) {
       tell_error(*error);
       has_changed = true;
     }
   }
+  // Between two stages of a job nothing is busy, but what the first one found is not taken yet.
+  const WorkStatus now = status();
+  if (now.is_busy || is_idle()) job_.update(now, seconds_since(created_));
   return has_changed;
 }
 
-bool Session::is_settled() const { return !pipeline_.is_busy() && !lighting_.is_busy(); }
+bool Session::is_settled() const {
+  return !opening_.is_busy() && !pipeline_.is_busy() && !lighting_.is_busy();
+}
 
 bool Session::is_idle() const {
-  return is_settled() && !asking_.is_busy() && !recording_.is_busy();
+  return is_settled() && !previewing_.is_busy() && !asking_.is_busy() && !recording_.is_busy();
 }
 
 WorkStatus Session::status() const {
-  for (const Worker* worker : {&pipeline_, &lighting_, &recording_, &asking_}) {
+  for (const Worker* worker :
+       {&pipeline_, &lighting_, &opening_, &recording_, &asking_, &previewing_}) {
     WorkStatus status = worker->status();
     if (status.is_busy) return status;
   }
   return {};
 }
 
+bool Session::is_thermal() const { return model_.scene && radiosity::is_thermal(*model_.scene); }
+
 void Session::add_message(bool is_error, const std::string& text) {
   messages_.push_back({is_error, text});
   if (messages_.size() > kMostMessages) messages_.pop_front();
+  ++versions_.messages;
+}
+
+void Session::clear_messages() {
+  messages_.clear();
   ++versions_.messages;
 }
 

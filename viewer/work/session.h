@@ -12,9 +12,11 @@
 #include "radiosity/scene/scene.h"
 #include "study/study_options.h"
 #include "viewer/work/iteration_record.h"
+#include "viewer/work/job_progress.h"
 #include "viewer/work/light_mix.h"
 #include "viewer/work/light_path.h"
 #include "viewer/work/model.h"
+#include "viewer/work/pipeline.h"
 #include "viewer/work/worker.h"
 
 namespace viewer {
@@ -32,9 +34,10 @@ class Session {
  public:
   explicit Session(study::StudyOptions options = {}, io::ReadOptions reading = {});
 
-  /// Begins to open a scene or result file. What is open stays until the new one is there, and for
-  /// good if it cannot be read; the console tells why.
-  void open(const std::string& path);
+  /// Begins to open a scene or result file, with this unit of its coordinates ("mm") if one is
+  /// given. What is open stays, and goes on being solved, until the new one is there, and for good
+  /// if that cannot be opened; the console tells why.
+  void open(const std::string& path, const std::optional<std::string>& unit = {});
   /// Solves the open scene anew with other patches.
   void restart(const study::StudyOptions& options);
   /// Holds the work in the background back, or lets it go on.
@@ -51,16 +54,24 @@ class Session {
   [[nodiscard]] bool is_idle() const;
   /// What is being computed; not busy if nothing.
   [[nodiscard]] WorkStatus status() const;
+  /// The same for a person.
+  [[nodiscard]] const JobProgress& job() const { return job_; }
 
   /// The file that was last asked for, read or not; "" before there is any.
   [[nodiscard]] const std::string& asked_path() const { return asked_path_; }
   [[nodiscard]] bool is_open() const { return model_.mesh != nullptr; }
   [[nodiscard]] const Model& model() const { return model_; }
+  /// Whether a scene is open whose surfaces radiate by their temperature: heat, nothing to see.
+  [[nodiscard]] bool is_thermal() const;
   [[nodiscard]] const study::StudyOptions& options() const { return options_; }
   /// Absent until there is some.
   [[nodiscard]] const Light* light() const { return light_ ? &*light_ : nullptr; }
   /// Whether the light is a result: solved, with its errors, and of the mix as it is now.
   [[nodiscard]] bool has_result() const { return light_ && light_->has_errors() && !changed_; }
+  /// Whether the mix has changed and no light has it.
+  [[nodiscard]] bool is_change_pending() const { return changed_.has_value(); }
+  /// Whether a preview is still getting better.
+  [[nodiscard]] bool is_previewing() const { return previewing_.is_busy(); }
   /// Seconds from the beginning until the light was solved; 0 if it is not.
   [[nodiscard]] double seconds_to_solve() const { return seconds_to_solve_; }
   /// Unshot share of the emitted power while light is a preview.
@@ -96,10 +107,12 @@ class Session {
   // Console.
   void tell(const std::string& text) { add_message(false, text); }
   void tell_error(const std::string& text) { add_message(true, text); }
+  void clear_messages();
   [[nodiscard]] const std::deque<Message>& messages() const { return messages_; }
 
   /// Counts what changed, so that others know what to draw again.
   struct Versions {
+    int file = 0;  ///< how many were opened
     int model = 0;
     int light = 0;
     int mix = 0;
@@ -110,11 +123,17 @@ class Session {
   [[nodiscard]] const Versions& versions() const { return versions_; }
 
  private:
+  using Clock = std::chrono::steady_clock;
+
   void forget_light_path();
-  void begin(const std::string& path, const std::shared_ptr<const radiosity::Scene>& scene);
+  void take_file(OpenedFile file, Clock::time_point start);
+  void start_preview();
+  void start_form_factors();
+  void cancel_computing();
   void take_model(Model model);
   void take_light(Light light);
   void relight();
+  void relight_anew();
   void start_light_task();
   void add_message(bool is_error, const std::string& text);
 
@@ -133,17 +152,21 @@ class Session {
   std::deque<Message> messages_;
   Versions versions_;
   double unshot_share_ = 1;
-  bool is_quick_running_ = false;  // the light worker has not come to its first picture
+  bool is_quick_running_ = false;  // light or preview have not come to their first picture
   bool is_relight_due_ = false;    // the mix has changed since it began
   double seconds_to_solve_ = 0;
   double change_seconds_ = 0;
-  std::optional<std::chrono::steady_clock::time_point> changed_;  // and no light has it
-  std::chrono::steady_clock::time_point start_;
+  std::optional<Clock::time_point> changed_;  // and no light has it
+  Clock::time_point start_;
+  Clock::time_point created_ = Clock::now();
+  JobProgress job_;
 
   Pause pause_;
   // Last, so that they end first.
-  Worker pipeline_;  // from the file to the form factors
-  Worker lighting_;  // from form factors to light
+  Worker opening_;     // from the file to the patches
+  Worker pipeline_;    // from the patches to the form factors
+  Worker previewing_;  // meanwhile
+  Worker lighting_;    // from form factors to light
   Worker asking_;
   Worker recording_;
 };

@@ -1,0 +1,202 @@
+// What the window shows and how, without a window.
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "io/scene/scene_file.h"
+#include "radiosity/base/error.h"
+#include "radiosity/scene/patch_mesh.h"
+#include "tests/support/output_folder.h"
+#include "tests/viewer/sessions.h"
+#include "viewer/desk/desk.h"
+#include "viewer/desk/shown_scale.h"
+#include "viewer/draw/painter.h"
+#include "viewer/work/job_progress.h"
+
+namespace {
+
+using radiosity::Vec3;
+using namespace radiosity::test;
+namespace fs = std::filesystem;
+
+// A logarithmic scale says what it does: it never is a linear one in disguise.
+TEST(ShownScale, IsLogarithmicWhereverALogarithmIs) {
+  const Eigen::Vector4d values(0, 2, 50, 180);
+  viewer::Look look{.logarithmic = true};
+  EXPECT_TRUE(viewer::shown_scale(look, values).logarithmic);
+  look.range = io::ColorScale{.low = 0, .high = 180};
+  io::ColorScale scale = viewer::shown_scale(look, values);
+  EXPECT_TRUE(scale.logarithmic);
+  EXPECT_EQ(scale.low, 2);
+  EXPECT_EQ(scale.high, 180);
+  EXPECT_EQ(viewer::scale_note(look, scale), "logarithmic");
+  look.range->low = 10;
+  EXPECT_EQ(viewer::shown_scale(look, values).low, 10);
+  look.range->low = -5;
+  EXPECT_EQ(viewer::shown_scale(look, Eigen::Vector2d(1e-30, 180)).low, 180 * 1e-6);
+  // Nothing to take a logarithm of: linear, and it says so.
+  scale = viewer::shown_scale(look, -values);
+  EXPECT_FALSE(scale.logarithmic);
+  EXPECT_EQ(scale.low, -5);
+  EXPECT_NE(viewer::scale_note(look, scale), "");
+  look.logarithmic = false;
+  EXPECT_EQ(viewer::scale_note(look, viewer::shown_scale(look, values)), "");
+}
+
+// What belongs to its own patch must not run into the neighbours.
+TEST(Look, BlendsOnlyWhatVariesSmoothly) {
+  viewer::Desk desk;
+  for (const char* name : {"form-factors", "arriving", "light-path", "unshot", "error", "area"}) {
+    viewer::show(desk, name);
+    EXPECT_FALSE(viewer::is_smooth(desk.look)) << name;
+  }
+  for (const char* name : {"true-colour", "illuminance", "radiosity", "indirect"}) {
+    viewer::show(desk, name);
+    EXPECT_TRUE(viewer::is_smooth(desk.look)) << name;
+  }
+  viewer::show(desk, "form-factors");
+  EXPECT_TRUE(desk.look.logarithmic);
+  viewer::show(desk, "illuminance");
+  EXPECT_FALSE(desk.look.logarithmic);
+}
+
+TEST(PatchFacts, NumbersAreAsAPersonWritesThem) {
+  EXPECT_EQ(viewer::number_text(16411.3), "16410");
+  EXPECT_EQ(viewer::number_text(79.928), "79.93");
+  EXPECT_EQ(viewer::number_text(0), "0");
+  EXPECT_EQ(viewer::number_text(0.25), "0.2500");
+  EXPECT_EQ(viewer::number_text(-3.14159), "-3.142");
+  EXPECT_EQ(viewer::number_text(0.01523), "0.01523");
+  EXPECT_EQ(viewer::number_text(480.43), "480.4");
+  EXPECT_EQ(viewer::number_text(1.5e-7), "1.5e-07");
+  EXPECT_EQ(viewer::number_text(122.7, 2), "120");
+  EXPECT_EQ(viewer::number_text(0.0567, 2), "0.057");
+  EXPECT_EQ(viewer::numbers_text(Eigen::Vector2d(1, 20), true), "≈ 1.0  20");
+  EXPECT_EQ(viewer::numbers_text(Eigen::VectorXd::LinSpaced(76, 1, 3)), "1.00 to 3.00");
+}
+
+viewer::WorkStatus stage(const char* name, double done) {
+  return {.is_busy = true, .stage = name, .done = done, .total = 1};
+}
+
+TEST(JobProgress, NeverRunsBackwardsAndTellsRoundsAndTime) {
+  viewer::JobProgress job;
+  job.set_rounds(true);
+  EXPECT_EQ(job.text(), "");
+  double fraction = 0;
+  double now = 0;
+  for (const auto& status :
+       {stage("form factors", 0), stage("form factors", 0.4), stage("form factors", 0.75),
+        stage("form factors", 0.7), stage("solve", 0.2), stage("patch size", 1),
+        stage("form factors", 0.1), stage("form factors", 0.2), stage("solve", 0.5)}) {
+    job.update(status, now += 10);
+    EXPECT_GE(job.fraction(), fraction);
+    EXPECT_LT(job.fraction(), 1);
+    fraction = job.fraction();
+  }
+  EXPECT_NE(job.text().find("round 2: light"), std::string::npos) << job.text();
+  EXPECT_LT(fraction, 0.5);  // there may be more
+  job.update({}, now);
+  EXPECT_EQ(job.text(), "");
+  job.update(stage("form factors", 0.01), now);
+  job.update(stage("form factors", 0.2), now + 10);
+  EXPECT_EQ(job.text(), "form factors 20 %, about 40 s left");
+  EXPECT_GT(job.fraction(), 0);
+}
+
+// What is white must look white in any bands, and red red.
+TEST(SurfaceColors, AreThoseOfTheSurfaces) {
+  const radiosity::Scene scene =
+      io::read_scene(std::string(RADIOSITY_SCENES) + "/cornell-box-spectral.json");
+  for (const radiosity::Material& material : scene.materials) {
+    const Eigen::RowVector3f color =
+        viewer::surface_colors(material.reflectance.transpose(), scene.bands).row(0);
+    EXPECT_LT(color.maxCoeff(), 1) << material.name;
+    if (material.name == "red") {
+      EXPECT_GT(color[0], 3 * color[1]);
+    }
+    if (material.name == "green") {
+      EXPECT_GT(color[1], 2 * color[0]);
+    }
+  }
+  const Eigen::MatrixXd all = Eigen::MatrixXd::Ones(1, scene.bands.count());
+  EXPECT_LE((viewer::surface_colors(all, scene.bands).array() - 1).abs().maxCoeff(), 1e-6);
+}
+
+class Desks : public OutputFolder {
+ protected:
+  /// An office of 4 m x 3 m x 2.5 m as modellers write them: in mm, z up.
+  std::string write_office() const {
+    const fs::path path = folder() / "office.obj";
+    std::ofstream(path) << "v 0 0 0\nv 4000 0 0\nv 4000 3000 0\nv 0 3000 0\n"
+                           "v 0 0 2500\nv 4000 0 2500\nv 4000 3000 2500\nv 0 3000 2500\n"
+                           "f 1 2 3 4\nf 8 7 6 5\nf 5 6 2 1\nf 6 7 3 2\nf 7 8 4 3\nf 8 5 1 4\n";
+    return path.string();
+  }
+};
+
+TEST_F(Desks, TakeUnitAndUpAxis) {
+  viewer::Desk desk(coarse());
+  const std::string office = write_office();
+  const auto open_in = [&](const std::function<void()>& begin) {
+    begin();
+    wait_until(desk.session, [&] { return desk.session.is_idle(); });
+    viewer::update(desk);
+  };
+  open_in([&] { desk.session.open(office); });
+  EXPECT_EQ(desk.up, viewer::UpAxis::z);
+  EXPECT_EQ(desk.camera.camera().up, Vec3::UnitZ());
+  EXPECT_NEAR(radiosity::bounds(*desk.session.model().mesh).sizes().x(), 4000, 1e-9);
+  open_in([&] { viewer::set_unit(desk, "mm"); });
+  EXPECT_NEAR(radiosity::bounds(*desk.session.model().mesh).sizes().x(), 4, 1e-12);
+  EXPECT_THROW(viewer::set_unit(desk, "ell"), radiosity::SceneError);
+  viewer::set_up(desk, viewer::UpAxis::y);
+  EXPECT_EQ(desk.camera.camera().up, Vec3::UnitY());
+}
+
+TEST_F(Desks, KeepThePlaceThatIsAskedWhenSolvedAgain) {
+  viewer::Desk desk(coarse());
+  open(desk.session, kBox);
+  viewer::update(desk);
+  desk.session.select(100);
+  viewer::update(desk);
+  const viewer::PatchFacts before = *desk.facts;
+  desk.session.restart({.patches = {.n_patches = 100}});
+  settle(desk.session);
+  viewer::update(desk);
+  ASSERT_TRUE(desk.facts);
+  EXPECT_EQ(desk.facts->polygon, before.polygon);
+  EXPECT_LE((desk.facts->centroid - before.centroid).norm(), 0.2);  // of a box of 0.55 m
+  // But nobody is asked in another file.
+  open(desk.session, kRoom);
+  viewer::update(desk);
+  EXPECT_FALSE(desk.session.selected());
+}
+
+// What was set for one scene must not hide the next one, and heat is nothing to see.
+TEST_F(Desks, GreetEachFileAfresh) {
+  viewer::Desk desk(coarse());
+  open(desk.session, kBox);
+  viewer::update(desk);
+  viewer::show(desk, "illuminance");
+  desk.look.range = io::ColorScale{.low = 0, .high = 180};
+  desk.look.logarithmic = true;
+  open(desk.session, kThermal);
+  viewer::update(desk);
+  EXPECT_FALSE(desk.look.range);
+  EXPECT_FALSE(desk.look.logarithmic);
+  EXPECT_EQ(viewer::show_name(desk.look), "net-flux");
+  for (const viewer::ShowName& name : viewer::show_names()) {
+    const bool is_seen =
+        name.name == "true-colour" || name.name.starts_with("lumin") || name.name == "illuminance";
+    EXPECT_EQ(viewer::is_offered(name, desk.session), !is_seen) << name.name;
+  }
+  desk.session.select(0);
+  viewer::update(desk);
+  EXPECT_GT(desk.facts->temperature.value(), 0);
+  open(desk.session, kBox);
+  viewer::update(desk);
+  EXPECT_EQ(viewer::show_name(desk.look), "true-colour");
+}
+
+}  // namespace

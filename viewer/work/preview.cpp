@@ -1,0 +1,65 @@
+#include "viewer/work/preview.h"
+
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <utility>
+
+#include "radiosity/picture/shooting_preview.h"
+#include "radiosity/scene/radiometry.h"
+
+namespace viewer {
+namespace {
+
+using radiosity::Progress;
+using radiosity::Solution;
+using Clock = std::chrono::steady_clock;
+using Seconds = std::chrono::duration<double>;
+
+constexpr Seconds kHurry(3);            // in which it takes what time it can get
+constexpr double kInterval = 0.08;      // between pictures, s
+constexpr double kRest = 3;             // times as long as it worked, after the hurry
+constexpr double kLittleUnshot = 0.01;  // share of the emitted power at which a preview ends
+
+/// Radiosity before any iteration as a solution, to be shown. Errors are left empty.
+Solution preview_solution(Eigen::MatrixXd radiosity, const Eigen::MatrixXd& exitance,
+                          const Eigen::MatrixXd& reflectance) {
+  Solution solution;
+  // H = (B - M) / ρ; where nothing is reflected it is not known.
+  solution.irradiance = (reflectance.array() > 0)
+                            .select((radiosity - exitance).array() / reflectance.array(), 0)
+                            .matrix();
+  solution.radiosity = std::move(radiosity);
+  solution.exitance = exitance;
+  solution.reflectance = reflectance;
+  return solution;
+}
+
+void rest(Seconds time, const std::stop_token& stop) {
+  std::mutex mutex;
+  std::condition_variable_any never;
+  std::unique_lock lock(mutex);
+  never.wait_for(lock, stop, time, [] { return false; });
+}
+
+}  // namespace
+
+void preview(const Model& model, const LightMix& mix, const Previewed& previewed,
+             const Progress& progress) {
+  const radiosity::Scene scene = with_reflectance(*model.scene, mix);
+  const Eigen::MatrixXd emitted = mix_exitance(scene, *model.mesh, mix);
+  const Eigen::MatrixXd reflectance = radiosity::reflectance(scene, *model.mesh);
+  radiosity::ShootingPreview shooting(*model.mesh, *model.visibility, emitted, reflectance);
+  const auto start = Clock::now();
+  do {
+    const auto begun = Clock::now();
+    shooting.shoot(kInterval, progress);
+    previewed(preview_solution(shooting.with_ambient(), emitted, reflectance),
+              shooting.unshot_share());
+    progress.check();
+    const auto now = Clock::now();
+    if (now - start > kHurry) rest(kRest * (now - begun), progress.stop);
+  } while (shooting.unshot_share() > kLittleUnshot);
+}
+
+}  // namespace viewer

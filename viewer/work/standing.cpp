@@ -1,0 +1,48 @@
+#include "viewer/work/standing.h"
+
+#include <fmt/format.h>
+
+namespace viewer {
+namespace {
+
+std::string known_text(const Session& session) {
+  const std::optional<double>& error = session.light()->relative_error;
+  // Files of other programs may hold zeros for what they do not know.
+  if (!error || *error == 0) return "errors not known";
+  return fmt::format("known to ± {:.2g} % (2 σ)", 100 * *error);
+}
+
+std::string preview_text(const Session& session) {
+  const double unshot = 100 * session.unshot_share();
+  const bool is_final = session.is_settled() && !session.is_previewing();
+  const char* state = is_final ? ", stopped" : "";
+  return unshot < 1
+             ? fmt::format("preview{}: all but 1 % of the light is shot", state)
+             : fmt::format("preview{}: {:.0f} % of the light still on its way", state, unshot);
+}
+
+}  // namespace
+
+Standing standing(const Session& session) {
+  const Light* light = session.light();
+  if (light == nullptr) return {};
+  if (session.is_change_pending()) {
+    return {.text = "not yet of the scene as it is now", .is_rough = true};
+  }
+  switch (light->kind) {
+    case Light::Kind::preview:
+      return {.text = preview_text(session), .is_rough = true};
+    case Light::Kind::quick:
+      return {.text = "solved to 0.1 %, being refined"};
+    case Light::Kind::solved:
+      return {.text =
+                  session.is_settled() ? "solved, errors not known" : "solved, errors being found"};
+    case Light::Kind::complete:
+      return {.text = "solved, " + known_text(session), .is_result = true};
+    case Light::Kind::stored:
+      return {.text = "result from a file, " + known_text(session), .is_result = true};
+  }
+  return {};
+}
+
+}  // namespace viewer

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "viewer/work/session.h"
+
+namespace viewer {
+
+/// How far the light that is shown can be trusted.
+struct Standing {
+  std::string text;        ///< "preview: 43 % of the light still on its way"; "" without light
+  bool is_result = false;  ///< solved, of the scene as it is now, with its errors known
+  bool is_rough = false;   ///< its third digit means nothing
+};
+
+Standing standing(const Session& session);
+
+}  // namespace viewer
