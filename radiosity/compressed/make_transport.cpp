@@ -57,7 +57,7 @@ void check_choice(const TransportChoice& choice, Index n_patches, Index n_polygo
       if (choice.by_rows) {
         throw SolveError(
             "this method goes by rows, of which each takes a product with a compressed operator: "
-            "use --transport auto or dense, or --method cg");
+            "use --transport dense or auto, or --method cg");
       }
       return check_compressed_memory(n_patches, memory);
     case TransportKind::automatic:

@@ -412,9 +412,10 @@ TEST_F(Program, RefusesWhatDoesNotFitIntoMemory) {
     GTEST_SKIP() << "this machine has room for it";
   }
   const std::string scene = write_large_stl(folder(), kSide);
-  expect_error(run({"solve", scene, "--as-is", "--quiet"}), 1, " GB");
-  const Outcome refined = run({"solve", write_cube(0.5, 1), "--max-edge", "0.001", "--quiet"});
-  expect_error(refined, 1, "--patches");
+  expect_error(run({"solve", scene, "--as-is", "--transport", "dense", "--quiet"}), 1, " GB");
+  const std::string cube = write_cube(0.5, 1);
+  expect_error(run({"solve", cube, "--max-edge", "1e-4", "--quiet"}), 1, " GB compressed");
+  expect_error(run({"solve", cube, "--max-edge", "1e-4", "--quiet"}), 1, "--patches");
 }
 
 TEST_F(Program, InspectTellsCountsAndFindings) {
