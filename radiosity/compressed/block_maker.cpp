@@ -29,8 +29,8 @@ constexpr double kLeastGain = 0.85;
 constexpr double kDoubt = 1.5;
 /// Samples beyond those that the coefficients take.
 constexpr int kSpareSamples = 5;
-/// What samples that agree may have missed: so many times the largest density over the root of
-/// their number.
+/// What samples that agree may have missed: so many times the largest open density over the root
+/// of their number.
 constexpr double kUnseen = 0.5;
 
 std::size_t visible_samples(int n_coefficients) {
@@ -42,26 +42,6 @@ std::size_t sampled_samples(int n_coefficients) {
 }
 
 }  // namespace
-
-BlockCensus& BlockCensus::operator+=(const BlockCensus& other) {
-  samples += other.samples;
-  near_entries += other.near_entries;
-  return *this;
-}
-
-void MadeBlocks::append(MadeBlocks&& other) {
-  const std::uint64_t first_coefficient = coefficients.size();
-  const std::uint64_t first_density = densities.size();
-  for (CompressedBlocks::Far& block : other.far) block.first += first_coefficient;
-  for (CompressedBlocks::Near& block : other.near) block.first += first_density;
-  far.insert(far.end(), other.far.begin(), other.far.end());
-  near.insert(near.end(), other.near.begin(), other.near.end());
-  coefficients.insert(coefficients.end(), other.coefficients.begin(), other.coefficients.end());
-  densities.insert(densities.end(), other.densities.begin(), other.densities.end());
-  census += other.census;
-  pairs += other.pairs;
-  other = {};
-}
 
 BlockMaker::BlockMaker(const ExchangeEvaluator& evaluator, const ClusterPolynomials& polynomials,
                        const std::vector<double>& areas, const Progress& progress)
@@ -174,6 +154,18 @@ bool BlockMaker::fit_visible(const Item& item, double limit, BlockFitter& fitter
   return false;
 }
 
+/// What an item's samples may have missed: that they agree proves nothing about the pairs between
+/// them, of which all may be open.
+double BlockMaker::unseen(const Item& item) const {
+  const auto& order = evaluator_.tree().order;
+  double largest = 0;
+  for (const DensitySample& sample : item.samples) {
+    largest = std::max(largest, shapes_.open_density(order[sample.row], order[sample.column]));
+  }
+  if (largest == 0) largest = shapes_.largest_density(item.a, item.b);
+  return kUnseen * largest / std::sqrt(static_cast<double>(item.samples.size() + 2));
+}
+
 bool BlockMaker::fit_sampled(Item& item, double limit, Worker& worker, MadeBlocks& made) const {
   const auto n_pairs = static_cast<double>(n_pairs_of(item));
   const int most = std::min(
@@ -183,7 +175,6 @@ bool BlockMaker::fit_sampled(Item& item, double limit, Worker& worker, MadeBlock
     ++made.census.samples;
     return evaluator_.entry(i, j, item.between, worker.exchange).value / (areas_[i] * areas_[j]);
   };
-  const double bound = shapes_.largest_density(item.a, item.b);
   struct Trial {
     DegreePair degrees{};
     int n = 0;
@@ -201,11 +192,7 @@ bool BlockMaker::fit_sampled(Item& item, double limit, Worker& worker, MadeBlock
     if (are_all) return trial;
     const auto n_samples = static_cast<double>(item.samples.size());
     trial.off *= 1 + kDoubt / std::sqrt(n_samples - trial.n);
-    // Samples that agree prove nothing about the pairs between them.
-    double largest = 0;
-    for (const DensitySample& sample : item.samples) largest = std::max(largest, sample.density);
-    if (largest == 0) largest = bound;
-    trial.off = std::max(trial.off, kUnseen * largest / std::sqrt(n_samples + 2));
+    trial.off = std::max(trial.off, unseen(item));
     return trial;
   };
   Trial best = attempt({});

@@ -8,28 +8,10 @@
 #include "radiosity/compressed/block_fit.h"
 #include "radiosity/compressed/cluster_polynomials.h"
 #include "radiosity/compressed/cluster_shapes.h"
-#include "radiosity/compressed/compressed_blocks.h"
+#include "radiosity/compressed/made_blocks.h"
 #include "radiosity/exchange/exchange_evaluator.h"
 
 namespace radiosity {
-
-/// What became of the pairs of patches, and what it took.
-struct BlockCensus {
-  std::int64_t samples = 0;       ///< entries evaluated for far blocks, some may block
-  std::int64_t near_entries = 0;  ///< entries evaluated for near blocks
-  BlockCensus& operator+=(const BlockCensus& other);
-};
-
-/// Blocks of a symmetric matrix of exchange areas.
-struct MadeBlocks {
-  std::vector<CompressedBlocks::Far> far;
-  std::vector<float> coefficients;
-  std::vector<CompressedBlocks::Near> near;
-  std::vector<float> densities;
-  BlockCensus census;
-  Census pairs;
-  void append(MadeBlocks&& other);
-};
 
 /// Divides the exchange between all patches into blocks of which each is polynomial but for an
 /// error that is small enough.
@@ -68,6 +50,7 @@ class BlockMaker {
   void work(Item item, double limit, Worker& worker, MadeBlocks& made, Items& open) const;
   bool fit_visible(const Item& item, double limit, BlockFitter& fitter, MadeBlocks& made) const;
   bool fit_sampled(Item& item, double limit, Worker& worker, MadeBlocks& made) const;
+  [[nodiscard]] double unseen(const Item& item) const;
   void evaluate_near(const Item& item, ExchangeEvaluator::Worker& worker, MadeBlocks& made) const;
   void divide(const Item& item, Items& open) const;
   template <typename Density>

@@ -115,6 +115,14 @@ double ClusterShapes::largest_density(std::int32_t a, std::int32_t b) const {
   return largest_cosine(ca, cb) * largest_cosine(cb, ca) / (kPi * distance * distance);
 }
 
+double ClusterShapes::open_density(std::int32_t i, std::int32_t j) const {
+  const PreparedMesh& prepared = evaluator_.prepared();
+  const Vec3 between = prepared.discs[j].center - prepared.discs[i].center;
+  const double of_i = std::max(prepared.planes[i].normal.dot(between), 0.0);
+  const double of_j = std::max(-prepared.planes[j].normal.dot(between), 0.0);
+  return of_i * of_j / (kPi * square(between.squaredNorm()));
+}
+
 std::int32_t ClusterShapes::place_at(std::int32_t cluster, double share) const {
   const Cluster& its = evaluator_.tree().clusters[cluster];
   const auto begin = area_before_.begin() + its.begin;

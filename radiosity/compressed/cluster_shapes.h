@@ -23,6 +23,8 @@ class ClusterShapes {
   [[nodiscard]] bool is_facing(std::int32_t a, std::int32_t b) const;
   /// No kernel between two clusters is larger, 1/m².
   [[nodiscard]] double largest_density(std::int32_t a, std::int32_t b) const;
+  /// The kernel of two patches' middles, with nothing between, 1/m².
+  [[nodiscard]] double open_density(std::int32_t i, std::int32_t j) const;
   /// The place in a cluster, in the tree's order, that has such a share of its area before it.
   [[nodiscard]] std::int32_t place_at(std::int32_t cluster, double share) const;
 

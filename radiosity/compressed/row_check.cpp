@@ -12,6 +12,8 @@ namespace {
 
 /// Of Student's distribution, one-sided, for some tens of samples.
 constexpr double kQuantile = 1.67;
+/// Errors of entries that rows are checked by, next to those of the operator.
+constexpr double kShareOfErrors = 0.2;
 
 }  // namespace
 
@@ -39,7 +41,7 @@ void RowCheck::add_rows(Index n, const Progress& progress) {
   parallel_for(n, [&](std::ptrdiff_t k) {
     progress.check();
     const std::int32_t patch = rows_[first + k];
-    ExchangeEvaluator::Worker worker = evaluator_.worker();
+    ExchangeEvaluator::Worker worker = evaluator_.checking_worker(kShareOfErrors);
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(radiosity_.cols());
     evaluator_.visit_row(patch, worker, [&](Index column, const ExchangeArea& entry) {
       sum += entry.value / areas_[patch] * radiosity_.row(order[column]).transpose();

@@ -27,6 +27,7 @@ constexpr std::int32_t kFewestTried = 256;
 constexpr Index kTriedOfPatch = 3;
 constexpr Index kMostTried = 8192;
 constexpr std::uint64_t kTrialSeed = 0x7a11;
+constexpr std::uint64_t kCheckingSeed = 0xc4ec;
 constexpr double kAim = 0.95;
 constexpr double kLeastBudget = 0.3;
 constexpr double kMostBudget = 3;
@@ -70,6 +71,12 @@ ExchangeEvaluator::ExchangeEvaluator(const PatchMesh& mesh, const Visibility& vi
   find_regions_of_clusters();
   find_known_clusters();
   find_budget();
+}
+
+ExchangeEvaluator::Worker ExchangeEvaluator::checking_worker(double share) const {
+  OccludedPairOptions options = pair_options_;
+  options.tolerance *= share;
+  return {OccludedPairEstimator(visibility_, options), options_.seed ^ kCheckingSeed};
 }
 
 /// The region that all patches of a cluster look into, -1 if there are several.
@@ -322,7 +329,7 @@ ExchangeArea ExchangeEvaluator::occluded_entry(std::int32_t i, std::int32_t j, B
   }
   const PairEstimate estimate = worker.estimator.estimate(
       {polygon_i, prepared_.planes[i], polygon_j, prepared_.planes[j], i, j}, worker.blockers,
-      [&] { return kernel_.unoccluded(i, j, front_i, front_j); }, pair_seed(options_.seed, i, j));
+      [&] { return kernel_.unoccluded(i, j, front_i, front_j); }, pair_seed(worker.seed, i, j));
   return counted(estimate, worker.census);
 }
 
@@ -350,7 +357,7 @@ ExchangeArea ExchangeEvaluator::entry_in_parts(std::int32_t i, std::int32_t j,
   double variance = 0;
   bool all_visible = true;
   bool all_hidden = true;
-  std::uint64_t seed = pair_seed(options_.seed, i, j);
+  std::uint64_t seed = pair_seed(worker.seed, i, j);
   for (const ConvexPolygon& part_i : open_parts(i, j)) {
     for (const ConvexPolygon& part_j : open_parts(j, i)) {
       const auto unoccluded = [&] {

@@ -43,13 +43,17 @@ class ExchangeEvaluator {
   /// What one thread needs to evaluate entries, and what became of those that it did.
   struct Worker {
     OccludedPairEstimator estimator;
+    std::uint64_t seed = 0;  // of visibility samples
     std::vector<const Blocker*> blockers{};
     std::vector<std::int32_t> groups{};  // of blockers, yet to be opened
     Census census{};
   };
   [[nodiscard]] Worker worker() const {
-    return {OccludedPairEstimator(visibility_, pair_options_)};
+    return {OccludedPairEstimator(visibility_, pair_options_), options_.seed};
   }
+  /// One whose entries have such a share of the errors that others have, and samples of their own:
+  /// to check others by.
+  [[nodiscard]] Worker checking_worker(double share) const;
 
   [[nodiscard]] Index size() const { return prepared_.size(); }
   [[nodiscard]] const ClusterTree& tree() const { return prepared_.tree; }
