@@ -10,8 +10,8 @@
 
 namespace radiosity {
 
-/// Gathered light of some rows, with entries more exact than an operator's and samples of their own,
-/// to tell how far off it is.
+/// Gathered light of some rows, with entries more exact than an operator's and samples of their
+/// own, to tell how far off it is.
 class RowCheck {
  public:
   /// `areas` are the patches', m²; `radiosity` holds fields, n x k, in the order of the patches:
