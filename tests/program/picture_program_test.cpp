@@ -103,7 +103,7 @@ TEST_F(Pictures, RefuseImpossibleOptions) {
   const std::vector<std::pair<Arguments, std::string>> cases = {
       {{"--width", "0"}, "--width"},
       {{"--width", "-5"}, "--width"},
-      {{"--height", "1000000", "--width", "1000000"}, "not in range 1 to 16384"},
+      {{"--height", "1000000", "--width", "1000000"}, "not in range"},
       {{"--height", "2.5"}, "--height"},
       {{"--samples", "0"}, "square number"},
       {{"--exposure", "-1"}, "above 0"},
