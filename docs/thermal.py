@@ -64,9 +64,7 @@ def main(scene_path, factors_path, solution_path):
     emitted = (emissivity * STEFAN_BOLTZMANN * temperature**4)[surface]
     reflectance = (1 - emissivity)[surface]
     system = scipy.sparse.identity(area.size) - scipy.sparse.diags(reflectance) @ F
-    B, failed = scipy.sparse.linalg.gmres(system, emitted, tol=1e-12, atol=0)
-    if failed:
-        sys.exit("gmres has not converged")
+    B = scipy.sparse.linalg.spsolve(system.tocsc(), emitted)
     net_flux = B - F @ B
 
     print("net heat lost by")

@@ -1,9 +1,10 @@
 #include "radiosity/compressed/closed_blocks.h"
 
 #include <utility>
+#include <vector>
 
+#include "radiosity/assembly/assembly_report.h"
 #include "radiosity/assembly/balance.h"
-#include "radiosity/exchange/openings.h"
 
 namespace radiosity {
 namespace {
@@ -43,23 +44,31 @@ class AdjustableBlocks final : public AdjustableExchange {
   Eigen::VectorXd multipliers_;
 };
 
-/// Changes the densities until rows sum to 1.
-void close(CompressedTransport& transport, const Eigen::ArrayXd& gap, double tolerance,
-           AssemblyReport& report) {
-  const PatchOrder& order = transport.order();
-  const Eigen::VectorXd& area = transport.area();
+Eigen::ArrayXd gaps(const AssemblyReport& report) {
+  return 1 - report.covered.array() - report.row_sums.array();
+}
+
+/// Rows that lack more than errors explain: whether, in the order of the patches.
+Eigen::Array<bool, Eigen::Dynamic, 1> are_open(const CompressedTransport& transport,
+                                               double tolerance) {
   const Eigen::VectorXd ones = Eigen::VectorXd::Ones(transport.size());
   const double own = kSigmas / transport.parts().error_scale;
-  const Eigen::ArrayXd most =
-      own * transport.apply_error(ones).col(0).array() + kSigmas * tolerance;
-  const Eigen::VectorXd mask = (gap.abs() <= most).cast<double>();
+  const Eigen::ArrayXd most = own * transport.apply_error(ones).col(0).array();
+  return gaps(transport.report()).abs() > most + kSigmas * tolerance;
+}
+
+/// Changes the densities until rows sum to 1.
+void close(CompressedTransport& transport, double tolerance) {
+  const PatchOrder& order = transport.order();
+  const Eigen::VectorXd& area = transport.area();
+  const AssemblyReport& report = transport.report();
+  const Eigen::VectorXd mask = (!are_open(transport, tolerance)).cast<double>();
   RowSums sums{order.to_rows(area.cwiseProduct(report.row_sums)).col(0),
                order.to_rows(area.array() * (1 - report.covered.array())).col(0),
                order.to_rows(mask).col(0)};
   AdjustableBlocks exchange(transport.matrix(), order.to_rows(area).col(0), sums.present);
   balance_rows(exchange, sums, kRounds);
-  report.open_rows = static_cast<std::int64_t>((mask.array() == 0).count());
-  transport.set_closure(exchange.multipliers(), report);
+  transport.set_multipliers(exchange.multipliers());
 }
 
 }  // namespace
@@ -67,20 +76,30 @@ void close(CompressedTransport& transport, const Eigen::ArrayXd& gap, double tol
 void close_blocks(CompressedTransport& transport, double tolerance) {
   AssemblyReport report = transport.report();
   report.row_sums = transport.apply(Eigen::VectorXd::Ones(transport.size()));
-  const Eigen::ArrayXd gap = 1 - report.covered.array() - report.row_sums.array();
-  report.closure_mean = gap.abs().mean();
-  report.closure_max = gap.abs().maxCoeff();
-  if (report.closed) close(transport, gap, tolerance, report);
-  transport.set_closure(transport.parts().multipliers, std::move(report));
+  if (transport.size() > 0) {
+    report.closure_mean = gaps(report).abs().mean();
+    report.closure_max = gaps(report).abs().maxCoeff();
+  }
+  transport.set_report(std::move(report));
+  if (transport.report().closed) close(transport, tolerance);
 }
 
 void find_backs(CompressedTransport& transport, const PatchMesh& mesh, const Visibility& visibility,
-                std::uint64_t seed) {
+                const TransportOptions& options) {
   AssemblyReport report = transport.report();
   const Eigen::VectorXd present = transport.apply(Eigen::VectorXd::Ones(transport.size()));
-  const Eigen::VectorXd missing = 1 - report.covered.array() - present.array();
-  report.backs = shares_on_backs(mesh, visibility, missing, seed);
-  transport.set_closure(transport.parts().multipliers, std::move(report));
+  std::vector<Index> open_rows;
+  if (report.closed) {
+    const Eigen::VectorXd is_open = are_open(transport, options.tolerance).cast<double>();
+    const Eigen::VectorXd rows = transport.order().to_rows(is_open);
+    for (Index row = 0; row < rows.size(); ++row) {
+      if (rows[row] != 0) open_rows.push_back(row);
+    }
+  }
+  const Eigen::VectorXd power = present.cwiseProduct(transport.area());
+  find_backs(mesh, visibility, transport.parts().order, transport.order().to_rows(power), open_rows,
+             options.seed, report);
+  transport.set_report(std::move(report));
 }
 
 }  // namespace radiosity

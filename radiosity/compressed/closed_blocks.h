@@ -1,7 +1,6 @@
 #pragma once
 
-#include <cstdint>
-
+#include "radiosity/assembly/transport_options.h"
 #include "radiosity/compressed/compressed_transport.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/visibility/visibility.h"
@@ -13,8 +12,9 @@ namespace radiosity {
 /// Rows further off than their errors and `tolerance` explain are left alone.
 void close_blocks(CompressedTransport& transport, double tolerance);
 
-/// Reports what of the light that reaches no front meets backs.
+/// Reports what of the light that reaches no front meets backs, and how many rows of a closed scene
+/// lack more than that and errors of `options.tolerance` explain. Follows close_blocks().
 void find_backs(CompressedTransport& transport, const PatchMesh& mesh, const Visibility& visibility,
-                std::uint64_t seed);
+                const TransportOptions& options);
 
 }  // namespace radiosity

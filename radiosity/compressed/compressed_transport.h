@@ -63,12 +63,10 @@ class CompressedTransport final : public Transport, public FactorRows, public Pa
   /// Of the matrix's rows.
   [[nodiscard]] const PatchOrder& order() const { return order_; }
   /// Replaces what is added to the blocks: for light, as Parts::sources; to close the rows, as
-  /// Parts::multipliers, with the report of these.
+  /// Parts::multipliers.
   void set_sources(std::vector<Parts::Source> sources) { parts_.sources = std::move(sources); }
-  void set_closure(Eigen::VectorXd multipliers, AssemblyReport report) {
-    parts_.multipliers = std::move(multipliers);
-    parts_.report = std::move(report);
-  }
+  void set_multipliers(Eigen::VectorXd multipliers) { parts_.multipliers = std::move(multipliers); }
+  void set_report(AssemblyReport report) { parts_.report = std::move(report); }
 
   [[nodiscard]] Eigen::VectorXd row(Index i) const override;
   [[nodiscard]] Eigen::VectorXd row_error(Index i) const override;

@@ -118,10 +118,10 @@ void add_missing_light(Transport& transport, const PatchMesh& mesh, const Visibi
   const ExchangeEvaluator evaluator(mesh, visibility, coverage,
                                     {.tolerance = options.tolerance, .seed = options.seed});
   const std::vector<LightPolygon> lights = make_light_polygons(evaluator, mesh, missing, options);
-  compressed->set_closure({}, compressed->report());
+  compressed->set_multipliers({});
   add_light(*compressed, lights);
   close_blocks(*compressed, options.tolerance);
-  find_backs(*compressed, mesh, visibility, options.seed);
+  find_backs(*compressed, mesh, visibility, options);
 }
 
 }  // namespace radiosity

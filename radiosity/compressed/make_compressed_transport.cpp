@@ -183,7 +183,7 @@ class CompressedAssembly {
     if (estimate_ > 0) {
       transport.parts_.error_scale = std::max(kLeastScale, error.limit / estimate_);
     }
-    find_backs(transport, mesh_, visibility_, options_.seed);
+    find_backs(transport, mesh_, visibility_, options_);
   }
 
   const PatchMesh& mesh_;

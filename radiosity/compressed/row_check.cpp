@@ -27,6 +27,7 @@ RowCheck::RowCheck(const ExchangeEvaluator& evaluator, const ClusterShapes& shap
 
 void RowCheck::add_rows(Index n, const Progress& progress) {
   const auto& order = evaluator_.tree().order;
+  if (order.empty()) return;
   const auto first = static_cast<std::ptrdiff_t>(rows_.size());
   // One of each n-th part of the area, in the tree's order.
   for (Index k = 0; k < n; ++k) {
@@ -54,6 +55,7 @@ RowCheck::Error RowCheck::error(const Eigen::MatrixXd& gathered) const {
   const auto n = static_cast<double>(rows_.size());
   const Eigen::Map<const Eigen::VectorXd> area(areas_.data(), static_cast<Index>(areas_.size()));
   Error result{.n_rows = n_rows()};
+  if (rows_.empty()) return result;
   const Eigen::VectorXd of_ones = gathered.col(0);
   for (Index field = 0; field < gathered.cols(); ++field) {
     // Of light that may be negative, what all of it would give: signs cancel, and prove nothing.

@@ -307,6 +307,32 @@ TEST(CompressedTransport, LeavesCoveredPatchesDark) {
   }
 }
 
+TEST(CompressedTransport, CountsNoRowsAsOpenThatSeeBacks) {
+  // A screen whose back takes what a fifth of the room sends there.
+  PatchMesh mesh;
+  add_box(mesh, Vec3::Zero(), Vec3::Ones(), 10, Facing::inwards);
+  add_grid(mesh, Vec3(0.5, 0.2, 0.2), 0.6 * Vec3::UnitY(), 0.6 * Vec3::UnitZ(), 6, 6);
+  const Room room(std::move(mesh));
+  const TransportOptions options{.tolerance = 1e-2, .closed = Closed::yes};
+  const auto compressed = make_compressed_transport(room.mesh, room.visibility, options);
+  const AssemblyReport& report = compressed->report();
+  ASSERT_TRUE(report.closed);
+  const Index n_blocked = ((1 - report.row_sums.array()) > 0.1).count();
+  EXPECT_GT(n_blocked, room.mesh.size() / 10);
+  EXPECT_GT((report.backs.array() > 0.1).count(), n_blocked / 2);
+  // But for a few whose rays pass where walls meet.
+  EXPECT_LT(report.open_rows, n_blocked / 10);
+}
+
+TEST(CompressedTransport, MayHaveNoPatches) {
+  const Room room{PatchMesh{}};
+  const auto compressed = make_compressed_transport(room.mesh, room.visibility);
+  EXPECT_EQ(compressed->size(), 0);
+  EXPECT_EQ(compressed->apply(Eigen::MatrixXd(0, 2)).cols(), 2);
+  EXPECT_EQ(compressed->error(), 0);
+  EXPECT_EQ(compressed->report().open_rows, 0);
+}
+
 TEST(CompressedTransport, RefusesWhatWillNotFit) {
   const Room room(box_in_box(4, 2));
   try {

@@ -229,6 +229,19 @@ TEST(Worker, DropsWhatACancelledTaskPosted) {
   EXPECT_FALSE(worker.take_error());
 }
 
+TEST(Worker, IsNotBusyWithWhatACancelledTaskPosted) {
+  viewer::Worker worker;
+  std::atomic<bool> has_posted = false;
+  worker.start([&](const viewer::Worker::Context& context) {
+    context.post([] { FAIL() << "nobody waits for this"; });
+    has_posted = true;
+  });
+  while (!has_posted) std::this_thread::sleep_for(1ms);
+  worker.cancel();
+  EXPECT_FALSE(worker.is_busy());
+  EXPECT_FALSE(worker.deliver());
+}
+
 /// Counts to three, asking for leave before each, and tells where it is.
 struct Counting {
   std::atomic<bool> has_begun = false;

@@ -42,10 +42,9 @@ Worker::~Worker() {
 void Worker::start(Task task) {
   {
     const std::scoped_lock lock(mutex_);
-    stop_.request_stop();
+    drop_task();
     stop_ = std::stop_source();
     next_ = std::move(task);
-    error_.reset();
     status_ = {.is_busy = true};
   }
   changed_.notify_all();
@@ -53,8 +52,14 @@ void Worker::start(Task task) {
 
 void Worker::cancel() {
   const std::scoped_lock lock(mutex_);
+  drop_task();
+}
+
+void Worker::drop_task() {
   stop_.request_stop();
   next_.reset();
+  // Else the worker would seem busy with what nobody waits for.
+  posted_.clear();
   error_.reset();
   status_ = {};
 }

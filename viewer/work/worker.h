@@ -82,6 +82,7 @@ class Worker {
     std::function<void()> deliver;
   };
   void run();
+  void drop_task();  // with mutex_ locked
   void post(const std::stop_token& stop, std::function<void()> deliver);
   radiosity::Progress make_progress(const std::stop_token& stop);
   void perform(const Task& task, const std::stop_token& stop);
