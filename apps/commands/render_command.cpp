@@ -6,6 +6,7 @@
 #include "apps/run/picture_output.h"
 #include "apps/run/shown_events.h"
 #include "apps/summary/summary.h"
+#include "apps/terminal/machine.h"
 #include "apps/terminal/output_files.h"
 #include "radiosity/base/parallel.h"
 
@@ -29,6 +30,7 @@ RenderCommand::RenderCommand(CLI::App& program, Interruption& interruption)
 }
 
 void RenderCommand::run() const {
+  keep_freed_memory();
   CommonOptions common = common_;
   common.outputs = {output_};
   check_outputs(common.outputs, common_.scene);

@@ -12,6 +12,7 @@
 #include "apps/summary/json_summary.h"
 #include "apps/summary/summary.h"
 #include "apps/summary/text_summary.h"
+#include "apps/terminal/machine.h"
 #include "apps/terminal/output_files.h"
 #include "io/result/result_file.h"
 #include "io/result/scenario_csv.h"
@@ -80,6 +81,7 @@ SolveCommand::SolveCommand(CLI::App& program, Interruption& interruption)
 }
 
 void SolveCommand::run() const {
+  keep_freed_memory();
   const std::vector<Scenario> scenarios =
       scenarios_ ? io::read_scenarios(*scenarios_) : std::vector<Scenario>();
   CommonOptions common = common_;

@@ -3,6 +3,9 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <sys/utsname.h>
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
 
 #include <ctime>
 #include <fstream>
@@ -34,6 +37,14 @@ std::string machine_text() {
 
 std::string time_text() {
   return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+}
+
+void keep_freed_memory() {
+#if defined(__GLIBC__)
+  constexpr int kLargest = 256 << 20;
+  ::mallopt(M_MMAP_THRESHOLD, kLargest);
+  ::mallopt(M_TRIM_THRESHOLD, 2 * kLargest);
+#endif
 }
 
 }  // namespace apps

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "radiosity/base/parallel.h"
+#include "radiosity/compressed/block_product.h"
 
 namespace radiosity {
 namespace {
@@ -12,18 +13,15 @@ namespace {
 constexpr Index kSubtrees = 256;
 constexpr Index kSmallSubtree = 512;
 constexpr std::ptrdiff_t kNodeGrain = 64;
-/// Columns that go through the matrix at once.
-constexpr Index kColumnsAtOnce = 4;
-
-/// sum += values[k] * x, for kColumns columns.
-template <int kColumns>
-inline void add_scaled(double factor, const double* x, double* sum) {
-  for (int c = 0; c < kColumns; ++c) sum[c] += factor * x[c];
-}
+constexpr Index kRowGrain = 4096;
 
 }  // namespace
 
 CompressedMatrix::CompressedMatrix(CompressedBlocks blocks) : blocks_(std::move(blocks)) {
+  for (const NestedBasis::Node& node : blocks_.basis.nodes) {
+    functions_.push_back({node.first, node.counts});
+  }
+  sort_far();
   far_ = find_uses(blocks_.far);
   near_ = find_uses(blocks_.near);
   find_subtrees();
@@ -39,7 +37,29 @@ std::size_t CompressedMatrix::bytes() const {
          (blocks_.coefficients.size() + blocks_.densities.size()) * sizeof(float) +
          (far_.all.size() + near_.all.size()) * sizeof(Use) +
          (far_.first.size() + near_.first.size()) * sizeof(std::int64_t) +
-         end_.size() * sizeof(std::int32_t);
+         functions_.size() * sizeof(Functions) + end_.size() * sizeof(std::int32_t);
+}
+
+/// Far blocks and their numbers in the order of their nodes, so that products find what they need
+/// close together.
+void CompressedMatrix::sort_far() {
+  const auto nodes_of = [](const CompressedBlocks::Far& far) { return std::pair(far.a, far.b); };
+  const auto is_before = [&](const CompressedBlocks::Far& x, const CompressedBlocks::Far& y) {
+    return nodes_of(x) < nodes_of(y);
+  };
+  std::vector<CompressedBlocks::Far>& far = blocks_.far;
+  if (std::is_sorted(far.begin(), far.end(), is_before)) return;
+  std::sort(far.begin(), far.end(), is_before);
+  std::vector<float> sorted;
+  sorted.reserve(blocks_.coefficients.size());
+  for (CompressedBlocks::Far& block : far) {
+    const int n =
+        n_coefficients(functions_[block.a].counts, functions_[block.b].counts, block.degrees);
+    const float* numbers = blocks_.coefficients.data() + block.first;
+    block.first = sorted.size();
+    sorted.insert(sorted.end(), numbers, numbers + n);
+  }
+  blocks_.coefficients = std::move(sorted);
 }
 
 template <typename Block>
@@ -53,11 +73,19 @@ CompressedMatrix::Uses CompressedMatrix::find_uses(const std::vector<Block>& blo
   for (std::size_t k = 1; k < uses.first.size(); ++k) uses.first[k] += uses.first[k - 1];
   uses.all.resize(uses.first.back());
   std::vector<std::int64_t> next(uses.first.begin(), uses.first.end() - 1);
-  for (std::size_t k = 0; k < blocks.size(); ++k) {
-    const Block& block = blocks[k];
-    const auto number = static_cast<std::int32_t>(k);
-    uses.all[next[block.a]++] = {block.b, number, true};
-    if (block.a != block.b) uses.all[next[block.b]++] = {block.a, number, false};
+  for (const Block& block : blocks) {
+    Use use{.first = block.first,
+            .other = block.b,
+            .error = block.error,
+            .degrees = {},
+            .is_a = true,
+            .may_change = block.may_change};
+    if constexpr (requires { block.degrees; }) use.degrees = block.degrees;
+    uses.all[next[block.a]++] = use;
+    if (block.a == block.b) continue;
+    use.other = block.a;
+    use.is_a = false;
+    uses.all[next[block.b]++] = use;
   }
   return uses;
 }
@@ -102,16 +130,65 @@ template <typename Visit>
 void CompressedMatrix::visit_near(std::int32_t k, const Visit& visit) const {
   const auto& nodes = blocks_.basis.nodes;
   const std::int32_t n_rows = nodes[k].end - nodes[k].begin;
-  for (std::int64_t u = near_.first[k]; u < near_.first[k + 1]; ++u) {
-    const Use& use = near_.all[u];
+  for (const Use& use : near_.of(k)) {
     const NestedBasis::Node& other = nodes[use.other];
     const std::int32_t n_other = other.end - other.begin;
-    const float* densities = &blocks_.densities[blocks_.near[use.block].first];
+    const float* densities = &blocks_.densities[use.first];
     for (std::int32_t r = 0; r < n_rows; ++r) {
       for (std::int32_t c = 0; c < n_other; ++c) {
         visit(nodes[k].begin + r, other.begin + c,
               use.is_a ? densities[r * n_other + c] : densities[c * n_rows + r]);
       }
+    }
+  }
+}
+
+/// Adds what a node's far blocks send to its functions: M m or Mᵀ m of the moments m of the other,
+/// M with a row for each function of the block's a. `moments` are those of all functions.
+template <int kColumns>
+void CompressedMatrix::add_far(std::ptrdiff_t node, const double* moments, double* sum) const {
+  constexpr std::ptrdiff_t kAhead = 4;
+  const std::span<const Use> uses = far_.of(node);
+  for (std::size_t u = 0; u < uses.size(); ++u) {
+    const Use& use = uses[u];
+    if (u + kAhead < uses.size()) {
+      const Use& later = uses[u + kAhead];
+      __builtin_prefetch(&blocks_.coefficients[later.first]);
+      __builtin_prefetch(moments + functions_[later.other].first * kColumns);
+    }
+    const double* of_other = moments + functions_[use.other].first * kColumns;
+    const auto& counts_a = functions_[use.is_a ? node : use.other].counts;
+    const auto& counts_b = functions_[use.is_a ? use.other : node].counts;
+    const float* coefficients = &blocks_.coefficients[use.first];
+    int first = 0;
+    for (int degree = 0; degree <= use.degrees.a; ++degree) {
+      const int n_rows = counts_a[degree] - first;
+      const SmallMatrix m{coefficients, n_rows, counts_b[use.degrees.of_b(degree)]};
+      if (use.is_a) {
+        radiosity::add_product<kColumns>(m, of_other, sum + first * kColumns);
+      } else {
+        add_transposed_product<kColumns>(m, of_other + first * kColumns, sum);
+      }
+      coefficients += n_rows * m.n_columns;
+      first += n_rows;
+    }
+  }
+}
+
+/// The same of near blocks, from x of all rows to the sums of a node's.
+template <int kColumns>
+void CompressedMatrix::add_near(std::ptrdiff_t node, const double* x, double* sum) const {
+  const auto& nodes = blocks_.basis.nodes;
+  const int n_rows = nodes[node].end - nodes[node].begin;
+  for (const Use& use : near_.of(node)) {
+    const NestedBasis::Node& other = nodes[use.other];
+    const int n_other = other.end - other.begin;
+    const float* densities = &blocks_.densities[use.first];
+    const double* of_other = x + other.begin * std::ptrdiff_t{kColumns};
+    if (use.is_a) {
+      radiosity::add_product<kColumns>({densities, n_rows, n_other}, of_other, sum);
+    } else {
+      add_transposed_product<kColumns>({densities, n_other, n_rows}, of_other, sum);
     }
   }
 }
@@ -122,102 +199,75 @@ void CompressedMatrix::add_product(const double* x, double* result) const {
   const float* numbers = blocks_.basis.numbers.data();
   std::vector<double> moments(blocks_.basis.n_functions * kColumns);
   std::vector<double> gathered(blocks_.basis.n_functions * kColumns);
+  const auto values = [&](const NestedBasis::Node& leaf) {
+    return SmallMatrix{numbers + leaf.values, leaf.end - leaf.begin, leaf.used};
+  };
+  const auto transfer = [&](const NestedBasis::Node& node, std::int32_t child) {
+    return SmallMatrix{numbers + nodes[child].transfer, node.used, nodes[child].used};
+  };
+  const auto at = [](std::vector<double>& field, std::uint64_t first) {
+    return field.data() + first * kColumns;
+  };
 
-  const auto gather_moments = [&](std::int32_t k) {
+  visit_upward([&](std::int32_t k) {
     const NestedBasis::Node& node = nodes[k];
-    double* own = &moments[node.first * kColumns];
+    double* own = at(moments, node.first);
     if (node.is_leaf()) {
-      const float* value = numbers + node.values;
-      for (std::int32_t row = node.begin; row < node.end; ++row) {
-        for (int f = 0; f < node.used; ++f) {
-          add_scaled<kColumns>(*value++, x + row * kColumns, own + f * kColumns);
-        }
-      }
+      add_transposed_product<kColumns>(values(node), x + node.begin * std::ptrdiff_t{kColumns},
+                                       own);
       return;
     }
     for (const std::int32_t child : {node.left, node.right}) {
-      const float* transfer = numbers + nodes[child].transfer;
-      const double* below = &moments[nodes[child].first * kColumns];
-      for (int f = 0; f < node.used; ++f) {
-        for (int g = 0; g < nodes[child].used; ++g) {
-          add_scaled<kColumns>(*transfer++, below + g * kColumns, own + f * kColumns);
-        }
-      }
+      radiosity::add_product<kColumns>(transfer(node, child), at(moments, nodes[child].first), own);
     }
-  };
-  visit_upward(gather_moments);
+  });
 
-  const auto exchange_far = [&](std::ptrdiff_t k) {
-    double* sum = &gathered[nodes[k].first * kColumns];
-    for (std::int64_t u = far_.first[k]; u < far_.first[k + 1]; ++u) {
-      const Use& use = far_.all[u];
-      const CompressedBlocks::Far& block = blocks_.far[use.block];
-      const float* coefficients = &blocks_.coefficients[block.first];
-      const double* of_other = &moments[nodes[use.other].first * kColumns];
-      for_each_function(
-          nodes[block.a].counts, nodes[block.b].counts, block.degrees, [&](int row, int count) {
-            const float* c = coefficients;
-            coefficients += count;
-            if (use.is_a) {
-              for (int l = 0; l < count; ++l) {
-                add_scaled<kColumns>(c[l], of_other + l * kColumns, sum + row * kColumns);
-              }
-            } else {
-              for (int l = 0; l < count; ++l) {
-                add_scaled<kColumns>(c[l], of_other + row * kColumns, sum + l * kColumns);
-              }
-            }
-          });
-    }
-    if (!nodes[k].is_leaf()) return;
-    visit_near(static_cast<std::int32_t>(k),
-               [&](std::int32_t row, std::int32_t column, float density) {
-                 add_scaled<kColumns>(density, x + column * kColumns, result + row * kColumns);
-               });
+  const auto exchange = [&](std::ptrdiff_t k) {
+    add_far<kColumns>(k, moments.data(), at(gathered, nodes[k].first));
+    add_near<kColumns>(k, x, result + nodes[k].begin * std::ptrdiff_t{kColumns});
   };
-  parallel_for(static_cast<std::ptrdiff_t>(nodes.size()), exchange_far, kNodeGrain);
+  parallel_for(static_cast<std::ptrdiff_t>(nodes.size()), exchange, kNodeGrain);
 
-  const auto hand_down = [&](std::int32_t k) {
+  visit_downward([&](std::int32_t k) {
     const NestedBasis::Node& node = nodes[k];
-    const double* own = &gathered[node.first * kColumns];
+    const double* own = at(gathered, node.first);
     if (node.is_leaf()) {
-      const float* value = numbers + node.values;
-      for (std::int32_t row = node.begin; row < node.end; ++row) {
-        for (int f = 0; f < node.used; ++f) {
-          add_scaled<kColumns>(*value++, own + f * kColumns, result + row * kColumns);
-        }
-      }
+      radiosity::add_product<kColumns>(values(node), own,
+                                       result + node.begin * std::ptrdiff_t{kColumns});
       return;
     }
     for (const std::int32_t child : {node.left, node.right}) {
-      const float* transfer = numbers + nodes[child].transfer;
-      double* below = &gathered[nodes[child].first * kColumns];
-      for (int f = 0; f < node.used; ++f) {
-        for (int g = 0; g < nodes[child].used; ++g) {
-          add_scaled<kColumns>(*transfer++, own + f * kColumns, below + g * kColumns);
-        }
-      }
+      add_transposed_product<kColumns>(transfer(node, child), own,
+                                       at(gathered, nodes[child].first));
     }
-  };
-  visit_downward(hand_down);
+  });
 }
 
 Eigen::MatrixXd CompressedMatrix::product(const Eigen::MatrixXd& x) const {
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const Index n = x.rows();
   Eigen::MatrixXd result(n, x.cols());
-  for (Index first = 0; first < x.cols(); first += kColumnsAtOnce) {
-    const Index n_columns = std::min(kColumnsAtOnce, x.cols() - first);
-    using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    const Index width = n_columns == 1 ? 1 : kColumnsAtOnce;
+  for (Index first = 0; first < x.cols();) {
+    const Index left = x.cols() - first;
+    const Index width = left > kFewColumns ? kManyColumns : left > 1 ? kFewColumns : 1;
+    const Index n_columns = std::min(width, left);
     Rows in = Rows::Zero(n, width);
     Rows out = Rows::Zero(n, width);
-    in.leftCols(n_columns) = x.middleCols(first, n_columns);
-    if (n_columns == 1) {
-      add_product<1>(in.data(), out.data());
+    parallel_ranges(n, kRowGrain, [&](Index begin, Index end) {
+      in.block(begin, 0, end - begin, n_columns) = x.block(begin, first, end - begin, n_columns);
+    });
+    if (width == kManyColumns) {
+      add_product<kManyColumns>(in.data(), out.data());
+    } else if (width == kFewColumns) {
+      add_product<kFewColumns>(in.data(), out.data());
     } else {
-      add_product<kColumnsAtOnce>(in.data(), out.data());
+      add_product<1>(in.data(), out.data());
     }
-    result.middleCols(first, n_columns) = out.leftCols(n_columns);
+    parallel_ranges(n, kRowGrain, [&](Index begin, Index end) {
+      result.block(begin, first, end - begin, n_columns) =
+          out.block(begin, 0, end - begin, n_columns);
+    });
+    first += n_columns;
   }
   return result;
 }
@@ -239,13 +289,8 @@ Eigen::MatrixXd CompressedMatrix::sum_over_blocks(const Eigen::MatrixXd& x, cons
         static_cast<std::ptrdiff_t>(nodes.size()),
         [&](std::ptrdiff_t k) {
           gathered[k] = 0;
-          const auto add_all = [&](const Uses& uses, const auto& blocks) {
-            for (std::int64_t u = uses.first[k]; u < uses.first[k + 1]; ++u) {
-              gathered[k] += add(blocks[uses.all[u].block], sums[uses.all[u].other]);
-            }
-          };
-          add_all(far_, blocks_.far);
-          add_all(near_, blocks_.near);
+          for (const Use& use : far_.of(k)) gathered[k] += add(use, sums[use.other]);
+          for (const Use& use : near_.of(k)) gathered[k] += add(use, sums[use.other]);
         },
         kNodeGrain);
     visit_downward([&](std::int32_t k) {
@@ -308,10 +353,9 @@ Eigen::MatrixXd CompressedMatrix::weighted_sums(const std::vector<Place>& places
       n_nodes,
       [&](std::ptrdiff_t k) {
         gathered.row(k).setZero();
-        for (std::int64_t u = far_.first[k]; u < far_.first[k + 1]; ++u) {
-          const Use& use = far_.all[u];
+        for (const Use& use : far_.of(k)) {
           // The first functions are 1, and the others' means 0.
-          const double density = blocks_.coefficients[blocks_.far[use.block].first];
+          const double density = blocks_.coefficients[use.first];
           gathered.row(k) += weigh(density, means[k], means[use.other]) * sums.row(use.other);
         }
         visit_near(static_cast<std::int32_t>(k), [&](std::int32_t row, std::int32_t column,

@@ -2,8 +2,10 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -105,18 +107,35 @@ class CompressedMatrix {
   [[nodiscard]] Entry entry(Index row, Index column) const;
 
  private:
+  /// A block from one of its ends: what is needed of it, so that nothing is looked up elsewhere.
   struct Use {
-    std::int32_t other;  // node
-    std::int32_t block;
+    std::uint64_t first;  // of its numbers
+    std::int32_t other;   // node
+    float error;
+    DegreePair degrees;
     bool is_a;  // whether this node is the block's a
+    bool may_change;
   };
   /// The blocks of each node.
   struct Uses {
     std::vector<std::int64_t> first;
     std::vector<Use> all;
+    [[nodiscard]] std::span<const Use> of(std::ptrdiff_t node) const {
+      return {all.data() + first[node], all.data() + first[node + 1]};
+    }
+  };
+  /// A node's functions: what products need of it.
+  struct Functions {
+    std::uint64_t first;
+    std::array<std::uint8_t, NestedBasis::kMostDegree + 1> counts;
   };
   template <typename Block>
   [[nodiscard]] Uses find_uses(const std::vector<Block>& blocks) const;
+  void sort_far();
+  template <int kColumns>
+  void add_far(std::ptrdiff_t node, const double* moments, double* sum) const;
+  template <int kColumns>
+  void add_near(std::ptrdiff_t node, const double* x, double* sum) const;
   void find_subtrees();
   template <typename Visit>
   void visit_upward(const Visit& visit) const;
@@ -130,6 +149,7 @@ class CompressedMatrix {
   void add_product(const double* x, double* result) const;
 
   CompressedBlocks blocks_;
+  std::vector<Functions> functions_;  // per node
   Uses far_;
   Uses near_;
   std::vector<std::int32_t> end_;       // per node: after the last one below

@@ -49,33 +49,31 @@ CompressedMatrix::Entry CompressedMatrix::entry(Index row, Index column) const {
   };
   for (std::size_t level = 0; level < path.nodes.size(); ++level) {
     const std::int32_t k = path.nodes[level];
-    for (std::int64_t u = far_.first[k]; u < far_.first[k + 1]; ++u) {
-      const std::ptrdiff_t at = level_of(far_.all[u].other);
+    for (const Use& use : far_.of(k)) {
+      const std::ptrdiff_t at = level_of(use.other);
       if (at < 0) continue;
-      const CompressedBlocks::Far& block = blocks_.far[far_.all[u].block];
-      const auto& of_a = far_.all[u].is_a ? path.values[level] : other.values[at];
-      const auto& of_b = far_.all[u].is_a ? other.values[at] : path.values[level];
+      const auto& of_a = use.is_a ? path.values[level] : other.values[at];
+      const auto& of_b = use.is_a ? other.values[at] : path.values[level];
       double sum = 0;
-      const float* coefficient = &blocks_.coefficients[block.first];
-      for_each_function(nodes[block.a].counts, nodes[block.b].counts, block.degrees,
-                        [&](int f, int count) {
+      const float* coefficient = &blocks_.coefficients[use.first];
+      for_each_function(nodes[use.is_a ? k : use.other].counts,
+                        nodes[use.is_a ? use.other : k].counts, use.degrees, [&](int f, int count) {
                           for (int g = 0; g < count; ++g) {
                             sum += *coefficient++ * (of_a[f] * of_b[g]);
                           }
                         });
-      return {sum, block.error, block.may_change};
+      return {sum, use.error, use.may_change};
     }
   }
   const std::int32_t k = path.nodes.back();
-  for (std::int64_t u = near_.first[k]; u < near_.first[k + 1]; ++u) {
-    if (near_.all[u].other != other.nodes.back()) continue;
-    const CompressedBlocks::Near& block = blocks_.near[near_.all[u].block];
-    const NestedBasis::Node& a = nodes[block.a];
-    const NestedBasis::Node& b = nodes[block.b];
-    const Index in_a = (near_.all[u].is_a ? row : column) - a.begin;
-    const Index in_b = (near_.all[u].is_a ? column : row) - b.begin;
-    return {blocks_.densities[block.first + in_a * (b.end - b.begin) + in_b], block.error,
-            block.may_change};
+  for (const Use& use : near_.of(k)) {
+    if (use.other != other.nodes.back()) continue;
+    const NestedBasis::Node& a = nodes[use.is_a ? k : use.other];
+    const NestedBasis::Node& b = nodes[use.is_a ? use.other : k];
+    const Index in_a = (use.is_a ? row : column) - a.begin;
+    const Index in_b = (use.is_a ? column : row) - b.begin;
+    return {blocks_.densities[use.first + in_a * (b.end - b.begin) + in_b], use.error,
+            use.may_change};
   }
   return {};
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "radiosity/base/geometry.h"
+#include "radiosity/base/parallel.h"
 
 namespace radiosity {
 
@@ -24,12 +25,14 @@ class PatchOrder {
 
   /// Values of patches, n x k, in the order of the rows.
   [[nodiscard]] Eigen::MatrixXd to_rows(const Eigen::MatrixXd& x) const {
-    return x(patches_, Eigen::all);
+    Eigen::MatrixXd result(x.rows(), x.cols());
+    for_rows(x, [&](Index row, Index c) { result(row, c) = x(patches_[row], c); });
+    return result;
   }
   /// Values of rows, n x k, in the order of the patches.
   [[nodiscard]] Eigen::MatrixXd to_patches(const Eigen::MatrixXd& x) const {
     Eigen::MatrixXd result(x.rows(), x.cols());
-    result(patches_, Eigen::all) = x;
+    for_rows(x, [&](Index row, Index c) { result(patches_[row], c) = x(row, c); });
     return result;
   }
 
@@ -38,6 +41,16 @@ class PatchOrder {
   }
 
  private:
+  template <typename Copy>
+  static void for_rows(const Eigen::MatrixXd& x, const Copy& copy) {
+    constexpr Index kGrain = 16384;
+    parallel_ranges(x.rows(), kGrain, [&](Index begin, Index end) {
+      for (Index c = 0; c < x.cols(); ++c) {
+        for (Index row = begin; row < end; ++row) copy(row, c);
+      }
+    });
+  }
+
   std::vector<std::int32_t> patches_;  // per row
   std::vector<std::int32_t> rows_;     // per patch
 };

@@ -11,8 +11,8 @@
 namespace radiosity {
 namespace {
 
-/// Tolerance of the coarser solutions; changes are seldom below 1e-3.
-constexpr double kTolerance = 1e-4;
+/// Tolerance of the coarser solutions; changes are 1e-3 at 1e5 patches.
+constexpr double kTolerance = 1e-5;
 /// Range of the ratio 2^p of changes that is believed: from order 1 (light that stops at a line) to
 /// 1.6, though smooth light has order 2, as patches of different sizes make the measured one
 /// uneven.
@@ -33,6 +33,7 @@ Solution solve_coarser(const AggregatedTransport& coarser, const Solution& solut
                        const Progress& progress) {
   SolveOptions options;
   options.tolerance = kTolerance;
+  options.start = coarser.means(solution.irradiance);
   options.progress.stop = progress.stop;
   return solve(coarser, coarser.means(solution.exitance), coarser.means(solution.reflectance),
                options);

@@ -194,7 +194,7 @@ Received receive(const PatchMesh& mesh, const Transport& transport, const PairSu
   const auto sums = [&](const Eigen::MatrixXd& x, int p, int q) {
     return pairs.sums(mesh, scaled(x, area.pow(p)), [p, q](const ExchangingPair& pair) {
       const double varying = q > 0 ? variation_of(pair.other_size, pair.distance) : 1;
-      return std::pow(pair.density, p) * std::pow(varying, q);
+      return (p > 1 ? square(pair.density) : pair.density) * (q > 1 ? square(varying) : varying);
     });
   };
   const Eigen::MatrixXd signed_light =
