@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "radiosity/compressed/light_polygons.h"
+#include "radiosity/compressed/make_compressed_transport.h"
 #include "radiosity/compressed/make_transport.h"
 #include "radiosity/scene/radiometry.h"
 #include "radiosity/solve/solve.h"
@@ -42,7 +43,9 @@ TransportOptions transport_options(const Scene& scene, const StudyOptions& optio
           .closed = closedness(scene, options.closed),
           .seed = options.seed,
           .memory = options.memory,
-          .progress = progress};
+          .progress = progress,
+          .work_file = options.work_file,
+          .work_start = options.work_start};
 }
 
 FormFactors make_adaptive(const Scene& scene, const StudyOptions& options,
@@ -84,6 +87,12 @@ Patches divide(const Scene& scene, const StudyOptions& options, const StudyEvent
   Patches patches{std::move(mesh), std::move(visibility)};
   if (events.divided) events.divided(scene, patches);
   return patches;
+}
+
+Fingerprint compressed_fingerprint(const Scene& scene, const PatchMesh& mesh,
+                                   const StudyOptions& options) {
+  return radiosity::compressed_fingerprint(mesh, transport_options(scene, options, {}),
+                                           {exitance(scene, mesh), reflectance(scene, mesh)});
 }
 
 FormFactors make_form_factors(const Scene& scene, const PatchMesh& mesh,

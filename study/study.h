@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "meshing/adaptive/adaptive.h"
+#include "radiosity/base/fingerprint.h"
 #include "radiosity/operator/transport.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/scene.h"
@@ -55,6 +56,11 @@ Patches divide(const radiosity::Scene& scene, const StudyOptions& options = {},
 FormFactors make_form_factors(const radiosity::Scene& scene, const radiosity::PatchMesh& mesh,
                               const radiosity::Visibility& visibility,
                               const StudyOptions& options = {}, const StudyEvents& events = {});
+
+/// Of the compressed ones that these options make of patches of one size: what a work file has.
+radiosity::Fingerprint compressed_fingerprint(const radiosity::Scene& scene,
+                                              const radiosity::PatchMesh& mesh,
+                                              const StudyOptions& options);
 
 /// The radiosity by the scene's own materials. Warns if nothing emits, if the iteration does not
 /// converge and if the errors can't be told. Throws SolveError, Interrupted.

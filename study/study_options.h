@@ -2,10 +2,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 
 #include "meshing/patches/patches.h"
 #include "radiosity/assembly/transport_options.h"
+#include "radiosity/base/work_stamp.h"
 #include "radiosity/compressed/make_transport.h"
 #include "radiosity/scene/scene.h"
 #include "radiosity/solve/solution.h"
@@ -32,6 +34,10 @@ struct StudyOptions {
   radiosity::TransportKind transport = radiosity::TransportKind::automatic;
   /// Bytes for the form factors; 0 = what the machine has, or half of that for those on disk.
   std::size_t memory = 0;
+  /// Where compressed form factors keep what is done, and whether what is there is gone on with, as
+  /// in radiosity::TransportOptions.
+  std::filesystem::path work_file = {};
+  radiosity::WorkStart work_start = radiosity::WorkStart::anew;
   radiosity::Method method = radiosity::Method::conjugate_gradients;  ///< of the iteration
 };
 

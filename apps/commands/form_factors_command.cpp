@@ -20,9 +20,11 @@
 #include "io/result/operator_file.h"
 #include "io/result/row_csv.h"
 #include "io/result/surface_csv.h"
+#include "meshing/patches/patches.h"
 #include "radiosity/assembly/dense_memory.h"
 #include "radiosity/base/machine_memory.h"
 #include "radiosity/base/parallel.h"
+#include "radiosity/compressed/block_store.h"
 #include "radiosity/operator/surface_factors.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/stream/streaming_memory.h"
@@ -109,7 +111,7 @@ FormFactorsCommand::FormFactorsCommand(CLI::App& program, Interruption& interrup
       ->needs(row);
   add_compute_options(*command, compute_);
   add_transport_option(*command, compute_);
-  command->get_option("--transport")->excludes(resume)->excludes(min_factor);
+  command->get_option("--transport")->excludes(min_factor);
   command->callback([this] { run(); });
 }
 
@@ -125,25 +127,25 @@ void FormFactorsCommand::run() const {
   const study::StudyEvents events = shown_events(terminal, interruption_);
   study::StudyOptions options = compute_;
   options.memory = parse_memory_size(memory_).value_or(0);
-  if (compute_.transport != radiosity::TransportKind::compressed) {
+  const radiosity::Scene scene = read_checked_scene(common, events);
+  if (is_compressed(meshing::least_patches(
+          scene, meshing::make_patch_options(options.patches, scene, events.progress)))) {
+    options.transport = radiosity::TransportKind::compressed;
+  } else {
     options.storage = study::Storage::disk;
     if (options.memory == 0) options.memory = radiosity::default_streaming_memory();
   }
-  const radiosity::Scene scene = read_checked_scene(common, events);
   const study::Patches patches = study::divide(scene, options, events);
   const auto& [mesh, visibility] = patches;
-  if (is_compressed(mesh.size())) return write_compressed(scene, patches, events, terminal);
+  if (is_compressed(mesh.size())) {
+    return write_compressed(scene, patches, options, events, terminal);
+  }
   const radiosity::StreamOptions streaming =
       stream_options(scene, options, mesh.size(), events.progress);
   const radiosity::Fingerprint fingerprint = stream_fingerprint(mesh, streaming);
   FactorSummary summary{
       .scene = scene, .mesh = mesh, .min_factor = min_factor_, .outputs = common_.outputs};
-  if (is_complete(fingerprint)) {
-    terminal.warn(
-        fmt::format("{} is complete already; nothing was computed", common_.outputs.front()));
-    print_factors(summary, terminal);
-    return;
-  }
+  if (is_complete(fingerprint)) return tell_complete(summary, terminal);
   radiosity::TileStore store = open_store(mesh, fingerprint, events.progress, terminal);
   const radiosity::StreamedFactors factors(mesh, visibility, streaming, store);
   study::refuse_excess(scene, mesh, factors.report(), compute_.tolerance,
@@ -174,13 +176,28 @@ radiosity::TileStore FormFactorsCommand::open_store(const radiosity::PatchMesh& 
                                                     const radiosity::Fingerprint& fingerprint,
                                                     const radiosity::Progress& progress,
                                                     TerminalProgress& terminal) const {
-  using Start = radiosity::TileStore::Start;
   const std::filesystem::path path = work_file_path(common_.outputs);
-  const Start start = resume_ ? Start::resumed : Start::anew;
-  check_work_file(path, fingerprint, start, terminal);
+  announce_work_file(radiosity::work_file_state(path, fingerprint.value()), terminal);
+  return {path, fingerprint.value(), start(), mesh.area, progress};
+}
+
+radiosity::WorkStart FormFactorsCommand::start() const {
+  return resume_ ? radiosity::WorkStart::resumed : radiosity::WorkStart::anew;
+}
+
+void FormFactorsCommand::announce_work_file(radiosity::WorkFileState state,
+                                            TerminalProgress& terminal) const {
+  const std::filesystem::path path = work_file_path(common_.outputs);
+  check_work_file(path, state, start(), terminal);
   interruption_.advise(fmt::format(
       "{} keeps what is done; repeat the command with --resume to go on", one_line(path.string())));
-  return {path, fingerprint.value(), start, mesh.area, progress};
+}
+
+void FormFactorsCommand::tell_complete(const FactorSummary& summary,
+                                       TerminalProgress& terminal) const {
+  terminal.warn(
+      fmt::format("{} is complete already; nothing was computed", common_.outputs.front()));
+  print_factors(summary, terminal);
 }
 
 bool FormFactorsCommand::is_complete(const radiosity::Fingerprint& fingerprint) const {
@@ -188,7 +205,7 @@ bool FormFactorsCommand::is_complete(const radiosity::Fingerprint& fingerprint) 
   if (!resume_ || !by_.empty() || std::filesystem::exists(work_file_path(outputs))) return false;
   return std::all_of(outputs.begin(), outputs.end(), [&](const std::string& output) {
     return is_factor_file(output) && io::read_fingerprint(output) == fingerprint.text() &&
-           io::has_intact_form_factors(output);
+           (io::is_compressed_operator(output) || io::has_intact_form_factors(output));
   });
 }
 
@@ -235,40 +252,55 @@ bool FormFactorsCommand::is_compressed(radiosity::Index n_patches) const {
   if (compute_.transport != radiosity::TransportKind::automatic) {
     return compute_.transport == radiosity::TransportKind::compressed;
   }
-  return !resume_ && min_factor_ == 0 &&
+  return min_factor_ == 0 &&
          radiosity::dense_transport_bytes(n_patches) > radiosity::memory_limit(0);
 }
 
 void FormFactorsCommand::write_compressed(const radiosity::Scene& scene,
                                           const study::Patches& patches,
+                                          study::StudyOptions options,
                                           const study::StudyEvents& events,
-                                          const TerminalProgress& terminal) const {
-  study::StudyOptions options = compute_;
+                                          TerminalProgress& terminal) const {
   options.transport = radiosity::TransportKind::compressed;
+  options.storage = study::Storage::memory;
   options.memory = parse_memory_size(memory_).value_or(0);
+  options.work_file = work_file_path(common_.outputs);
+  options.work_start = start();
+  FactorSummary summary{.scene = scene, .mesh = patches.mesh, .outputs = common_.outputs};
+  const radiosity::Fingerprint fingerprint =
+      study::compressed_fingerprint(scene, patches.mesh, options);
+  if (is_complete(fingerprint)) return tell_complete(summary, terminal);
+  announce_work_file(radiosity::block_file_state(options.work_file, fingerprint.value()), terminal);
   const study::FormFactors made =
       study::make_form_factors(scene, patches.mesh, patches.visibility, options, events);
-  FactorSummary summary{.scene = scene,
-                        .mesh = patches.mesh,
-                        .report = &made.transport->report(),
-                        .bytes = made.transport->bytes(),
-                        .outputs = common_.outputs};
+  summary.report = &made.transport->report();
+  summary.bytes = made.transport->bytes();
   const Eigen::MatrixXd table =
       is_table_asked() ? surface_form_factors(patches.mesh, *made.transport) : Eigen::MatrixXd();
-  for (const std::string& output : common_.outputs) {
-    if (is_factor_file(output)) {
-      io::write_operator(
-          output, patches.mesh, *made.transport,
-          {.tolerance = options.tolerance, .geometry = study::geometry_fingerprint(scene)},
-          events.progress);
-    } else {
-      const auto lock = interruption_.hold();
-      io::write_surface_csv(output, patches.mesh, table);
-    }
-    events.progress.check();
-  }
+  write_compressed_outputs(summary, *made.transport, table, fingerprint.text(), events.progress);
+  std::filesystem::remove(options.work_file);
   if (by_ == "surface") summary.by_surface = table;
   print_factors(summary, terminal);
+}
+
+void FormFactorsCommand::write_compressed_outputs(const FactorSummary& summary,
+                                                  const radiosity::Transport& transport,
+                                                  const Eigen::MatrixXd& table,
+                                                  const std::string& fingerprint,
+                                                  const radiosity::Progress& progress) const {
+  for (const std::string& output : common_.outputs) {
+    if (is_factor_file(output)) {
+      io::write_operator(output, summary.mesh, transport,
+                         {.tolerance = compute_.tolerance,
+                          .geometry = study::geometry_fingerprint(summary.scene),
+                          .fingerprint = fingerprint},
+                         progress);
+    } else {
+      const auto lock = interruption_.hold();
+      io::write_surface_csv(output, summary.mesh, table);
+    }
+    progress.check();
+  }
 }
 
 bool FormFactorsCommand::is_table_asked() const {

@@ -33,7 +33,11 @@ class FormFactorsCommand {
   /// is and all of them would not fit into memory for who uses them.
   [[nodiscard]] bool is_compressed(radiosity::Index n_patches) const;
   void write_compressed(const radiosity::Scene& scene, const study::Patches& patches,
-                        const study::StudyEvents& events, const TerminalProgress& terminal) const;
+                        study::StudyOptions options, const study::StudyEvents& events,
+                        TerminalProgress& terminal) const;
+  void write_compressed_outputs(const FactorSummary& summary, const radiosity::Transport& transport,
+                                const Eigen::MatrixXd& table, const std::string& fingerprint,
+                                const radiosity::Progress& progress) const;
   void run_from(const std::string& from) const;
   void run_row(const RowRequest& request) const;
   [[nodiscard]] bool is_table_asked() const;
@@ -44,6 +48,10 @@ class FormFactorsCommand {
                                                         radiosity::Index n_patches,
                                                         const radiosity::Progress& progress) const;
   [[nodiscard]] bool is_complete(const radiosity::Fingerprint& fingerprint) const;
+  void tell_complete(const FactorSummary& summary, TerminalProgress& terminal) const;
+  /// Checks the work file, which is in that state, and lets who interrupts know of it.
+  void announce_work_file(radiosity::WorkFileState state, TerminalProgress& terminal) const;
+  [[nodiscard]] radiosity::WorkStart start() const;
   [[nodiscard]] radiosity::TileStore open_store(const radiosity::PatchMesh& mesh,
                                                 const radiosity::Fingerprint& fingerprint,
                                                 const radiosity::Progress& progress,

@@ -9,7 +9,6 @@
 
 namespace apps {
 
-using radiosity::TileStore;
 using radiosity::WorkFileState;
 
 std::filesystem::path work_file_path(const std::vector<std::string>& outputs) {
@@ -19,10 +18,9 @@ std::filesystem::path work_file_path(const std::vector<std::string>& outputs) {
   return (h5 != outputs.end() ? *h5 : outputs.front()) + ".partial";
 }
 
-void check_work_file(const std::filesystem::path& path, const radiosity::Fingerprint& fingerprint,
-                     TileStore::Start wanted, TerminalProgress& terminal) {
-  const WorkFileState state = radiosity::work_file_state(path, fingerprint.value());
-  const bool is_resumed = wanted == TileStore::Start::resumed;
+void check_work_file(const std::filesystem::path& path, WorkFileState state,
+                     radiosity::WorkStart wanted, TerminalProgress& terminal) {
+  const bool is_resumed = wanted == radiosity::WorkStart::resumed;
   if (is_resumed && state == WorkFileState::other) {
     throw radiosity::OutputError(
         fmt::format("{}: belongs to another scene or other options, so it cannot be resumed; "

@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "apps/terminal/terminal_progress.h"
-#include "radiosity/base/fingerprint.h"
-#include "radiosity/stream/tile_store.h"
+#include "radiosity/base/work_stamp.h"
 
 namespace apps {
 
@@ -14,10 +13,10 @@ namespace apps {
 /// its first output.
 std::filesystem::path work_file_path(const std::vector<std::string>& outputs);
 
-/// Checks that the work file that may be at `path` allows the wanted start. One that is to be
-/// replaced by a new start causes a warning. Throws OutputError if it is to be resumed but belongs
-/// to another computation, or if it is no work file at all.
-void check_work_file(const std::filesystem::path& path, const radiosity::Fingerprint& fingerprint,
-                     radiosity::TileStore::Start wanted, TerminalProgress& terminal);
+/// Checks that the work file at `path`, whose state was found, allows the wanted start. One that is
+/// to be replaced by a new start causes a warning. Throws OutputError if it is to be resumed but
+/// belongs to another computation.
+void check_work_file(const std::filesystem::path& path, radiosity::WorkFileState state,
+                     radiosity::WorkStart wanted, TerminalProgress& terminal);
 
 }  // namespace apps

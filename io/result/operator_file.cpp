@@ -53,13 +53,19 @@ void write_operator(const std::filesystem::path& path, const PatchMesh& mesh,
   const auto* compressed = dynamic_cast<const CompressedTransport*>(&transport);
   if (compressed == nullptr) {
     write_form_factors(path, mesh, transport,
-                       {.tolerance = options.tolerance, .geometry = options.geometry}, progress);
+                       {.tolerance = options.tolerance,
+                        .fingerprint = options.fingerprint,
+                        .geometry = options.geometry},
+                       progress);
     return;
   }
   hdf5::write_file(path, [&](hid_t file) {
     hdf5::write_attribute(file, "version", kOperatorVersion);
     hdf5::write_attribute(file, "tolerance", options.tolerance);
     hdf5::write_attribute(file, "geometry", options.geometry);
+    if (!options.fingerprint.empty()) {
+      hdf5::write_attribute(file, "fingerprint", options.fingerprint);
+    }
     hdf5::write_mesh(file, mesh);
     progress.check();
     hdf5::write_compressed(file, *compressed);

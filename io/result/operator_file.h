@@ -19,6 +19,8 @@ inline constexpr std::int64_t kOperatorVersion = 1;
 struct OperatorFileOptions {
   double tolerance = 1e-2;  ///< the relative error that was asked of the form factors
   std::string geometry{};   ///< of the scene's surfaces, so that it is not used for others
+  /// Of the computation, which read_fingerprint() tells; or nothing.
+  std::string fingerprint{};
 };
 
 /// An operator that was read, and what it belongs to.

@@ -2,8 +2,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 
 #include "radiosity/base/progress.h"
+#include "radiosity/base/work_stamp.h"
 #include "radiosity/operator/known_pairs.h"
 
 namespace radiosity {
@@ -22,6 +24,10 @@ struct TransportOptions {
   std::size_t memory = 0;  ///< bytes the operator may take; 0 = what the machine has available
   KnownPairs known = {};   ///< from an operator that was not corrected to be closed
   Progress progress{};
+  /// Where a compressed operator keeps its parts as they are made, so that a run that is stopped
+  /// can go on: the result has the same bits. Stays when all is done. Empty: nowhere.
+  std::filesystem::path work_file = {};
+  WorkStart work_start = WorkStart::anew;  ///< whether what is there is gone on with
 };
 
 }  // namespace radiosity

@@ -311,7 +311,23 @@ void BlockMaker::work(Item item, double limit, Worker& worker, MadeBlocks& made,
   }
 }
 
-MadeBlocks BlockMaker::make(Items items, double limit) const {
+/// All blocks of an item and its parts.
+MadeBlocks BlockMaker::make_part(Item item, double limit) const {
+  Worker worker{evaluator_.worker(), {polynomials_, evaluator_.tree().order}};
+  MadeBlocks made;
+  Items open;
+  open.push_back(std::move(item));
+  while (!open.empty()) {
+    progress_.check();
+    Item next = std::move(open.back());
+    open.pop_back();
+    work(std::move(next), limit, worker, made, open);
+  }
+  made.pairs += worker.exchange.census;
+  return made;
+}
+
+MadeBlocks BlockMaker::make(Items items, double limit, BlockStore* store) const {
   MadeBlocks result;
   // Level by level until there is enough to do in parallel, then each to its end.
   while (!items.empty() && items.size() < kItems) {
@@ -329,20 +345,19 @@ MadeBlocks BlockMaker::make(Items items, double limit) const {
       std::move(open[k].begin(), open[k].end(), std::back_inserter(items));
     }
   }
+  if (store != nullptr) store->start_round(items.size(), limit);
   std::vector<MadeBlocks> made(items.size());
   std::mutex mutex;
   double n_done = 0;
   parallel_for(static_cast<std::ptrdiff_t>(items.size()), [&](std::ptrdiff_t k) {
-    Worker worker{evaluator_.worker(), {polynomials_, evaluator_.tree().order}};
-    Items open;
-    open.push_back(std::move(items[k]));
-    while (!open.empty()) {
-      progress_.check();
-      Item item = std::move(open.back());
-      open.pop_back();
-      work(std::move(item), limit, worker, made[k], open);
+    std::optional<MadeBlocks> known;
+    if (store != nullptr) known = store->part(k);
+    if (known) {
+      made[k] = std::move(*known);
+    } else {
+      made[k] = make_part(std::move(items[k]), limit);
+      if (store != nullptr) store->put(k, made[k]);
     }
-    made[k].pairs += worker.exchange.census;
     if (!progress_.report) return;
     const std::lock_guard lock(mutex);
     progress_.report("form factors", ++n_done, static_cast<double>(made.size()), "parts");
@@ -351,13 +366,13 @@ MadeBlocks BlockMaker::make(Items items, double limit) const {
   return result;
 }
 
-MadeBlocks BlockMaker::make(double limit) const {
+MadeBlocks BlockMaker::make(double limit, BlockStore* store) const {
   Items items;
   if (evaluator_.size() > 0) items.push_back({0, 0, evaluator_.everything()});
-  return make(std::move(items), limit);
+  return make(std::move(items), limit, store);
 }
 
-MadeBlocks BlockMaker::refine(MadeBlocks blocks, double limit) const {
+MadeBlocks BlockMaker::refine(MadeBlocks blocks, double limit, BlockStore* store) const {
   MadeBlocks result;
   Items items;
   for (const CompressedBlocks::Far& block : blocks.far) {
@@ -380,7 +395,7 @@ MadeBlocks BlockMaker::refine(MadeBlocks blocks, double limit) const {
   parallel_for(static_cast<std::ptrdiff_t>(items.size()), [&](std::ptrdiff_t k) {
     items[k].between = evaluator_.narrowed(items[k].a, items[k].b, evaluator_.everything());
   });
-  result.append(make(std::move(items), limit));
+  result.append(make(std::move(items), limit, store));
   return result;
 }
 

@@ -6,6 +6,7 @@
 
 #include "radiosity/base/progress.h"
 #include "radiosity/compressed/block_fit.h"
+#include "radiosity/compressed/block_store.h"
 #include "radiosity/compressed/cluster_polynomials.h"
 #include "radiosity/compressed/cluster_shapes.h"
 #include "radiosity/compressed/made_blocks.h"
@@ -27,10 +28,12 @@ class BlockMaker {
 
   [[nodiscard]] const ClusterShapes& shapes() const { return shapes_; }
 
-  /// Blocks of at most `limit` action_error() each, or entries.
-  [[nodiscard]] MadeBlocks make(double limit) const;
+  /// Blocks of at most `limit` action_error() each, or entries. A store has the parts as they are
+  /// made, and those that it has are taken from there.
+  [[nodiscard]] MadeBlocks make(double limit, BlockStore* store = nullptr) const;
   /// The same from blocks of a larger limit: those that are off by more are divided.
-  [[nodiscard]] MadeBlocks refine(MadeBlocks blocks, double limit) const;
+  [[nodiscard]] MadeBlocks refine(MadeBlocks blocks, double limit,
+                                  BlockStore* store = nullptr) const;
 
  private:
   struct Item {
@@ -46,7 +49,8 @@ class BlockMaker {
     BlockFitter fitter;
   };
   [[nodiscard]] std::size_t n_pairs_of(const Item& item) const;
-  [[nodiscard]] MadeBlocks make(Items items, double limit) const;
+  [[nodiscard]] MadeBlocks make(Items items, double limit, BlockStore* store) const;
+  [[nodiscard]] MadeBlocks make_part(Item item, double limit) const;
   void work(Item item, double limit, Worker& worker, MadeBlocks& made, Items& open) const;
   bool fit_visible(const Item& item, double limit, BlockFitter& fitter, MadeBlocks& made) const;
   bool fit_sampled(Item& item, double limit, Worker& worker, MadeBlocks& made) const;

@@ -4,12 +4,15 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
 #include "radiosity/base/error.h"
 #include "radiosity/base/machine_memory.h"
 #include "radiosity/compressed/block_maker.h"
+#include "radiosity/compressed/block_store.h"
 #include "radiosity/compressed/closed_blocks.h"
 #include "radiosity/compressed/light_polygons.h"
 #include "radiosity/compressed/row_check.h"
@@ -41,6 +44,9 @@ constexpr Index kMostRows = 256;
 constexpr double kLeastScale = 1;
 /// Tolerance of the light that the operator is verified with.
 constexpr double kLightTolerance = 1e-2;
+
+/// To be raised whenever the same scene and options give other numbers than before.
+constexpr int kNumbersVersion = 1;
 
 /// Memory for the assembly of so many patches, bytes: measured on rooms at 1e-2, 1.3 KB for what is
 /// prepared of a patch and up to 1.5 KB for its blocks.
@@ -85,8 +91,10 @@ class CompressedAssembly {
     is_closed_ = options_.closed == Closed::yes ||
                  (options_.closed == Closed::automatic &&
                   is_enclosed(mesh_, visibility_, options_.tolerance, options_.seed));
+    open_store();
+    BlockStore* store = store_ ? &*store_ : nullptr;
     double limit = first_limit();
-    made_ = maker_.make(limit);
+    made_ = maker_.make(limit, store);
     std::unique_ptr<CompressedTransport> transport = make_transport();
     RowCheck check = make_check(*transport);
     RowCheck::Error error = verify(check, *transport);
@@ -95,7 +103,7 @@ class CompressedAssembly {
       limit *=
           std::clamp(square(kAimedAt * options_.tolerance / error.limit), kLeastStep, kMostStep);
       transport.reset();
-      made_ = maker_.refine(std::move(made_), limit);
+      made_ = maker_.refine(std::move(made_), limit, store);
       ++round;
       transport = make_transport();
       error = verify(check, *transport);
@@ -110,6 +118,18 @@ class CompressedAssembly {
   [[nodiscard]] double first_limit() const {
     const double n = std::max(static_cast<double>(mesh_.size()) / kFewPatches, 1.0);
     return square(options_.tolerance / kOfRoot) / std::sqrt(n);
+  }
+
+  void open_store() {
+    const std::filesystem::path& path = options_.work_file;
+    if (path.empty()) return;
+    const std::uint64_t fingerprint = compressed_fingerprint(mesh_, options_, light_).value();
+    if (options_.work_start == WorkStart::resumed &&
+        block_file_state(path, fingerprint) == WorkFileState::other) {
+      throw OutputError(path.string() +
+                        ": belongs to another scene or other options, so it cannot be resumed");
+    }
+    store_.emplace(path, fingerprint, options_.work_start, options_.progress);
   }
 
   /// The operator of the blocks so far.
@@ -197,6 +217,7 @@ class CompressedAssembly {
   BlockMaker maker_;
   bool is_closed_ = false;
   std::vector<LightPolygon> lights_;
+  std::optional<BlockStore> store_;
   MadeBlocks made_;
   double estimate_ = 0;  // of the relative error of F 1
 };
@@ -207,6 +228,21 @@ std::unique_ptr<CompressedTransport> make_compressed_transport(const PatchMesh& 
                                                                const ExpectedLight& light) {
   check_compressed_memory(mesh.size(), options.memory);
   return CompressedAssembly(mesh, visibility, options, light).make();
+}
+
+Fingerprint compressed_fingerprint(const PatchMesh& mesh, const TransportOptions& options,
+                                   const ExpectedLight& light) {
+  Fingerprint fingerprint;
+  fingerprint.add(kNumbersVersion);
+  add_patches(fingerprint, mesh);
+  fingerprint.add(options.tolerance);
+  fingerprint.add(options.closed);
+  fingerprint.add(options.seed);
+  for (const Eigen::MatrixXd* values : {&light.exitance, &light.reflectance}) {
+    fingerprint.add(values->rows());
+    fingerprint.add(std::as_bytes(std::span(values->data(), values->size())));
+  }
+  return fingerprint;
 }
 
 std::size_t compressed_transport_bytes(Index n_patches) {

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "radiosity/assembly/transport_options.h"
+#include "radiosity/base/fingerprint.h"
 #include "radiosity/compressed/compressed_transport.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/visibility/visibility.h"
@@ -20,11 +21,16 @@ struct ExpectedLight {
 /// Makes a compressed operator in rounds, until its verified error is no more than
 /// TransportOptions::tolerance or rounds no longer help (CompressionReport tells). Same input, same
 /// bits, at any number of threads. KnownPairs are not used. Throws SolveError if it will not fit
-/// into memory; Interrupted if asked to stop.
+/// into memory; OutputError if the work file can't be written, or is to be gone on with and belongs
+/// to another computation; Interrupted if asked to stop.
 std::unique_ptr<CompressedTransport> make_compressed_transport(const PatchMesh& mesh,
                                                                const Visibility& visibility,
                                                                const TransportOptions& options = {},
                                                                const ExpectedLight& light = {});
+
+/// Of all that decides about the numbers, as a work file has it.
+Fingerprint compressed_fingerprint(const PatchMesh& mesh, const TransportOptions& options,
+                                   const ExpectedLight& light);
 
 /// Memory that the assembly for n patches takes, about, bytes.
 std::size_t compressed_transport_bytes(Index n_patches);

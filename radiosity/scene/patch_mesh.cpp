@@ -46,6 +46,17 @@ void PatchMesh::add_patch(const std::array<std::int32_t, 4>& patch_corners,
   centroid.push_back(center);
 }
 
+void add_patches(Fingerprint& fingerprint, const PatchMesh& mesh) {
+  fingerprint.add(mesh.vertices);
+  fingerprint.add(mesh.corners);
+  fingerprint.add(mesh.surface);
+  fingerprint.add(mesh.polygon);
+  fingerprint.add(mesh.twin);
+  for (const std::string& name : mesh.surface_names) fingerprint.add(name);
+  for (const bool two_sided : mesh.surface_two_sided) fingerprint.add(two_sided);
+  fingerprint.add(mesh.precision);
+}
+
 Box3 patch_box(const PatchMesh& mesh, Index i) {
   Box3 box;
   for (int k = 0; k < mesh.n_corners(i); ++k) box.extend(mesh.corner(i, k));

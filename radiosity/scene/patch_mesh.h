@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "radiosity/base/fingerprint.h"
 #include "radiosity/base/geometry.h"
 
 namespace radiosity {
@@ -55,6 +56,9 @@ struct PatchMesh {
   void add_patch(const std::array<std::int32_t, 4>& patch_corners, std::int32_t patch_surface,
                  std::int32_t patch_polygon, std::int32_t patch_twin = -1);
 };
+
+/// Adds all that form factors depend on.
+void add_patches(Fingerprint& fingerprint, const PatchMesh& mesh);
 
 /// The box around patch i.
 Box3 patch_box(const PatchMesh& mesh, Index i);

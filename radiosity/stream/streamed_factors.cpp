@@ -38,14 +38,7 @@ TransportOptions assembly_options(const StreamOptions& options) {
 Fingerprint stream_fingerprint(const PatchMesh& mesh, const StreamOptions& options) {
   Fingerprint fingerprint;
   fingerprint.add(kNumbersVersion);
-  fingerprint.add(mesh.vertices);
-  fingerprint.add(mesh.corners);
-  fingerprint.add(mesh.surface);
-  fingerprint.add(mesh.polygon);
-  fingerprint.add(mesh.twin);
-  for (const std::string& name : mesh.surface_names) fingerprint.add(name);
-  for (const bool two_sided : mesh.surface_two_sided) fingerprint.add(two_sided);
-  fingerprint.add(mesh.precision);
+  add_patches(fingerprint, mesh);
   fingerprint.add(options.tolerance);
   fingerprint.add(options.closed);
   fingerprint.add(options.seed);

@@ -1,6 +1,5 @@
 #include "radiosity/stream/tile_store.h"
 
-#include <array>
 #include <cstring>
 #include <utility>
 
@@ -9,52 +8,32 @@
 namespace radiosity {
 namespace {
 
-struct FileHeader {
-  std::array<char, 8> magic = {'R', 'A', 'D', 'T', 'I', 'L', 'E', '1'};  // the last is the version
-  std::uint64_t fingerprint = 0;
-};
+WorkStamp stamp_of(std::uint64_t fingerprint) {
+  return {{'R', 'A', 'D', 'T', 'I', 'L', 'E', '1'}, fingerprint};
+}
 
 /// In place of an offset, for a tile that is wholly 0. (Records start beyond the header.)
 constexpr std::uint64_t kZeroTile = 1;
 
 constexpr const char* kLostEnd = "the work file has been cut off by another program";
 
-WorkFileState state_of(const WorkFile& file, std::uint64_t fingerprint,
-                       const std::filesystem::path& path) {
-  FileHeader header;
-  const auto n = std::min<std::uint64_t>(file.size(), sizeof(header));
-  FileHeader found = header;
-  const bool is_read = file.read(0, std::as_writable_bytes(std::span(&found, 1)).first(n));
-  if (!is_read || found.magic != header.magic) {
-    throw OutputError(path.string() + ": is not a work file of this version; remove or rename it");
-  }
-  // The program may have been stopped within the header, before any work was done.
-  if (n < sizeof(header)) return WorkFileState::absent;
-  return found.fingerprint == fingerprint ? WorkFileState::same : WorkFileState::other;
-}
-
 }  // namespace
 
 WorkFileState work_file_state(const std::filesystem::path& path, std::uint64_t fingerprint) {
-  if (!std::filesystem::exists(path)) return WorkFileState::absent;
-  return state_of(WorkFile(path), fingerprint, path);
+  return work_file_state(path, stamp_of(fingerprint));
 }
 
 TileStore::TileStore(const std::filesystem::path& path, std::uint64_t fingerprint, Start start,
                      const std::vector<double>& areas, Progress progress)
     : file_(path), areas_(areas), progress_(std::move(progress)) {
-  if (start == Start::resumed && state_of(file_, fingerprint, path) == WorkFileState::same) return;
-  file_.truncate(0);
-  FileHeader header;
-  header.fingerprint = fingerprint;
-  file_.append(std::as_bytes(std::span(&header, 1)));
+  begin_work(file_, path, stamp_of(fingerprint), start);
 }
 
 void TileStore::start(const TileLayout& layout) {
   layout_ = layout;
   totals_.emplace(layout, areas_);
   offsets_.assign(layout.strips.n_tiles(), 0);
-  std::uint64_t offset = sizeof(FileHeader);
+  std::uint64_t offset = sizeof(WorkStamp);
   while (offset < file_.size()) {
     progress_.check();
     const std::vector<std::byte> record = read_record(offset);

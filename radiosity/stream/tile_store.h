@@ -8,18 +8,12 @@
 #include "radiosity/base/geometry.h"
 #include "radiosity/base/progress.h"
 #include "radiosity/base/work_file.h"
+#include "radiosity/base/work_stamp.h"
 #include "radiosity/stream/tile_record.h"
 
 namespace radiosity {
 
-/// What there is where a work file shall be.
-enum class WorkFileState {
-  absent,  ///< nothing
-  same,    ///< a work file of the same computation
-  other    ///< a work file of another one
-};
-
-/// Throws OutputError if there is a file that is no work file.
+/// Of a work file of tiles. Throws OutputError if there is a file that is no work file.
 WorkFileState work_file_state(const std::filesystem::path& path, std::uint64_t fingerprint);
 
 /// The tiles of an exchange matrix in a work file: a header with the fingerprint of the
@@ -28,7 +22,7 @@ WorkFileState work_file_state(const std::filesystem::path& path, std::uint64_t f
 /// memory is only where each tile is, 8 bytes for each of at most n²/2048 tiles.
 class TileStore final : public TileSink {
  public:
-  enum class Start { anew, resumed };
+  using Start = WorkStart;
 
   /// Opens the file; `resumed` keeps the tiles of a file of the same computation. `areas` are those
   /// of the patches, m². Throws OutputError.

@@ -28,6 +28,8 @@ COMMANDS = {
     "solve": (["-o", "r.vtp", "-o", "r.csv", "-o", "r.ply", "-o", "r.png", "-o", "r.exr",
                "--width", "160", "--height", "160"], ["--patches", "60"], ["--patches", "120"]),
     "form-factors": (["-o", "f.h5", "-o", "f.csv"], ["--patches", "60"], ["--patches", "120"]),
+    "compressed form-factors": (["-o", "f.h5", "-o", "f.csv", "--transport", "compressed"],
+                                ["--patches", "300"], ["--patches", "600"]),
 }
 
 
@@ -37,11 +39,11 @@ class Trial:
     def __init__(self, program, scene, command):
         self.command = command
         outputs, old, new = COMMANDS[command]
-        self.arguments = [program, command, scene, "--quiet", *outputs]
+        self.arguments = [program, command.split()[-1], scene, "--quiet", *outputs]
         self.new_options = new
         self.old = self.make(old)
         self.new = self.make(new)
-        self.is_resumable = command == "form-factors"
+        self.is_resumable = command != "solve"
 
     def make(self, options):
         with tempfile.TemporaryDirectory() as folder:
@@ -222,8 +224,8 @@ def main():
     while seen["killed"] < options.kills and n_runs < 10 * options.kills:
         k = n_runs
         n_runs += 1
-        wrong, what = kill_once(trials[k % 2], seconds[k % 2], rng)
-        all_wrong += [f"kill {k}, {trials[k % 2].command}: {text}" for text in wrong]
+        wrong, what = kill_once(trials[k % len(trials)], seconds[k % len(trials)], rng)
+        all_wrong += [f"kill {k}, {trials[k % len(trials)].command}: {text}" for text in wrong]
         for key in seen:
             seen[key] += what[key]
     print(f"{seen['killed']} kills ({n_runs - seen['killed']} more came after the end): {seen['left']} "
@@ -234,8 +236,8 @@ def main():
     while n_refused < options.disks and n_disks < 10 * options.disks:
         k = n_disks
         n_disks += 1
-        wrong, code, kind = fill_once(trials[k % 2], rng)
-        all_wrong += [f"disk {k}, {trials[k % 2].command}: {text}" for text in wrong]
+        wrong, code, kind = fill_once(trials[k % len(trials)], rng)
+        all_wrong += [f"disk {k}, {trials[k % len(trials)].command}: {text}" for text in wrong]
         n_refused += code == 1
         kinds.add(kind)
     print(f"{n_refused} full disks ({', '.join(sorted(kinds))}), all told ({n_disks - n_refused} more had "
