@@ -311,6 +311,11 @@ Eigen::MatrixXd CompressedMatrix::squared_errors(const Eigen::MatrixXd& x) const
       x, [](const auto& block, double sum) { return square(double{block.error} * sum); });
 }
 
+Eigen::MatrixXd CompressedMatrix::common_errors(const Eigen::MatrixXd& x) const {
+  return sum_over_blocks(
+      x, [](const auto& block, double sum) { return double{block.error} * std::abs(sum); });
+}
+
 Eigen::MatrixXd CompressedMatrix::variance_product(const Eigen::MatrixXd& x) const {
   return sum_over_blocks(x, [](const auto& block, double sum) {
     return block.may_change ? square(double{block.error}) * sum : 0.0;

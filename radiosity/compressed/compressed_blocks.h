@@ -86,6 +86,8 @@ class CompressedMatrix {
   [[nodiscard]] Eigen::MatrixXd product(const Eigen::MatrixXd& x) const;
   /// Σ_b (d_ab Σ_{j ∈ b} x_j)² over the blocks that hold row i, with their errors d: n x k.
   [[nodiscard]] Eigen::MatrixXd squared_errors(const Eigen::MatrixXd& x) const;
+  /// Σ_b d_ab |Σ_{j ∈ b} x_j| over the same: if errors of a row's blocks are alike.
+  [[nodiscard]] Eigen::MatrixXd common_errors(const Eigen::MatrixXd& x) const;
   /// Σ_b d_ab² Σ_{j ∈ b} x_j over those of them that may change, n x k.
   [[nodiscard]] Eigen::MatrixXd variance_product(const Eigen::MatrixXd& x) const;
   /// Where a patch is.

@@ -37,8 +37,8 @@ constexpr double kLeastStep = 0.2;
 constexpr double kMostStep = 0.6;
 constexpr int kMostRounds = 6;
 /// Rows that verify it, and as many again as long as they do not decide.
-constexpr Index kRows = 64;
-constexpr Index kMostRows = 256;
+constexpr Index kRows = 96;
+constexpr Index kMostRows = 384;
 /// The verified error may be that much larger than what the blocks tell before it counts as told
 /// wrong, and never less: errors are not made smaller by luck.
 constexpr double kLeastScale = 1;
@@ -174,7 +174,9 @@ class CompressedAssembly {
       fields.conservativeResize(Eigen::NoChange, n + solution.radiosity.cols());
       fields.rightCols(solution.radiosity.cols()) = solution.radiosity;
     }
-    return {evaluator_, maker_.shapes(), mesh_.area, std::move(fields), options_.seed};
+    const Eigen::MatrixXd told = transport.matrix().common_errors(transport.order().to_rows(area_));
+    return {evaluator_, mesh_.area, transport.order().to_patches(told), std::move(fields),
+            options_.seed};
   }
 
   /// With as many rows as it takes to tell.

@@ -14,29 +14,40 @@ namespace {
 constexpr double kQuantile = 1.67;
 /// Errors of entries that rows are checked by, next to those of the operator.
 constexpr double kShareOfErrors = 0.2;
+/// Rows that are spread over the area; the others follow the errors.
+constexpr double kShareOfArea = 1.0 / 3;
 
 }  // namespace
 
-RowCheck::RowCheck(const ExchangeEvaluator& evaluator, const ClusterShapes& shapes,
-                   const std::vector<double>& areas, Eigen::MatrixXd radiosity, std::uint64_t seed)
-    : evaluator_(evaluator),
-      shapes_(shapes),
-      areas_(areas),
-      radiosity_(std::move(radiosity)),
-      seed_(seed) {}
+RowCheck::RowCheck(const ExchangeEvaluator& evaluator, const std::vector<double>& areas,
+                   const Eigen::VectorXd& told, Eigen::MatrixXd radiosity, std::uint64_t seed)
+    : evaluator_(evaluator), areas_(areas), radiosity_(std::move(radiosity)), seed_(seed) {
+  const Eigen::Map<const Eigen::VectorXd> area(areas_.data(), static_cast<Index>(areas_.size()));
+  const double in_all = area.dot(told.cwiseAbs2());
+  double sum = 0;
+  for (const std::int32_t patch : evaluator.tree().order) {
+    const double of_area = area[patch] / area.sum();
+    const double of_errors = in_all > 0 ? area[patch] * square(told[patch]) / in_all : of_area;
+    sum += kShareOfArea * of_area + (1 - kShareOfArea) * of_errors;
+    shares_.push_back(sum);
+  }
+}
 
 void RowCheck::add_rows(Index n, const Progress& progress) {
   const auto& order = evaluator_.tree().order;
   if (order.empty()) return;
   const auto first = static_cast<std::ptrdiff_t>(rows_.size());
-  // One of each n-th part of the area, in the tree's order.
+  const Eigen::Map<const Eigen::VectorXd> area(areas_.data(), static_cast<Index>(areas_.size()));
+  // One of each n-th part of the shares, in the tree's order.
   for (Index k = 0; k < n; ++k) {
     const std::uint64_t bits =
         pair_seed(seed_, static_cast<std::int32_t>(first), static_cast<std::int32_t>(k));
     const double share = static_cast<double>(bits >> 11U) * 0x1p-53;
-    const std::int32_t place =
-        shapes_.place_at(0, (static_cast<double>(k) + share) / static_cast<double>(n));
-    rows_.push_back(order[place]);
+    const double at = (static_cast<double>(k) + share) / static_cast<double>(n) * shares_.back();
+    const auto found = std::upper_bound(shares_.begin(), shares_.end() - 1, at) - shares_.begin();
+    const double own = shares_[found] - (found > 0 ? shares_[found - 1] : 0);
+    rows_.push_back(order[found]);
+    weights_.push_back(area[order[found]] / area.sum() / own);
   }
   gathered_.resize(rows_.size());
   parallel_for(n, [&](std::ptrdiff_t k) {
@@ -65,7 +76,7 @@ RowCheck::Error RowCheck::error(const Eigen::MatrixXd& gathered) const {
     if (!(size > 0)) continue;
     Eigen::ArrayXd squares(n_rows());
     for (Index k = 0; k < n_rows(); ++k) {
-      squares[k] = square(gathered(rows_[k], field) - gathered_[k][field]) / size;
+      squares[k] = weights_[k] * square(gathered(rows_[k], field) - gathered_[k][field]) / size;
     }
     const double mean = squares.mean();
     const Eigen::ArrayXd off = squares - mean;

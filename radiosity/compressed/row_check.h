@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "radiosity/base/progress.h"
-#include "radiosity/compressed/cluster_shapes.h"
 #include "radiosity/exchange/exchange_evaluator.h"
 
 namespace radiosity {
@@ -14,13 +13,14 @@ namespace radiosity {
 /// own, to tell how far off it is.
 class RowCheck {
  public:
-  /// `areas` are the patches', m²; `radiosity` holds fields, n x k, in the order of the patches:
-  /// the first is 1, others have values of at least 0, or signs. Both are copied; the others
-  /// must outlive this.
-  RowCheck(const ExchangeEvaluator& evaluator, const ClusterShapes& shapes,
-           const std::vector<double>& areas, Eigen::MatrixXd radiosity, std::uint64_t seed);
+  /// `areas` are the patches', m²; `told` what each row of F 1 may be off by; `radiosity` holds
+  /// fields, n x k, in the order of the patches: the first is 1, others have values of at least 0,
+  /// or signs. All are copied but the evaluator, which must outlive this.
+  RowCheck(const ExchangeEvaluator& evaluator, const std::vector<double>& areas,
+           const Eigen::VectorXd& told, Eigen::MatrixXd radiosity, std::uint64_t seed);
 
-  /// Evaluates so many rows more, spread evenly over the area.
+  /// Evaluates so many rows more: a third of them spread evenly over the area, the others over the
+  /// square of what rows may be off by, for a few patches beside blockers can have most of it.
   void add_rows(Index n, const Progress& progress);
   [[nodiscard]] Index n_rows() const { return static_cast<Index>(rows_.size()); }
   [[nodiscard]] const Eigen::MatrixXd& radiosity() const { return radiosity_; }
@@ -36,11 +36,12 @@ class RowCheck {
 
  private:
   const ExchangeEvaluator& evaluator_;
-  const ClusterShapes& shapes_;
   std::vector<double> areas_;
+  std::vector<double> shares_;  // of the rows up to each, in the tree's order
   Eigen::MatrixXd radiosity_;
   std::uint64_t seed_;
   std::vector<std::int32_t> rows_;  // patches
+  std::vector<double> weights_;     // of the rows: their share of the area over that of the rows
   std::vector<Eigen::VectorXd> gathered_;
 };
 
