@@ -34,8 +34,9 @@ constexpr double kSolveTolerance = 1e-5;
 /// Dense operators may take this part of the memory each: one is made from another, and is larger
 /// than was asked for, since neighbours are divided, too.
 constexpr std::size_t kDenseOperators = 3;
-/// Compressed ones may take this share, for the same reason, beside what patches take.
-constexpr double kCompressedShare = 0.8;
+/// Compressed ones may take this share: with what patches that can be divided take there are 6.2 kB
+/// a patch, and some more patches than were asked for.
+constexpr double kCompressedShare = 0.4;
 /// Patches are numbered by int32, and there may be more than were asked for.
 constexpr double kMostPatches = 1e9;
 
@@ -43,8 +44,8 @@ constexpr double kMostPatches = 1e9;
 struct Stage {
   Visibility visibility;
   TransportKind kind = TransportKind::dense;
-  std::unique_ptr<Transport> transport;
-  Solution solution;
+  std::unique_ptr<Transport> transport = nullptr;
+  Solution solution = {};
 };
 
 class Refiner {
@@ -71,7 +72,9 @@ class Refiner {
                             share_to_refine(result.refinement.error), affordable());
       if (marked.empty()) break;
       const std::vector<std::int32_t> earlier = patches_.refine(marked);
-      stage = make_stage(std::move(stage.transport), earlier);
+      std::unique_ptr<Transport> transport = std::move(stage.transport);
+      stage = {Visibility(PatchMesh{})};  // out of the way before the next is made
+      stage = make_stage(std::move(transport), earlier);
     }
     if (stage.kind == TransportKind::dense) make_closed(stage);
     result.transport = std::move(stage.transport);
@@ -115,7 +118,7 @@ class Refiner {
                                  const std::vector<std::int32_t>& same) const {
     const PatchMesh& mesh = patches_.mesh();
     const TransportOptions& asked = options_.transport;
-    Stage stage{Visibility(mesh), {}, nullptr, {}};
+    Stage stage{Visibility(mesh)};
     stage.kind =
         chosen_kind(options_.choice, mesh.size(), asked.tolerance, memory_ / kDenseOperators);
     const bool is_dense = stage.kind == TransportKind::dense;
