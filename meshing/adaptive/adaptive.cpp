@@ -34,7 +34,7 @@ constexpr double kSolveTolerance = 1e-5;
 /// Dense operators may take this part of the memory each: one is made from another, and is larger
 /// than was asked for, since neighbours are divided, too.
 constexpr std::size_t kDenseOperators = 3;
-/// Compressed ones may take this share: with what patches that can be divided take there are 6.2 kB
+/// Compressed ones may take this share: with what patches that can be divided take there are 6.4 kB
 /// a patch, and some more patches than were asked for.
 constexpr double kCompressedShare = 0.4;
 /// Patches are numbered by int32, and there may be more than were asked for.
