@@ -54,6 +54,7 @@ FormFactors make_adaptive(const Scene& scene, const StudyOptions& options,
       scene, {.tolerance = options.tolerance,
               .max_patches = options.patches.n_patches.value_or(meshing::kMostAdaptivePatches),
               .transport = transport_options(scene, options, events.progress),
+              .choice = transport_choice(options),
               .progress = events.progress});
   return {.refined = Patches{std::move(made.mesh), std::move(made.visibility)},
           .refinement = made.refinement,
@@ -105,8 +106,8 @@ FormFactors make_form_factors(const Scene& scene, const PatchMesh& mesh,
     result.transport = make_transport(
         mesh, visibility, transport_options(scene, options, events.progress),
         transport_choice(options), {exitance(scene, mesh), reflectance(scene, mesh)});
-    warn_of_unverified(result.transport->report(), factor_tolerance(options), events);
   }
+  warn_of_unverified(result.transport->report(), factor_tolerance(options), events);
   const PatchMesh& made = result.refined ? result.refined->mesh : mesh;
   refuse_excess(scene, made, result.transport->report(), factor_tolerance(options),
                 [&](Index row) { return rows_of(*result.transport).row_error(row); });

@@ -18,8 +18,7 @@ double factor_tolerance(const StudyOptions& options) {
 radiosity::TransportChoice transport_choice(const StudyOptions& options) {
   const bool by_rows = options.method == radiosity::Method::gauss_seidel ||
                        options.method == radiosity::Method::southwell;
-  const auto kind = options.patches.adaptive ? radiosity::TransportKind::dense : options.transport;
-  return {.kind = kind, .by_rows = by_rows};
+  return {.kind = options.transport, .by_rows = by_rows};
 }
 
 double iteration_tolerance(double tolerance) { return std::min(1e-8, 1e-3 * tolerance); }

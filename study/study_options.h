@@ -30,7 +30,7 @@ struct StudyOptions {
   radiosity::Closed closed = radiosity::Closed::automatic;
   std::uint64_t seed = 0;  ///< of the visibility samples
   Storage storage = Storage::memory;
-  /// If it is in memory. Of adaptive patches it is dense: their rounds go by rows.
+  /// If it is in memory; with adaptive patches, in each of their rounds.
   radiosity::TransportKind transport = radiosity::TransportKind::automatic;
   /// Bytes for the form factors; 0 = what the machine has, or half of that for those on disk.
   std::size_t memory = 0;

@@ -165,9 +165,6 @@ void add_adaptive_option(CLI::App& command, study::StudyOptions& options) {
       ->group("Patches")
       ->excludes(command.get_option("--max-edge"))
       ->excludes(command.get_option("--as-is"));
-  if (auto* transport = command.get_option_no_throw("--transport")) {
-    command.get_option("--adaptive")->excludes(transport);
-  }
 }
 
 void add_operator_option(CLI::App& command, std::optional<std::string>& file) {

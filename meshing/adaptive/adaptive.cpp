@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <numeric>
+#include <utility>
 
 #include "meshing/adaptive/refinable_mesh.h"
 #include "radiosity/assembly/dense_memory.h"
-#include "radiosity/assembly/make_dense_transport.h"
 #include "radiosity/base/machine_memory.h"
+#include "radiosity/compressed/make_compressed_transport.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/radiometry.h"
 #include "radiosity/solve/discretisation_error.h"
@@ -29,12 +31,21 @@ constexpr int kMaxRounds = 40;
 constexpr double kMargin = 1.5;
 /// Of the solutions on the way.
 constexpr double kSolveTolerance = 1e-5;
+/// Dense operators may take this part of the memory each: one is made from another, and is larger
+/// than was asked for, since neighbours are divided, too.
+constexpr std::size_t kDenseOperators = 3;
+/// Compressed ones may take this share: with what patches that can be divided take there are 6.4 kB
+/// a patch, and some more patches than were asked for.
+constexpr double kCompressedShare = 0.4;
+/// Patches are numbered by int32, and there may be more than were asked for.
+constexpr double kMostPatches = 1e9;
 
 /// The patches of a moment with their form factors and radiosity.
 struct Stage {
   Visibility visibility;
-  std::unique_ptr<Transport> transport;
-  Solution solution;
+  TransportKind kind = TransportKind::dense;
+  std::unique_ptr<Transport> transport = nullptr;
+  Solution solution = {};
 };
 
 class Refiner {
@@ -49,7 +60,7 @@ class Refiner {
 
   AdaptiveMesh run() {
     const auto start = std::chrono::steady_clock::now();
-    Stage stage = make_stage({});
+    Stage stage = make_stage(nullptr, {});
     AdaptiveMesh result{.mesh = {}, .visibility = Visibility(PatchMesh{}), .transport = nullptr};
     for (;; ++result.refinement.n_rounds) {
       result.refinement.error = estimated_error(stage);
@@ -61,15 +72,12 @@ class Refiner {
                             share_to_refine(result.refinement.error), affordable());
       if (marked.empty()) break;
       const std::vector<std::int32_t> earlier = patches_.refine(marked);
-      stage = make_stage({stage.transport.get(), earlier});
+      std::unique_ptr<Transport> transport = std::move(stage.transport);
+      stage = {Visibility(PatchMesh{})};  // out of the way before the next is made
+      stage = make_stage(std::move(transport), earlier);
     }
-    // Once more with all pairs known, to be closed if the scene is.
-    std::vector<std::int32_t> same(patches_.mesh().size());
-    for (std::size_t i = 0; i < same.size(); ++i) same[i] = static_cast<std::int32_t>(i);
-    TransportOptions last = options_.transport;
-    last.known = {stage.transport.get(), same};
-    last.memory = memory_beside(stage.transport.get());
-    result.transport = make_dense_transport(patches_.mesh(), stage.visibility, last);
+    if (stage.kind == TransportKind::dense) make_closed(stage);
+    result.transport = std::move(stage.transport);
     result.mesh = patches_.mesh();
     result.visibility = std::move(stage.visibility);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
@@ -82,11 +90,19 @@ class Refiner {
     return std::max(1L, std::min(kFirstPatches, max_patches_ / kFirstShare));
   }
 
-  /// Each operator is made from the one before, so both must fit, with some patches more than so
-  /// many: neighbours are divided, too.
+  /// Patches for which there is memory, or fewer if fewer were asked for. A dense operator is made
+  /// from the one before, so both must fit, with some patches more than so many: neighbours are
+  /// divided, too.
   [[nodiscard]] long most_patches() const {
-    constexpr std::size_t kOperators = 3;
-    return std::min<long>(options_.max_patches, largest_problem(memory_ / kOperators));
+    const long dense = largest_problem(memory_ / kDenseOperators);
+    const double limit = kCompressedShare * static_cast<double>(memory_limit(memory_));
+    const auto compressed = static_cast<long>(
+        std::min(limit / static_cast<double>(compressed_transport_bytes(1)), kMostPatches));
+    const long fits =
+        options_.choice.by_rows || options_.choice.kind == TransportKind::dense ? dense
+        : options_.choice.kind == TransportKind::compressed                     ? compressed
+                                                            : std::max(dense, compressed);
+    return std::min(options_.max_patches, fits);
   }
 
   /// Bytes left for another operator; 0 if nobody knows.
@@ -96,21 +112,44 @@ class Refiner {
     return memory_ > taken ? memory_ - taken : 1;
   }
 
-  [[nodiscard]] Stage make_stage(const KnownPairs& known) const {
+  /// Of the patches as they are; `earlier` is the operator of those before, if there were any, and
+  /// `same` what they were in it.
+  [[nodiscard]] Stage make_stage(std::unique_ptr<Transport> earlier,
+                                 const std::vector<std::int32_t>& same) const {
     const PatchMesh& mesh = patches_.mesh();
-    Stage stage{Visibility(mesh), nullptr, {}};
-    TransportOptions transport = options_.transport;
-    transport.closed = Closed::no;
-    transport.known = known;
-    transport.memory = memory_beside(known.transport);
-    stage.transport = make_dense_transport(mesh, stage.visibility, transport);
+    const TransportOptions& asked = options_.transport;
+    Stage stage{Visibility(mesh)};
+    stage.kind =
+        chosen_kind(options_.choice, mesh.size(), asked.tolerance, memory_ / kDenseOperators);
+    const bool is_dense = stage.kind == TransportKind::dense;
+    if (!is_dense) earlier.reset();
+    TransportOptions transport = asked;
+    transport.closed = is_dense ? Closed::no : asked.closed;
+    transport.known = {earlier.get(), same};
+    transport.memory = memory_beside(earlier.get());
+    const ExpectedLight light{exitance(scene_, mesh), reflectance(scene_, mesh)};
+    stage.transport = make_transport(mesh, stage.visibility, transport, choice(stage.kind), light);
     SolveOptions solving;
     solving.tolerance = kSolveTolerance;
     solving.estimates_errors = false;
     solving.progress = options_.progress;
-    stage.solution =
-        solve(*stage.transport, exitance(scene_, mesh), reflectance(scene_, mesh), solving);
+    stage.solution = solve(*stage.transport, light.exitance, light.reflectance, solving);
     return stage;
+  }
+
+  [[nodiscard]] TransportChoice choice(TransportKind kind) const {
+    return {.kind = kind, .by_rows = options_.choice.by_rows};
+  }
+
+  /// Makes a dense operator once more with all pairs known, to be closed if the scene is.
+  void make_closed(Stage& stage) const {
+    std::vector<std::int32_t> same(patches_.mesh().size());
+    std::iota(same.begin(), same.end(), 0);
+    TransportOptions last = options_.transport;
+    last.known = {stage.transport.get(), same};
+    last.memory = memory_beside(stage.transport.get());
+    stage.transport =
+        make_transport(patches_.mesh(), stage.visibility, last, choice(TransportKind::dense));
   }
 
   [[nodiscard]] double estimated_error(const Stage& stage) const {

@@ -5,6 +5,7 @@
 #include "meshing/patches/patches.h"
 #include "radiosity/assembly/transport_options.h"
 #include "radiosity/base/progress.h"
+#include "radiosity/compressed/make_transport.h"
 #include "radiosity/operator/transport.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/scene.h"
@@ -13,14 +14,15 @@
 
 namespace meshing {
 
-/// Number of patches at which refinement ends if nobody says another.
+/// Number of patches at which refinement ends if nobody says another; any may be said.
 inline constexpr long kMostAdaptivePatches = 20000;
 
 struct AdaptiveOptions {
   double tolerance = 1e-2;  ///< relative error of the radiosity at which refinement ends, > 0
-  long max_patches = kMostAdaptivePatches;     ///< at which it ends too, about; fewer if two
-                                               ///< operators of so many do not fit into memory
+  long max_patches = kMostAdaptivePatches;  ///< at which it ends too, about; fewer if what a round
+                                            ///< needs for so many does not fit into memory
   radiosity::TransportOptions transport = {};  ///< of the form factors
+  radiosity::TransportChoice choice = {};      ///< how they are kept, in each round
   radiosity::Progress progress = {};
 };
 
@@ -42,8 +44,9 @@ struct AdaptiveMesh {
 
 /// Patches small where the light varies: starts from coarse ones, cut where other surfaces stand on
 /// them (`contact_lines`), then solves and divides those whose variation matters most
-/// (`refinement_indicator`), until the estimated error is met or the patches are spent. Form
-/// factors between patches that stay are kept. The error is 1.5 times
+/// (`refinement_indicator`), until the estimated error is met or the patches are spent. Dense form
+/// factors between patches that stay are kept; compressed ones, of which make_transport has some
+/// from kMostDense patches on, are made anew in each round. The error is 1.5 times
 /// `DiscretisationError::relative`, which is an estimate. Throws what make_patches, make_transport
 /// and solve throw.
 AdaptiveMesh make_adaptive_patches(const radiosity::Scene& scene,

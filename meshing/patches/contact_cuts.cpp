@@ -10,6 +10,7 @@
 #include "meshing/base/triangulate.h"
 #include "meshing/patches/halfedge.h"
 #include "meshing/patches/patch_cells.h"
+#include "meshing/patches/patch_finder.h"
 #include "radiosity/base/box_tree.h"
 
 namespace meshing {
@@ -21,8 +22,6 @@ using radiosity::Index;
 using radiosity::PatchMesh;
 using radiosity::Vec3;
 
-/// A corner is moved by no more than this share of the shortest edge that it has there.
-constexpr double kLongestMove = 0.3;
 /// Two triangles become a quad if its corners have this sine.
 constexpr double kQuadSine = 0.4;
 /// What is narrower than this share of its length is not cut off.
@@ -30,58 +29,14 @@ constexpr double kLeastWidth = 1e-5;
 /// Rounding of directions.
 constexpr double kCutRounding = 1e-9;
 
-Box3 box_of(const Segment& segment, double margin) {
-  Box3 box;
-  for (const Vec3& end : segment) box.extend(end);
-  return radiosity::grown(box, margin);
-}
-
-/// Finds the patches of polygons with lines.
-class PatchFinder {
- public:
-  PatchFinder(const PatchMesh& mesh, std::span<const std::vector<Segment>> lines, double tolerance)
-      : mesh_(mesh), tree_(boxes(lines, tolerance)) {}
-
-  /// Patches of a polygon that meet a box or do once their corners have moved, in increasing order;
-  /// of two back to back the front.
-  [[nodiscard]] std::vector<std::int32_t> near(const Box3& box, std::int32_t polygon) const {
-    std::vector<std::int32_t> patches;
-    tree_.for_each_meeting(box, [&](std::int32_t k) {
-      if (mesh_.polygon[patch_[k]] == polygon) patches.push_back(patch_[k]);
-    });
-    std::sort(patches.begin(), patches.end());
-    return patches;
-  }
-
- private:
-  std::vector<Box3> boxes(std::span<const std::vector<Segment>> lines, double tolerance) {
-    std::vector<Box3> boxes;
-    for (Index i = 0; i < mesh_.size(); ++i) {
-      if (mesh_.twin[i] >= 0 && mesh_.twin[i] < i) continue;
-      if (lines[mesh_.polygon[i]].empty()) continue;
-      const Box3 box = patch_box(mesh_, i);
-      boxes.push_back(radiosity::grown(box, tolerance + kLongestMove * box.diagonal().norm()));
-      patch_.push_back(static_cast<std::int32_t>(i));
-    }
-    return boxes;
-  }
-
-  const PatchMesh& mesh_;
-  std::vector<std::int32_t> patch_;  // what the boxes belong to
-  BoxTree tree_;
-};
-
 /// The patches that some line may cut or move a corner of, and those that share a corner with one:
 /// what is done to a corner or an edge concerns all that have it.
 std::vector<std::int32_t> patches_concerned(const PatchMesh& mesh, const PatchFinder& finder,
-                                            std::span<const std::vector<Segment>> lines,
-                                            double tolerance) {
+                                            std::span<const std::vector<Segment>> lines) {
   std::vector<bool> has_corner(mesh.vertices.size(), false);
   for (std::size_t p = 0; p < lines.size(); ++p) {
     for (const Segment& segment : lines[p]) {
-      // Twice the tolerance: crossings of lines are off them by rounding.
-      const Box3 box = box_of(segment, 2 * tolerance);
-      for (const std::int32_t patch : finder.near(box, static_cast<std::int32_t>(p))) {
+      for (const std::int32_t patch : finder.near(segment, static_cast<std::int32_t>(p))) {
         for (int k = 0; k < mesh.n_corners(patch); ++k) has_corner[mesh.corners[patch][k]] = true;
       }
     }
@@ -107,7 +62,7 @@ class ContactCutter {
         progress_(progress),
         tolerance_(radiosity::plane_thickness(mesh)),
         finder_(mesh, lines, tolerance_),
-        cells_(mesh, n_fixed, patches_concerned(mesh, finder_, lines, tolerance_)) {}
+        cells_(mesh, n_fixed, patches_concerned(mesh, finder_, lines)) {}
 
   PatchMesh run();
 
@@ -149,7 +104,12 @@ PatchMesh ContactCutter::run() {
     if (mesh_.twin[i] >= 0 && mesh_.twin[i] < i) continue;
     const std::vector<std::int32_t>& cells = cells_.of_patch(i);
     for (const std::int32_t cell : cells) append_patches(cells_[cell], result);
-    if (cells.empty()) append_patches(cells_.whole(i), result);
+    if (!cells.empty()) continue;
+    if (mesh_.n_corners(i) == 3 && mesh_.twin[i] < 0) {
+      result.add_patch(mesh_.corners[i], mesh_.surface[i], mesh_.polygon[i]);
+    } else {
+      append_patches(cells_.whole(i), result);
+    }
   }
   return result;
 }
@@ -191,7 +151,7 @@ void ContactCutter::cut_polygon(std::int32_t polygon) {
   for (int round = 0; round < kMostRounds && n_cells != cells_.size(); ++round) {
     n_cells = cells_.size();
     for (std::size_t k = 0; k < segments.size(); ++k) {
-      for (const std::int32_t patch : finder_.near(boxes[k], polygon)) {
+      for (const std::int32_t patch : finder_.near(segments[k], polygon)) {
         // Nothing that a line cuts for more than twice the tolerance is outside of such a box.
         cells_.for_each_near(patch, radiosity::grown(boxes[k], 4 * tolerance_),
                              [&](std::int32_t cell) { cut_cell(cell, segments[k]); });
@@ -204,7 +164,7 @@ void ContactCutter::cut_polygon(std::int32_t polygon) {
 void ContactCutter::catch_point(const Vec3& point, std::int32_t polygon) {
   std::int32_t nearest = -1;
   double distance = std::numeric_limits<double>::infinity();
-  for (const std::int32_t patch : finder_.near(Box3(point, point), polygon)) {
+  for (const std::int32_t patch : finder_.near(point, polygon)) {
     for (const std::int32_t cell : cells_.of_patch(patch)) {
       for (const std::int32_t v : cells_[cell].loop) {
         const double d = (at(v) - point).norm();
@@ -217,7 +177,7 @@ void ContactCutter::catch_point(const Vec3& point, std::int32_t polygon) {
   if (nearest < 0) return;
   if (distance <= tolerance_) {
     cells_.lock(nearest);
-  } else if (distance <= kLongestMove * cells_.shortest_edge(nearest)) {
+  } else if (distance <= PatchFinder::kLongestMove * cells_.shortest_edge(nearest)) {
     cells_.move(nearest, point);
   }
 }
@@ -276,7 +236,7 @@ void ContactCutter::cut_cell(std::int32_t cell, const Segment& segment) {
     const double t = side[*crossed] / (side[*crossed] - side[(*crossed + 1) % n]);
     const Vec3 point = at(a) + t * (at(b) - at(a));
     const double share = std::min(t, 1 - t);
-    if (share <= kLongestMove && cells_.move(t < 0.5 ? a : b, point)) continue;
+    if (share <= PatchFinder::kLongestMove && cells_.move(t < 0.5 ? a : b, point)) continue;
     cells_.split_edge(a, b, point);
   }
 }

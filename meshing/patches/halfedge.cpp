@@ -5,7 +5,8 @@
 #include <cassert>
 #include <cmath>
 #include <optional>
-#include <queue>
+
+#include "meshing/patches/largest_first.h"
 
 namespace meshing {
 namespace {
@@ -26,6 +27,8 @@ using OpenMesh::VertexHandle;
 /// 28 degrees) are refined. Above 1 refinement ends, since no new edge is shorter than old ones.
 constexpr double kRadiusToEdge = 1.065;
 constexpr int kSmoothingRounds = 4;
+/// Far more than the rounding of angles.
+constexpr double kAlike = 1e-9;
 
 /// Constrained Delaunay triangulation that grows by points.
 class Delaunay {
@@ -86,13 +89,22 @@ class Delaunay {
   }
 
   struct Circle {
+    std::array<VertexHandle, 3> corners;  // of the face when this was found
     Vec2 center;
     double radius = 0;
     double shortest_edge = 0;
-    EdgeHandle longest;
     double longest_edge = 0;
+    int longest = 0;  // of the face's edges
   };
-  [[nodiscard]] Circle circle(FaceHandle f) const;
+  [[nodiscard]] const Circle& circle(FaceHandle f);
+  [[nodiscard]] Circle find_circle(const std::array<VertexHandle, 3>& corners) const;
+  [[nodiscard]] EdgeHandle edge(FaceHandle f, int k) const;
+  [[nodiscard]] bool is_too_long(FaceHandle f, const Circle& c, double max_edge) const {
+    return c.longest_edge > max_edge && !mesh_.is_boundary(edge(f, c.longest));
+  }
+  [[nodiscard]] bool is_bad(FaceHandle f, const Circle& c, double max_edge) const {
+    return c.radius > kRadiusToEdge * c.shortest_edge || is_too_long(f, c, max_edge);
+  }
 
   [[nodiscard]] bool should_flip(EdgeHandle e) const;
   void flip_stacked();
@@ -102,17 +114,8 @@ class Delaunay {
   bool insert_center(FaceHandle f, const Circle& c);
   void insert_midpoint(EdgeHandle e);
   void push_if_bad(FaceHandle f, double max_edge);
-  [[nodiscard]] double worst_angle_around(VertexHandle v, const Vec2& position,
-                                          double max_edge) const;
-
-  struct Bad {
-    double radius;
-    int face;
-    std::array<int, 3> corners;  // to see whether the face is still the one that was meant
-    bool operator<(const Bad& other) const {
-      return radius != other.radius ? radius < other.radius : face > other.face;
-    }
-  };
+  [[nodiscard]] double worst_angle_around(VertexHandle v, const Vec2& position, double max_edge,
+                                          double least) const;
 
   Mesh mesh_;
   std::vector<Vec2> points_;  // of the vertices: closer together than the mesh has them
@@ -120,34 +123,51 @@ class Delaunay {
   std::vector<VertexHandle> touched_;
   std::vector<FaceHandle> cavity_;
   std::vector<FaceHandle> changed_;
-  std::priority_queue<Bad> bad_;
+  std::vector<Circle> circles_;  // of faces, where they are known
+  LargestFirst bad_;             // faces by their circles' radii
 };
 
 double cotangent(const Vec2& apex, const Vec2& a, const Vec2& b) {
   return (a - apex).dot(b - apex) / signed_area2(apex, a, b);
 }
 
-Delaunay::Circle Delaunay::circle(FaceHandle f) const {
+/// The circumcircle of a face, found once for its corners in that order.
+const Delaunay::Circle& Delaunay::circle(FaceHandle f) {
+  const auto k = static_cast<std::size_t>(f.idx());
+  if (k >= circles_.size()) circles_.resize(std::max(k + 1, 2 * circles_.size()));
+  const std::array<VertexHandle, 3> its = corners(f);
+  if (circles_[k].corners != its) circles_[k] = find_circle(its);
+  return circles_[k];
+}
+
+Delaunay::Circle Delaunay::find_circle(const std::array<VertexHandle, 3>& corners) const {
   Circle c;
+  c.corners = corners;
   c.shortest_edge = std::numeric_limits<double>::infinity();
-  for (const EdgeHandle e : mesh_.fe_range(f)) {
-    const double l = length(e);
+  for (int k = 0; k < 3; ++k) {
+    const double l = (point(corners[(k + 1) % 3]) - point(corners[k])).norm();
     c.shortest_edge = std::min(c.shortest_edge, l);
     if (l > c.longest_edge) {
       c.longest_edge = l;
-      c.longest = e;
+      c.longest = k;
     }
   }
-  const std::array<VertexHandle, 3> v = corners(f);
-  const Vec2 a = point(v[0]);
-  const Vec2 ab = point(v[1]) - a;
-  const Vec2 ac = point(v[2]) - a;
+  const Vec2 a = point(corners[0]);
+  const Vec2 ab = point(corners[1]) - a;
+  const Vec2 ac = point(corners[2]) - a;
   const double d = 2 * (ab.x() * ac.y() - ab.y() * ac.x());
   const Vec2 offset(ac.y() * ab.squaredNorm() - ab.y() * ac.squaredNorm(),
                     ab.x() * ac.squaredNorm() - ac.x() * ab.squaredNorm());
   c.center = a + offset / d;
   c.radius = offset.norm() / std::abs(d);
   return c;
+}
+
+/// The edge of a face from corner k on.
+EdgeHandle Delaunay::edge(FaceHandle f, int k) const {
+  HalfedgeHandle h = mesh_.halfedge_handle(f);
+  for (; k > 0; --k) h = mesh_.next_halfedge_handle(h);
+  return mesh_.edge_handle(h);
 }
 
 /// True if the angles opposite to e add up to more than π (the other apex lies in the circumcircle)
@@ -224,7 +244,7 @@ bool Delaunay::encroaches(const Vec2& p, FaceHandle start) {
         continue;
       }
       if (std::find(cavity.begin(), cavity.end(), next) != cavity.end()) continue;
-      const Circle c = circle(next);
+      const Circle& c = circle(next);
       if ((p - c.center).norm() < c.radius) cavity.push_back(next);
     }
   }
@@ -267,28 +287,23 @@ void Delaunay::insert_midpoint(EdgeHandle e) {
 }
 
 void Delaunay::push_if_bad(FaceHandle f, double max_edge) {
-  const Circle c = circle(f);
-  const bool too_long = c.longest_edge > max_edge && !mesh_.is_boundary(c.longest);
-  if (!too_long && c.radius <= kRadiusToEdge * c.shortest_edge) return;
-  const std::array<VertexHandle, 3> v = corners(f);
-  bad_.push({c.radius, f.idx(), {v[0].idx(), v[1].idx(), v[2].idx()}});
+  const Circle& c = circle(f);
+  if (is_bad(f, c, max_edge)) bad_.push({c.radius, f.idx()});
 }
 
 void Delaunay::refine(double max_edge, const radiosity::Progress& progress) {
   for (const FaceHandle f : mesh_.faces()) push_if_bad(f, max_edge);
-  for (long step = 0; !bad_.empty(); ++step) {
+  for (long step = 0; !bad_.is_empty(); ++step) {
     if (step % 4096 == 0) progress.check();
-    const Bad bad = bad_.top();
-    bad_.pop();
-    const FaceHandle face(bad.face);
-    const std::array<VertexHandle, 3> v = corners(face);
-    if (bad.corners != std::array<int, 3>{v[0].idx(), v[1].idx(), v[2].idx()}) continue;
+    const LargestFirst::Item bad = bad_.pop();
+    const FaceHandle face(bad.index);
     const Circle c = circle(face);
+    // Another face by now, which has an entry of its own if it is bad.
+    if (c.radius != bad.size || !is_bad(face, c, max_edge)) continue;
     touched_.clear();
     if (!insert_center(face, c)) {
-      const bool too_long = c.longest_edge > max_edge && !mesh_.is_boundary(c.longest);
-      if (!too_long) continue;
-      insert_midpoint(c.longest);
+      if (!is_too_long(face, c, max_edge)) continue;
+      insert_midpoint(edge(face, c.longest));
     }
     std::sort(touched_.begin(), touched_.end());
     touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
@@ -303,16 +318,24 @@ void Delaunay::refine(double max_edge, const radiosity::Progress& progress) {
 }
 
 /// Smallest angle of the triangles about v if v were at `position`; negative if one would be turned
-/// over or an edge longer than max_edge.
-double Delaunay::worst_angle_around(VertexHandle v, const Vec2& position, double max_edge) const {
+/// over or an edge longer than max_edge. Anything up to `least` if it is no larger than that.
+double Delaunay::worst_angle_around(VertexHandle v, const Vec2& position, double max_edge,
+                                    double least) const {
   double worst = radiosity::kPi;
+  double largest = -std::numeric_limits<double>::infinity();  // cotangent
   for (const HalfedgeHandle h : mesh_.voh_range(v)) {
     const Vec2 a = point(mesh_.to_vertex_handle(h)) - position;
     const Vec2 b = point(apex(h)) - position;
     const double area2 = a.x() * b.y() - a.y() * b.x();
     if (area2 <= 0 || a.norm() > max_edge) return -1;
-    worst = std::min({worst, std::atan2(area2, a.dot(b)), std::atan2(area2, -a.dot(b - a)),
-                      std::atan2(area2, b.dot(b - a))});
+    const std::array<double, 3> dots = {a.dot(b), -a.dot(b - a), b.dot(b - a)};
+    // Only of angles that are the smallest so far, or may be by rounding.
+    largest = std::max(largest, *std::max_element(dots.begin(), dots.end()) / area2);
+    const double alike = area2 * (largest - kAlike * (1 + std::abs(largest)));
+    for (const double dot : dots) {
+      if (!(dot < alike)) worst = std::min(worst, std::atan2(area2, dot));
+    }
+    if (worst <= least) return worst;
   }
   return worst;
 }
@@ -329,12 +352,13 @@ void Delaunay::smooth(double max_edge) {
         ++n;
       }
       mean /= n;
-      if (worst_angle_around(v, mean, max_edge) > worst_angle_around(v, point(v), max_edge)) {
-        points_[v.idx()] = mean;
-      }
+      constexpr double kNone = -2;
+      const double worst = worst_angle_around(v, point(v), max_edge, kNone);
+      if (worst_angle_around(v, mean, max_edge, worst) > worst) points_[v.idx()] = mean;
     }
     flip_all();
   }
+  circles_.clear();
 }
 
 }  // namespace

@@ -107,15 +107,6 @@ void CompressedMatrix::find_subtrees() {
   }
 }
 
-/// visit(node) for all nodes, each after those below it.
-template <typename Visit>
-void CompressedMatrix::visit_upward(const Visit& visit) const {
-  parallel_for(static_cast<std::ptrdiff_t>(subtrees_.size()), [&](std::ptrdiff_t s) {
-    for (std::int32_t k = end_[subtrees_[s]] - 1; k >= subtrees_[s]; --k) visit(k);
-  });
-  for (auto k = top_.rbegin(); k != top_.rend(); ++k) visit(*k);
-}
-
 /// visit(node) for all nodes, each before those below it.
 template <typename Visit>
 void CompressedMatrix::visit_downward(const Visit& visit) const {

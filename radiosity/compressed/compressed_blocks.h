@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "radiosity/base/geometry.h"
+#include "radiosity/base/parallel.h"
 #include "radiosity/compressed/nested_basis.h"
 #include "radiosity/operator/pair_sums.h"
 
@@ -109,6 +110,7 @@ class CompressedMatrix {
   [[nodiscard]] Entry entry(Index row, Index column) const;
 
  private:
+  friend class GroupSquares;
   /// A block from one of its ends: what is needed of it, so that nothing is looked up elsewhere.
   struct Use {
     std::uint64_t first;  // of its numbers
@@ -158,5 +160,14 @@ class CompressedMatrix {
   std::vector<std::int32_t> subtrees_;  // nodes that are worked on in parallel with all below them
   std::vector<std::int32_t> top_;       // nodes above them
 };
+
+/// visit(node) for all nodes, each after those below it.
+template <typename Visit>
+void CompressedMatrix::visit_upward(const Visit& visit) const {
+  parallel_for(static_cast<std::ptrdiff_t>(subtrees_.size()), [&](std::ptrdiff_t s) {
+    for (std::int32_t k = end_[subtrees_[s]] - 1; k >= subtrees_[s]; --k) visit(k);
+  });
+  for (auto k = top_.rbegin(); k != top_.rend(); ++k) visit(*k);
+}
 
 }  // namespace radiosity

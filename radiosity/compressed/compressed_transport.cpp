@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
+
+#include "radiosity/base/parallel.h"
+#include "radiosity/compressed/group_squares.h"
 
 namespace radiosity {
 
@@ -111,6 +115,37 @@ Eigen::MatrixXd CompressedTransport::sums(const PatchMesh& mesh, const Eigen::Ma
     places[row] = {mesh.centroid[patch], std::sqrt(mesh.area[patch])};
   }
   return order_.to_patches(matrix_.weighted_sums(places, order_.to_rows(x), weight));
+}
+
+Eigen::VectorXd CompressedTransport::squares_of_groups(const NeighborGroups& groups,
+                                                       const Eigen::VectorXd& x,
+                                                       const Eigen::VectorXd& weight,
+                                                       const Progress& progress) const {
+  // A worker has a number for each node.
+  const Index n_together = std::max<Index>(64, groups.n_groups / 1024);
+  // The rows of each group follow each other.
+  std::vector<std::int32_t> rows(size());
+  std::iota(rows.begin(), rows.end(), 0);
+  const auto group_of = [&](std::int32_t row) { return groups.group_of[parts_.order[row]]; };
+  std::stable_sort(rows.begin(), rows.end(), [&](std::int32_t one, std::int32_t other) {
+    return group_of(one) < group_of(other);
+  });
+  std::vector<Index> first(groups.n_groups + 1, 0);
+  for (const std::int32_t group : groups.group_of) ++first[group + 1];
+  std::partial_sum(first.begin(), first.end(), first.begin());
+
+  const GroupSquares squares(matrix_, order_.to_rows(weight));
+  const Eigen::VectorXd values = order_.to_rows(x);
+  Eigen::VectorXd result(groups.n_groups);
+  parallel_for((groups.n_groups + n_together - 1) / n_together, [&](std::ptrdiff_t part) {
+    progress.check();
+    GroupSquares::Worker worker(squares);
+    for (Index g = part * n_together; g < std::min(groups.n_groups, (part + 1) * n_together); ++g) {
+      const std::span<const std::int32_t> of_group(rows.data() + first[g], first[g + 1] - first[g]);
+      result[g] = squares(of_group, values, worker);
+    }
+  });
+  return result;
 }
 
 }  // namespace radiosity

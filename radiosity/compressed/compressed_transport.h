@@ -73,6 +73,10 @@ class CompressedTransport final : public Transport, public FactorRows, public Pa
   [[nodiscard]] ExchangeArea pair(Index i, Index j) const override;
   [[nodiscard]] Eigen::MatrixXd sums(const PatchMesh& mesh, const Eigen::MatrixXd& x,
                                      const Weight& weight) const override;
+  [[nodiscard]] Eigen::VectorXd squares_of_groups(const NeighborGroups& groups,
+                                                  const Eigen::VectorXd& x,
+                                                  const Eigen::VectorXd& weight,
+                                                  const Progress& progress) const override;
 
  private:
   friend class CompressedAssembly;

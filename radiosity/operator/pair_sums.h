@@ -3,6 +3,8 @@
 #include <Eigen/Core>
 #include <functional>
 
+#include "radiosity/base/progress.h"
+#include "radiosity/scene/neighbor_groups.h"
 #include "radiosity/scene/patch_mesh.h"
 
 namespace radiosity {
@@ -16,7 +18,7 @@ struct ExchangingPair {
 };
 
 /// Sums over the pairs of an operator that has no quick rows, but clusters of patches that exchange
-/// light alike.
+/// light alike. The same bits at any number of threads.
 class PairSums {
  public:
   virtual ~PairSums() = default;
@@ -25,6 +27,13 @@ class PairSums {
   /// others are by their clusters' means. Corrections are left out. `mesh` is the operator's.
   [[nodiscard]] virtual Eigen::MatrixXd sums(const PatchMesh& mesh, const Eigen::MatrixXd& x,
                                              const Weight& weight) const = 0;
+  /// Σ_i w_i (Σ_{j in J} κ_ij x_j)² of each group J, n_groups, with the densities κ, 1/m², as the
+  /// operator has them but for corrections, of x and weights w >= 0, n. The time it takes hardly
+  /// grows faster than n. Throws Interrupted.
+  [[nodiscard]] virtual Eigen::VectorXd squares_of_groups(const NeighborGroups& groups,
+                                                          const Eigen::VectorXd& x,
+                                                          const Eigen::VectorXd& weight,
+                                                          const Progress& progress) const = 0;
 };
 
 }  // namespace radiosity

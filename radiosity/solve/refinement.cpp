@@ -46,6 +46,11 @@ GreyFields grey_fields(const Eigen::VectorXd& area, const Solution& solution) {
 Eigen::VectorXd received_wrongly(const Transport& transport, const NeighborGroups& groups,
                                  const GreyFields& grey, const Eigen::VectorXd& deviation,
                                  const Progress& progress) {
+  if (const PairSums* pairs = transport.pair_sums()) {
+    const Eigen::VectorXd factor = grey.weight.cwiseProduct(grey.reflectance);
+    return pairs->squares_of_groups(groups, transport.area().cwiseProduct(deviation),
+                                    transport.area().cwiseProduct(factor.cwiseAbs2()), progress);
+  }
   constexpr Index kBlock = 64;  // rows summed together, so that the order of sums is fixed
   const Index n = transport.size();
   const Index n_blocks = (n + kBlock - 1) / kBlock;

@@ -24,7 +24,8 @@ struct RefinementIndicator {
 ///     Σ_{i in J} A_i w_i² (B_i - B'_i)² / Σ A, weighted by 1/100: how far the picture, which shows
 /// values interpolated between corners, B', is off, so that shadow edges count. Weights make errors
 /// relative to the reflected light of a patch, or to a twentieth of the mean where it is darker.
-/// Costs all rows of F.
+/// Costs all rows of F, or of an operator without quick ones its sums over pairs, which leave out
+/// corrections and, of light that varies within a group, what blocks do not resolve.
 RefinementIndicator refinement_indicator(const PatchMesh& mesh, const Transport& transport,
                                          const Solution& solution, const Progress& progress = {});
 

@@ -298,10 +298,67 @@ TEST(AdaptivePatches, StopAtTheMemory) {
   const Scene scene = io::read_scene(RADIOSITY_SCENES "/cornell-box.json");
   const std::size_t memory = 3 * dense_transport_bytes(600);
   const meshing::AdaptiveMesh spent =
-      meshing::make_adaptive_patches(scene, {.tolerance = 1e-6, .transport = {.memory = memory}});
+      meshing::make_adaptive_patches(scene, {.tolerance = 1e-6,
+                                             .transport = {.memory = memory},
+                                             .choice = {.kind = TransportKind::dense}});
   EXPECT_FALSE(spent.refinement.is_accurate);
   EXPECT_GT(spent.mesh.size(), 400);
   EXPECT_LE(2 * spent.transport->bytes(), memory);
+}
+
+/// Where dense form factors do not fit, compressed ones may.
+TEST(AdaptivePatches, GoOnCompressedWhereTheMemoryEnds) {
+  const Scene scene = io::read_scene(RADIOSITY_SCENES "/cornell-box.json");
+  const std::size_t memory = 3 * dense_transport_bytes(1500);
+  const auto spent_with = [&](TransportKind kind) {
+    return meshing::make_adaptive_patches(scene, {.tolerance = 1e-6,
+                                                  .max_patches = 2500,
+                                                  .transport = {.memory = memory},
+                                                  .choice = {.kind = kind}});
+  };
+  const meshing::AdaptiveMesh dense = spent_with(TransportKind::dense);
+  const meshing::AdaptiveMesh chosen = spent_with(TransportKind::automatic);
+  EXPECT_FALSE(dense.transport->report().compression.has_value());
+  EXPECT_LE(dense.mesh.size(), 1.1 * 1500);
+  ASSERT_TRUE(chosen.transport->report().compression.has_value());
+  EXPECT_GT(chosen.mesh.size(), 2000);
+  EXPECT_LE(chosen.mesh.size(), 2750);
+  EXPECT_LT(chosen.refinement.error, dense.refinement.error);
+}
+
+/// The same light to the same tolerance, with about as many patches.
+TEST(AdaptivePatches, AreAsGoodWithCompressedFormFactors) {
+  const Scene scene = io::read_scene(RADIOSITY_SCENES "/cornell-box.json");
+  constexpr double kTolerance = 0.04;
+  struct Result {
+    Index n_patches;
+    Eigen::MatrixXd means;
+  };
+  const auto result_with = [&](TransportKind kind) {
+    const meshing::AdaptiveMesh made = meshing::make_adaptive_patches(
+        scene, {.tolerance = kTolerance, .max_patches = 3000, .choice = {.kind = kind}});
+    EXPECT_TRUE(made.refinement.is_accurate);
+    EXPECT_EQ(made.transport->report().compression.has_value(), kind == TransportKind::compressed);
+    const Solution solution =
+        solve(*made.transport, exitance(scene, made.mesh), reflectance(scene, made.mesh));
+    // Means of what surfaces reflect.
+    const auto n = static_cast<Index>(made.mesh.surface_names.size());
+    Eigen::MatrixXd means = Eigen::MatrixXd::Zero(n, solution.radiosity.cols());
+    Eigen::VectorXd areas = Eigen::VectorXd::Zero(n);
+    for (Index i = 0; i < made.mesh.size(); ++i) {
+      means.row(made.mesh.surface[i]) +=
+          made.mesh.area[i] * (solution.radiosity.row(i) - solution.exitance.row(i));
+      areas[made.mesh.surface[i]] += made.mesh.area[i];
+    }
+    means.array().colwise() /= areas.array();
+    return Result{made.mesh.size(), means};
+  };
+  const Result dense = result_with(TransportKind::dense);
+  const Result compressed = result_with(TransportKind::compressed);
+  EXPECT_LE((compressed.means - dense.means).cwiseAbs().maxCoeff(),
+            kTolerance * dense.means.maxCoeff());
+  EXPECT_NEAR(static_cast<double>(compressed.n_patches), static_cast<double>(dense.n_patches),
+              0.2 * static_cast<double>(dense.n_patches));
 }
 
 }  // namespace

@@ -102,7 +102,6 @@ TEST_F(Program, BadUsageExitsWithTwo) {
       {{"solve", scene, "--tolerance", "nan"}, "--tolerance"},
       {{"solve", scene, "--method", "magic"}, "--method"},
       {{"solve", scene, "--transport", "sparse"}, "--transport"},
-      {{"solve", scene, "--transport", "compressed", "--adaptive"}, "--adaptive"},
       {{"solve", scene, "--closed", "maybe"}, "--closed"},
       {{"solve", scene, "--unit", "parsec"}, "parsec"},
       {{"solve", scene, "--threads", "-1"}, "--threads"},
@@ -514,6 +513,13 @@ TEST_F(Program, RefinesUntilTheToleranceIsMetOrThePatchesAreSpent) {
   EXPECT_FALSE(coarse["refinement"]["accurate"]);
   EXPECT_LE(coarse["patches"], 600);
   EXPECT_NE(spent.err.find("are spent"), std::string::npos) << spent.err;
+
+  const Outcome compressed = run({"solve", scene, "--adaptive", "--tolerance", "0.1", "--transport",
+                                  "compressed", "--patches", "1000000", "--json", "--quiet"});
+  ASSERT_EQ(compressed.exit_code, 0) << compressed.err;
+  const Json made = Json::parse(compressed.out);
+  EXPECT_TRUE(made["refinement"]["accurate"]);
+  EXPECT_LE(made["form_factors"]["compressed"]["verified_error"], 0.1);
 
   EXPECT_EQ(run({"solve", scene, "--adaptive", "--as-is"}).exit_code, 2);
   EXPECT_EQ(run({"solve", scene, "--adaptive", "--max-edge", "0.1"}).exit_code, 2);
