@@ -30,7 +30,7 @@ struct Model {
 /// Light on the patches of a model.
 struct Light {
   enum class Kind {
-    preview,   ///< rough, from progressive shooting
+    preview,   ///< rough, from progressive shooting or by rough form factors
     quick,     ///< of a mix, to the accuracy that a picture needs
     solved,    ///< to the iteration's tolerance; errors not known yet
     complete,  ///< with `radiosity_error`
@@ -39,6 +39,9 @@ struct Light {
   Kind kind = Kind::preview;
   radiosity::Solution solution;
   std::optional<double> relative_error = {};  ///< `viewer::relative_error`, if it has errors
+  /// Of a preview that was solved by rough form factors: what these are off by
+  /// (CompressionReport::verified_error).
+  std::optional<double> factor_error = {};
 
   [[nodiscard]] bool is_solved() const { return kind != Kind::preview && kind != Kind::quick; }
   [[nodiscard]] bool has_errors() const { return kind == Kind::complete || kind == Kind::stored; }

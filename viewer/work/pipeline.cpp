@@ -148,15 +148,28 @@ OpenedFile open_scene(const std::string& path, std::shared_ptr<const Scene> scen
 }
 
 Model with_form_factors(Model model, const study::StudyOptions& options,
-                        const std::function<void(const std::string&)>& warned,
-                        const Progress& progress) {
+                        const FormFactorEvents& events, const Progress& progress) {
+  const study::StudyEvents studying = {
+      .warned = events.warned,
+      .rough = [&](std::unique_ptr<Transport> transport) { events.rough(std::move(transport)); },
+      .progress = progress};
   study::FormFactors factors =
-      study::make_form_factors(*model.scene, *model.mesh, *model.visibility, options,
-                               {.warned = warned, .progress = progress});
+      study::make_form_factors(*model.scene, *model.mesh, *model.visibility, options, studying);
   if (factors.refined) model = with_patches(std::move(model), *std::move(factors.refined));
   model.transport = std::move(factors.transport);
   model.factors = {model.transport, model.transport->rows()};
   return model;
+}
+
+Light rough_light(const Model& model, const Transport& rough, const LightMix& mix,
+                  const Eigen::MatrixXd& irradiance, const Progress& progress) {
+  const Scene scene = with_reflectance(*model.scene, mix);
+  radiosity::SolveOptions options = solve_options(kQuickTolerance, progress);
+  options.start = irradiance;
+  return {.kind = Light::Kind::preview,
+          .solution = solve(rough, mix_exitance(scene, *model.mesh, mix),
+                            radiosity::reflectance(scene, *model.mesh), options),
+          .factor_error = rough.report().compression.value().verified_error};
 }
 
 void solve_light(const Model& model, const LightMix& mix, const LightStart& start,

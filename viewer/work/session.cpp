@@ -101,9 +101,24 @@ void Session::take_file(OpenedFile file, Clock::time_point start) {
   }
 }
 
+/// By rough form factors once there are some, before by shooting.
 void Session::start_preview() {
   is_quick_running_ = true;
   is_relight_due_ = false;
+  if (!rough_) {
+    start_shooting();
+    return;
+  }
+  Eigen::MatrixXd irradiance;
+  if (light_ && light_->factor_error) irradiance = light_->solution.irradiance;
+  previewing_.start([this, model = model_, rough = rough_, mix = mix_,
+                     irradiance = std::move(irradiance)](const Worker::Context& context) {
+    posting<Light>(context, [this](Light light) { take_light(std::move(light)); })(
+        rough_light(model, *rough, mix, irradiance, context.progress));
+  });
+}
+
+void Session::start_shooting() {
   previewing_.start([this, model = model_, mix = mix_](const Worker::Context& context) {
     preview(model, mix,
             posting<radiosity::Solution, double>(
@@ -118,11 +133,21 @@ void Session::start_preview() {
 
 void Session::start_form_factors() {
   pipeline_.start([this, model = model_, options = options_](const Worker::Context& context) {
-    const auto warned =
-        posting<const std::string&>(context, [this](const std::string& text) { tell(text); });
+    const FormFactorEvents events = {
+        .warned =
+            posting<const std::string&>(context, [this](const std::string& text) { tell(text); }),
+        .rough = posting<std::shared_ptr<const radiosity::Transport>>(
+            context, [this](std::shared_ptr<const radiosity::Transport> rough) {
+              take_rough(std::move(rough));
+            })};
     posting<Model>(context, [this](Model found) { take_model(std::move(found)); })(
-        with_form_factors(model, options, warned, context.progress));
+        with_form_factors(model, options, events, context.progress));
   });
+}
+
+void Session::take_rough(std::shared_ptr<const radiosity::Transport> rough) {
+  rough_ = std::move(rough);
+  if (!mix_.emitters.empty()) start_preview();
 }
 
 void Session::cancel_computing() {
@@ -141,6 +166,7 @@ void Session::take_model(Model model) {
   const bool is_other_scene = model.scene != model_.scene || model.scene == nullptr;
   model_ = std::move(model);
   ++versions_.model;
+  rough_.reset();
   if (is_other_mesh) {
     previewing_.cancel();
     lighting_.cancel();

@@ -128,6 +128,8 @@ class Session {
   void forget_light_path();
   void take_file(OpenedFile file, Clock::time_point start);
   void start_preview();
+  void start_shooting();
+  void take_rough(std::shared_ptr<const radiosity::Transport> rough);
   void start_form_factors();
   void cancel_computing();
   void take_model(Model model);
@@ -144,6 +146,7 @@ class Session {
   std::optional<Light> light_;
   LightMix mix_;
   LightMix original_mix_;
+  std::shared_ptr<const radiosity::Transport> rough_;    // until the model has form factors
   std::shared_ptr<const EmitterLights> emitter_lights_;  // of the mix's reflectances, or none
   std::optional<radiosity::Index> selected_;
   std::shared_ptr<const LightPath> light_path_;
