@@ -103,7 +103,7 @@ void fit_camera(Desk& desk) {
   if (!desk.session.is_open()) return;
   const radiosity::PatchMesh& mesh = *desk.session.model().mesh;
   desk.camera =
-      CameraControl(radiosity::fit_camera(mesh, desk.camera.camera()), radiosity::bounds(mesh));
+      CameraControl(radiosity::fit_camera(mesh, desk.camera.camera()), desk.session.model().bounds);
 }
 
 void use_scene_camera(Desk& desk) {
@@ -112,14 +112,14 @@ void use_scene_camera(Desk& desk) {
   // A camera with another up would turn about the wrong axis.
   const bool has_camera = model.camera && guessed_up(*model.mesh, model.camera) == desk.up;
   desk.camera = CameraControl(has_camera ? *model.camera : outside_camera(*model.mesh, desk.up),
-                              radiosity::bounds(*model.mesh));
+                              model.bounds);
 }
 
 void set_up(Desk& desk, UpAxis up) {
   desk.up = up;
   if (!desk.session.is_open()) return;
   const radiosity::PatchMesh& mesh = *desk.session.model().mesh;
-  desk.camera = CameraControl(outside_camera(mesh, up), radiosity::bounds(mesh));
+  desk.camera = CameraControl(outside_camera(mesh, up), desk.session.model().bounds);
 }
 
 void set_unit(Desk& desk, const std::string& unit) {

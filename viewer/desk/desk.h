@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "io/picture/color_map.h"
 #include "radiosity/base/geometry.h"
 #include "viewer/desk/camera_control.h"
+#include "viewer/desk/legend.h"
 #include "viewer/desk/look.h"
 #include "viewer/desk/orientation.h"
 #include "viewer/desk/patch_facts.h"
@@ -15,18 +15,6 @@
 #include "viewer/work/session.h"
 
 namespace viewer {
-
-/// What the colour bar beside the picture tells.
-struct Legend {
-  std::vector<std::string> title;
-  std::string unit;  ///< "" of plain numbers
-  io::ColorScale scale;
-  double least = 0;  ///< of the values that are shown
-  double greatest = 0;
-  Eigen::VectorXd values;  ///< of the patches
-  bool has_below = false;  ///< values below the scale are shown, as its lowest colour
-  bool has_above = false;
-};
 
 /// What a file is about, and so what is shown of it at first.
 enum class Domain {

@@ -219,6 +219,9 @@ std::string missing_text(const Desk& desk) {
       return session.is_settled() ? "Form factors are not known" : "Waits for the form factors ...";
     }
     if (!session.selected()) return "Click a patch";
+    if (show != Show::light_path && session.row() == nullptr) {
+      return "Evaluating the form factors of this patch ...";
+    }
     if (show == Show::light_path) return "Working out where the light comes from ...";
   }
   return session.is_settled() ? "No light is known" : "Waits for the light ...";

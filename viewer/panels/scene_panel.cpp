@@ -18,7 +18,7 @@ constexpr double kSmallest = 0.02;  // m
 constexpr double kLargest = 500;
 
 void draw_size(const Desk& desk) {
-  const radiosity::Vec3 size = radiosity::bounds(*desk.session.model().mesh).sizes();
+  const radiosity::Vec3 size = desk.session.model().bounds.sizes();
   const std::string text = fmt::format("{:.4g} × {:.4g} × {:.4g} m", size.x(), size.y(), size.z());
   const bool is_odd = size.maxCoeff() > kLargest || size.maxCoeff() < kSmallest;
   if (is_odd && desk.session.model().scene) {

@@ -197,7 +197,7 @@ void set_camera(Stage& stage, ScriptArguments& arguments) {
                                1e-6 * camera.direction.norm() * camera.up.norm() &&
                            camera.vertical_fov > 0 && camera.vertical_fov < radiosity::kPi;
   if (!is_possible) throw std::invalid_argument("nothing can be seen in that direction");
-  stage.desk.camera = CameraControl(camera, radiosity::bounds(*stage.desk.session.model().mesh));
+  stage.desk.camera = CameraControl(camera, stage.desk.session.model().bounds);
 }
 
 void record_iteration(Stage& stage, ScriptArguments& arguments) {

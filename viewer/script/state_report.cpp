@@ -144,7 +144,7 @@ json look_json(const Desk& desk) {
 
 json size_json(const Session& session) {
   if (!session.is_open()) return nullptr;
-  return list(radiosity::Vec3(radiosity::bounds(*session.model().mesh).sizes()));
+  return list(radiosity::Vec3(session.model().bounds.sizes()));
 }
 
 json camera_json(const Desk& desk) {

@@ -25,6 +25,8 @@ struct Model {
   std::shared_ptr<const radiosity::Visibility> visibility;
   std::shared_ptr<const radiosity::Transport> transport;
   std::shared_ptr<const radiosity::FactorRows> factors;  ///< the transport's, or a file's
+  bool has_quick_rows = true;                            ///< of which none takes a product
+  radiosity::Box3 bounds;                                ///< of the patches, m
 };
 
 /// Light on the patches of a model.

@@ -18,8 +18,8 @@ namespace viewer {
 
 /// A file that could be opened: nothing of it is missing but what takes long to compute.
 struct OpenedFile {
-  Model model;                                    ///< with its patches
-  std::optional<radiosity::Solution> light = {};  ///< of a result file
+  Model model;                      ///< with its patches
+  std::optional<Light> light = {};  ///< of a result file
   std::vector<std::string> warnings = {};
   /// Why the scene cannot be solved, if so: too much for memory. Its patches are its polygons then.
   std::optional<std::string> refusal = {};
@@ -70,6 +70,8 @@ struct LightStart {
   double tolerance = 1e-8;           ///< of the iteration
   bool is_quick_wanted = false;      ///< first to the accuracy of a picture
   bool is_separation_wanted = true;  ///< find each emitter's light, too
+  /// Each emitter's light, whose sum shall be told first; or null.
+  std::shared_ptr<const EmitterLights> separated = {};
 };
 
 /// Solves the model for a mix: the light, each emitter's light, then the errors. Throws SolveError,

@@ -13,7 +13,6 @@
 #include "radiosity/solve/surface_flux.h"
 #include "viewer/work/pipeline.h"
 #include "viewer/work/preview.h"
-#include "viewer/work/relative_error.h"
 
 namespace viewer {
 namespace {
@@ -22,6 +21,8 @@ using radiosity::Index;
 using radiosity::Scene;
 
 constexpr std::size_t kMostMessages = 200;
+/// Of which even a sum of lights takes longer than the window's thread has.
+constexpr Index kManyPatches = 30'000;
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -94,7 +95,7 @@ void Session::take_file(OpenedFile file, Clock::time_point start) {
   if (file.refusal) {
     tell_error(*file.refusal);
   } else if (file.light) {
-    take_light({Light::Kind::stored, *std::move(file.light)});
+    take_light(*std::move(file.light));
   } else if (model_.scene) {
     if (!mix_.emitters.empty()) start_preview();
     start_form_factors();
@@ -184,6 +185,7 @@ void Session::take_model(Model model) {
     original_mix_ = mix_;
     ++versions_.mix;
   }
+  find_row();
   if (is_relight_due_ && previewing_.is_busy()) start_preview();
   if (model_.transport) start_light_task();
 }
@@ -192,14 +194,12 @@ void Session::take_light(Light light) {
   if (light.kind != Light::Kind::preview) previewing_.cancel();
   const bool is_first = light.kind == Light::Kind::solved && seconds_to_solve_ == 0;
   if (is_first) seconds_to_solve_ = seconds_since(start_);
-  const bool is_quick =
-      light.kind == Light::Kind::quick || (light.kind == Light::Kind::preview && !model_.transport);
+  const bool is_quick = light.kind != Light::Kind::preview || !model_.transport;
   if (changed_ && !is_relight_due_) {
     change_seconds_ = seconds_since(*changed_);
     changed_.reset();
   }
-  light_ = std::move(light);
-  if (light_->has_errors()) light_->relative_error = relative_error(*model_.mesh, light_->solution);
+  light_ = std::make_shared<const Light>(std::move(light));
   ++versions_.light;
   if (is_quick) {
     is_quick_running_ = false;
@@ -214,7 +214,8 @@ void Session::start_light_task() {
   start.tolerance = study::iteration_tolerance(options_.tolerance);
   start.is_separation_wanted = emitter_lights_ == nullptr;
   start.is_quick_wanted = has_light && start.is_separation_wanted;
-  is_quick_running_ = start.is_quick_wanted;
+  if (is_large()) start.separated = emitter_lights_;
+  is_quick_running_ = start.is_quick_wanted || start.separated;
   is_relight_due_ = false;
   lighting_.start([this, model = model_, mix = mix_, start](const Worker::Context& context) {
     const LightEvents events = {
@@ -235,7 +236,7 @@ void Session::relight() {
   changed_ = Clock::now();
   change_seconds_ = 0;
   const Worker& worker = model_.transport ? lighting_ : previewing_;
-  if (emitter_lights_) {
+  if (emitter_lights_ && !is_large()) {
     take_light({Light::Kind::solved, superpose(*emitter_lights_, mix_)});
     start_light_task();
   } else if (is_quick_running_ && worker.is_busy()) {
@@ -245,6 +246,8 @@ void Session::relight() {
     relight_anew();
   }
 }
+
+bool Session::is_large() const { return model_.mesh && model_.mesh->size() > kManyPatches; }
 
 void Session::relight_anew() {
   // Until there are form factors, and until they have been used, there is a preview.
@@ -298,8 +301,29 @@ void Session::select(std::optional<Index> patch) {
   }
   if (patch == selected_) return;
   selected_ = patch;
+  find_row();
   forget_light_path();
   ++versions_.selection;
+}
+
+/// Where a row takes a product, in the background.
+void Session::find_row() {
+  row_.reset();
+  rows_.cancel();
+  if (!selected_ || !model_.factors) return;
+  if (model_.has_quick_rows) {
+    row_ = std::make_shared<const FactorRow>(
+        make_factor_row(*model_.factors, model_.mesh->area, *selected_));
+    return;
+  }
+  rows_.start([this, model = model_, patch = *selected_](const Worker::Context& context) {
+    auto row =
+        std::make_shared<const FactorRow>(make_factor_row(*model.factors, model.mesh->area, patch));
+    context.post([this, row] {
+      row_ = row;
+      ++versions_.selection;
+    });
+  });
 }
 
 void Session::ask_light_path() {
@@ -373,7 +397,8 @@ void Session::forget_iteration() {
 
 bool Session::update() {
   bool has_changed = false;
-  for (Worker* worker : {&opening_, &pipeline_, &previewing_, &lighting_, &asking_, &recording_}) {
+  for (Worker* worker :
+       {&opening_, &pipeline_, &previewing_, &lighting_, &asking_, &rows_, &recording_}) {
     has_changed |= worker->deliver();
     if (const auto error = worker->take_error()) {
       tell_error(*error);
@@ -391,12 +416,13 @@ bool Session::is_settled() const {
 }
 
 bool Session::is_idle() const {
-  return is_settled() && !previewing_.is_busy() && !asking_.is_busy() && !recording_.is_busy();
+  return is_settled() && !previewing_.is_busy() && !asking_.is_busy() && !rows_.is_busy() &&
+         !recording_.is_busy();
 }
 
 WorkStatus Session::status() const {
   for (const Worker* worker :
-       {&pipeline_, &lighting_, &opening_, &recording_, &asking_, &previewing_}) {
+       {&pipeline_, &lighting_, &opening_, &recording_, &asking_, &rows_, &previewing_}) {
     WorkStatus status = worker->status();
     if (status.is_busy) return status;
   }
