@@ -234,6 +234,36 @@ TEST_F(Results, AreSavedOnlyOnceTheyAre) {
   EXPECT_TRUE(save());
 }
 
+// The window goes on while a file is written, and tells what became of it.
+TEST_F(Results, AreWrittenInTheBackground) {
+  viewer::Desk desk(coarse());
+  EXPECT_THROW(viewer::begin_save_result(desk, (folder() / "none.csv").string()),
+               radiosity::OutputError);
+  open(desk.session, kBox);
+  viewer::update(desk);
+  const std::string file = (folder() / "box.csv").string();
+  const auto wait = [&] {
+    wait_until(desk.session, [&] {
+      viewer::update(desk);
+      return desk.saving.empty();
+    });
+  };
+  viewer::begin_save_result(desk, file);
+  EXPECT_EQ(desk.saving, file);
+  EXPECT_THROW(viewer::begin_save_result(desk, (folder() / "other.csv").string()),
+               radiosity::OutputError);
+  wait();
+  EXPECT_FALSE(desk.save_error);
+  EXPECT_EQ(desk.session.messages().back().text, "saved " + file);
+  const std::string same = (folder() / "same.csv").string();
+  viewer::save_result(desk, same);
+  EXPECT_EQ(fs::file_size(file), fs::file_size(same));
+  viewer::begin_save_result(desk, (folder() / "nowhere" / "box.csv").string());
+  wait();
+  EXPECT_TRUE(desk.save_error);
+  EXPECT_TRUE(desk.session.messages().back().is_error);
+}
+
 // A lamp that is dimmed and a wall that is painted must be in the scene that is saved.
 TEST_F(Results, SavedSceneHasTheChanges) {
   viewer::Desk desk(coarse());

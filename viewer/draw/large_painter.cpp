@@ -1,6 +1,7 @@
 #include "viewer/draw/large_painter.h"
 
 #include <utility>
+#include <vector>
 
 #include "radiosity/scene/corner_values.h"
 
@@ -11,7 +12,14 @@ using radiosity::Index;
 using radiosity::PatchMesh;
 
 constexpr Index kCoarseCells = 15'000;  // twice as many triangles
+constexpr int kRest = 3;                // times as long as it painted light that is being shot
 constexpr int kBestSamples = 2;         // rays of a pixel along either side
+
+/// Whether light is shown that progressive shooting still spreads, with a new picture all the time.
+bool is_shooting(const Desk& desk) {
+  const Light* light = desk.session.light();
+  return light != nullptr && light->kind == Light::Kind::preview && !light->factor_error;
+}
 
 /// Each patch's own value at its corners.
 Eigen::MatrixXd repeated(const Eigen::MatrixXd& values) {
@@ -86,10 +94,17 @@ void LargePainter::paint(Desk& desk, SceneView& view) {
     start_colors(desk);
   }
   if (is_color_new_) take_colors(desk, view);
-  // Other light waits until the last one is painted, else it would never be.
-  const bool is_due = coloring_.is_busy() ? started_.is_other_look(desk) : started_.is_stale(desk);
-  if (is_due) start_colors(desk);
+  if (is_due(desk)) start_colors(desk);
   paint_still(desk);
+}
+
+/// Whether new colours are to be found now.
+bool LargePainter::is_due(const Desk& desk) const {
+  if (started_.is_other_look(desk)) return true;
+  // Other light waits until the last one is painted, else it would never be.
+  if (coloring_.is_busy() || !started_.is_stale(desk)) return false;
+  const bool is_same_mix = started_.versions.mix == desk.session.versions().mix;
+  return !(is_shooting_ && is_shooting(desk) && is_same_mix) || Clock::now() >= rest_until_;
 }
 
 void LargePainter::prepare(const Desk& desk) {
@@ -101,6 +116,8 @@ void LargePainter::prepare(const Desk& desk) {
 }
 
 void LargePainter::start_colors(Desk& desk) {
+  begun_ = Clock::now();
+  is_shooting_ = is_shooting(desk);
   started_ = {.versions = desk.session.versions(), .look = desk.look};
   PaintingTask task{.known = desk.session.known(), .look = desk.look, .up = desk.up};
   // While light is spreading it gets brighter: the exposure follows until it is known.
@@ -161,22 +178,30 @@ void LargePainter::paint_still(const Desk& desk) {
     return;
   }
   if (!colored_ || frame.width <= 0 || frame.height <= 0) return;
-  if (picturing_.is_busy() || still_colors_ == colored_) return;
+  // While something is computed, that needs the time more.
+  const bool wants_best = desk.session.is_settled();
+  const bool is_new = still_colors_ != colored_;
+  if (picturing_.is_busy() || (!is_new && (is_still_best_ || !wants_best))) return;
+  std::vector<int> passes;
+  if (is_new) passes.push_back(1);
+  if (wants_best) passes.push_back(kBestSamples);
   still_colors_ = colored_;
   is_still_best_ = false;
   picturing_.start([this, frame, mesh = mesh_, visibility = desk.session.model().visibility,
-                    colored = colored_](const Worker::Context& context) {
+                    colored = colored_, passes](const Worker::Context& context) {
     RayPictureOptions options{.width = frame.width,
                               .height = frame.height,
                               .hides_backs = frame.hides_backs,
                               .has_edges = frame.has_edges,
                               .progress = context.progress};
-    for (const int samples : {1, kBestSamples}) {
+    for (const int samples : passes) {
       options.samples = samples;
       auto picture = std::make_shared<const io::RgbPicture>(
           ray_picture(*mesh, *visibility, colored->corners, frame.camera, options));
       context.post([this, picture, samples] {
         still_ = picture;
+        const auto now = Clock::now();
+        if (rest_until_ < begun_) rest_until_ = now + kRest * (now - begun_);
         is_still_best_ = samples == kBestSamples;
       });
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <memory>
 #include <optional>
 
@@ -39,6 +40,7 @@ class LargePainter {
   [[nodiscard]] const std::shared_ptr<const io::RgbPicture>& still() const { return still_; }
 
  private:
+  using Clock = std::chrono::steady_clock;
   struct Prepared;  // what depends on the patches alone
   struct Colored {
     PaintedState state;
@@ -59,12 +61,16 @@ class LargePainter {
   void prepare(const Desk& desk);
   void start_colors(Desk& desk);
   void take_colors(Desk& desk, SceneView& view);
+  [[nodiscard]] bool is_due(const Desk& desk) const;
   void paint_still(const Desk& desk);
 
   std::shared_ptr<const radiosity::PatchMesh> mesh_;
   std::shared_ptr<const Prepared> prepared_;
   bool is_view_set_ = false;
-  PaintedState started_;                         // the latest colouring
+  PaintedState started_;      // the latest colouring
+  bool is_shooting_ = false;  // it was of light that is being shot
+  Clock::time_point begun_;
+  Clock::time_point rest_until_;
   std::shared_ptr<const Colored> colored_;       // the latest that is done
   bool is_color_new_ = false;                    // and not shown yet
   Frame frame_;                                  // of the latest drawing

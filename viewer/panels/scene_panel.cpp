@@ -5,7 +5,6 @@
 #include <string>
 
 #include "radiosity/scene/patch_mesh.h"
-#include "radiosity/solve/surface_flux.h"
 #include "viewer/panels/inks.h"
 #include "viewer/panels/panels.h"
 
@@ -65,7 +64,7 @@ void draw_heat_panel(const Desk& desk) {
   if (!ImGui::CollapsingHeader("Net heat by surface", ImGuiTreeNodeFlags_DefaultOpen)) return;
   const Light* light = desk.session.light();
   if (light == nullptr || !ImGui::BeginTable("heat", 2, ImGuiTableFlags_RowBg)) return;
-  for (const auto& flux : radiosity::surface_fluxes(*desk.session.model().mesh, light->solution)) {
+  for (const auto& flux : desk.fluxes) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(flux.surface.c_str());

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "io/base/atomic_file.h"
+#include "radiosity/base/error.h"
 #include "viewer/script/state_report.h"
 
 namespace viewer {
@@ -235,6 +236,15 @@ void write_report(Stage& stage, ScriptArguments& arguments) {
                               [&](std::ofstream& stream) { stream << report.dump(1) << '\n'; });
 }
 
+/// Waits until the result is written.
+bool save(Stage& stage, ScriptArguments& arguments) {
+  const std::string file = arguments.text("file");
+  if (stage.is_first) begin_save_result(stage.desk, file);
+  if (!stage.desk.saving.empty()) return false;
+  if (stage.desk.save_error) throw radiosity::OutputError(*stage.desk.save_error);
+  return true;
+}
+
 /// Waits until the picture has been drawn and written.
 bool screenshot(Stage& stage, ScriptArguments& arguments) {
   const std::string file = arguments.text("file");
@@ -300,9 +310,7 @@ const std::map<std::string, ActionKind>& action_kinds() {
       {"record-iteration", {"method", at_once(record_iteration)}},
       {"set-step", {"step", at_once(set_step)}},
       {"screenshot", {"file", screenshot}},
-      {"save-result", {"file", at_once([](Stage& stage, ScriptArguments& arguments) {
-                         save_result(stage.desk, arguments.text("file"));
-                       })}},
+      {"save-result", {"file", save}},
       {"save-scene", {"file", at_once([](Stage& stage, ScriptArguments& arguments) {
                         save_scene(stage.desk, arguments.text("file"));
                       })}},
