@@ -25,10 +25,10 @@ struct TransportOptions {
   std::size_t memory = 0;  ///< bytes the operator may take; 0 = what the machine has available
   KnownPairs known = {};   ///< from an operator that was not corrected to be closed
   Progress progress{};
-  /// Is given rougher operators on the way to a compressed one, on the thread that makes it: first
-  /// one for a tolerance of 0.1, then those whose verified error is not small enough yet. Their
-  /// report tells that error. What is made in the end has the same bits with it or without; it
-  /// costs what the rough one does, some 15 % more. Dense operators call it never.
+  /// Is given rougher operators on the way to a compressed one, on the thread that makes it: first,
+  /// where less than 0.04 is asked, one for a tolerance of 0.1, then those whose verified error is
+  /// not small enough yet. Their report tells that error. What is made in the end has the same bits
+  /// with it or without, and takes some 15 % longer with it. Never called for dense operators.
   std::function<void(std::unique_ptr<Transport>)> rough = {};
 };
 

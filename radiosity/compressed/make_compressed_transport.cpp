@@ -44,6 +44,9 @@ constexpr double kLeastScale = 1;
 /// much smaller.
 constexpr double kRoughTolerance = 0.1;
 constexpr double kMuchSmaller = 0.4;
+/// Rows that verify it: fewer, since somebody waits. Of 16 one is told 19 % of 300,000 patches
+/// where 64 tell 12 %.
+constexpr Index kRoughRows = 32;
 /// Tolerance of the light that the operator is verified with.
 constexpr double kLightTolerance = 1e-2;
 
@@ -134,7 +137,7 @@ class CompressedAssembly {
     made_ = maker_.make(first_limit(kRoughTolerance));
     std::unique_ptr<CompressedTransport> transport = make_transport(kRoughTolerance);
     RowCheck check = make_check(*transport);
-    check.add_rows(kRows, progress_);
+    check.add_rows(kRoughRows, progress_);
     tell(*transport, check.error(transport->apply(check.radiosity())), 0);
     options_.rough(std::move(transport));
     made_ = {};

@@ -55,6 +55,7 @@ json light_json(const Session& session) {
       {"standing", now.text},
       {"is_result", now.is_result},
       {"relative_error", light->relative_error ? number(*light->relative_error) : json(nullptr)},
+      {"factor_error", light->factor_error ? number(*light->factor_error) : json(nullptr)},
       {"residual", number(solution.residual)},
       {"iterations", solution.iterations},
       {"unshot_share", number(session.unshot_share())},
