@@ -327,9 +327,13 @@ TEST(LargePainter, DrawsAPictureOnceNothingMoves) {
   EXPECT_NE(painter.still()->bytes, before->bytes);
   // Something else to show: its legend comes with it.
   EXPECT_FALSE(desk.legend);
+  EXPECT_FALSE(desk.is_painting_due);
   viewer::show(desk, "area");
   EXPECT_FALSE(painter.is_done(desk));
+  painter.paint(desk, view);
+  EXPECT_TRUE(desk.is_painting_due);
   paint();
+  EXPECT_FALSE(desk.is_painting_due);
   ASSERT_TRUE(desk.legend);
   EXPECT_EQ(desk.legend->values.size(), desk.session.model().mesh->size());
 }

@@ -41,6 +41,7 @@ struct Desk {
   Domain domain = Domain::light;
   double exposure = 1;                         ///< automatic part, from radiosity to display value
   bool is_exposure_due = true;                 ///< it shall be found anew
+  bool is_painting_due = false;                ///< the colours are not yet those of what is known
   std::optional<Legend> legend;                ///< of what is shown now
   Region region;                               ///< of the picture in the window
   std::optional<PatchFacts> facts;             ///< of the selected patch

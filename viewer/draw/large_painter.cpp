@@ -76,6 +76,7 @@ void LargePainter::clear() {
   colored_.reset();
   still_colors_.reset();
   still_.reset();
+  shown_.reset();
   is_view_set_ = false;
   is_color_new_ = false;
 }
@@ -86,6 +87,7 @@ void LargePainter::paint(Desk& desk, SceneView& view) {
     view.set_triangles({}, nullptr);
     prepare(desk);
   }
+  desk.is_painting_due = true;
   if (!prepared_) return;
   if (!is_view_set_) {
     const CoarseMesh& coarse = prepared_->coarse;
@@ -96,6 +98,8 @@ void LargePainter::paint(Desk& desk, SceneView& view) {
   if (is_color_new_) take_colors(desk, view);
   if (is_due(desk)) start_colors(desk);
   paint_still(desk);
+  if (!still_) shown_ = colored_;
+  desk.is_painting_due = !shown_ || shown_->state.is_stale(desk);
 }
 
 /// Whether new colours are to be found now.
@@ -198,8 +202,9 @@ void LargePainter::paint_still(const Desk& desk) {
       options.samples = samples;
       auto picture = std::make_shared<const io::RgbPicture>(
           ray_picture(*mesh, *visibility, colored->corners, frame.camera, options));
-      context.post([this, picture, samples] {
+      context.post([this, picture, samples, colored] {
         still_ = picture;
+        shown_ = colored;
         const auto now = Clock::now();
         if (rest_until_ < begun_) rest_until_ = now + kRest * (now - begun_);
         is_still_best_ = samples == kBestSamples;

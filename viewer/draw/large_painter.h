@@ -76,6 +76,7 @@ class LargePainter {
   Frame frame_;                                  // of the latest drawing
   std::shared_ptr<const Colored> still_colors_;  // of the picture that is made, or there
   std::shared_ptr<const io::RgbPicture> still_;
+  std::shared_ptr<const Colored> shown_;  // colours of what is seen
   bool is_still_best_ = false;
   // Last, so that they end first.
   Worker coloring_;

@@ -195,8 +195,14 @@ Standing shown_standing(const Desk& desk) {
 
 /// The same in the picture's corner.
 void draw_badge(const Desk& desk, ImDrawList& list, float scale) {
-  const Standing now = shown_standing(desk);
+  Standing now = shown_standing(desk);
   if (now.text.empty()) return;
+  // A preview that is being shot always gets better.
+  const bool is_shot = now.is_rough && !desk.session.light()->factor_error;
+  if (desk.is_painting_due && !is_shot) {
+    now.text += " (being painted)";
+    now.is_result = false;
+  }
   const ImVec2 place(static_cast<float>(desk.region.left) + 12 * scale,
                      static_cast<float>(desk.region.top) + 10 * scale);
   const float width = static_cast<float>(desk.region.width) - 24 * scale;

@@ -31,6 +31,7 @@ void Painter::paint(Desk& desk, SceneView& view) {
     large_.paint(desk, view);
     return;
   }
+  desk.is_painting_due = false;
   if (!points_ || (painted_ && !painted_->is_stale(desk))) return;
   paint_colors(desk, view);
 }
