@@ -38,22 +38,27 @@ void check_made(Index n_patches, Index n_polygons, const StudyOptions& options) 
 }
 
 TransportOptions transport_options(const Scene& scene, const StudyOptions& options,
-                                   const Progress& progress) {
+                                   const StudyEvents& events) {
   return {.tolerance = factor_tolerance(options),
           .closed = closedness(scene, options.closed),
           .seed = options.seed,
           .memory = options.memory,
-          .progress = progress,
+          .progress = events.progress,
           .work_file = options.work_file,
-          .work_start = options.work_start};
+          .work_start = options.work_start,
+          .rough = events.rough};
 }
 
 FormFactors make_adaptive(const Scene& scene, const StudyOptions& options,
                           const StudyEvents& events) {
+  TransportOptions transport = transport_options(scene, options, events);
+  // Each round has patches of its own.
+  transport.rough = {};
+  transport.work_file.clear();
   meshing::AdaptiveMesh made = meshing::make_adaptive_patches(
       scene, {.tolerance = options.tolerance,
               .max_patches = options.patches.n_patches.value_or(meshing::kMostAdaptivePatches),
-              .transport = transport_options(scene, options, events.progress),
+              .transport = transport,
               .choice = transport_choice(options),
               .progress = events.progress});
   return {.refined = Patches{std::move(made.mesh), std::move(made.visibility)},
@@ -103,9 +108,9 @@ FormFactors make_form_factors(const Scene& scene, const PatchMesh& mesh,
   if (options.patches.adaptive) {
     result = make_adaptive(scene, options, events);
   } else {
-    result.transport = make_transport(
-        mesh, visibility, transport_options(scene, options, events.progress),
-        transport_choice(options), {exitance(scene, mesh), reflectance(scene, mesh)});
+    result.transport = make_transport(mesh, visibility, transport_options(scene, options, events),
+                                      transport_choice(options),
+                                      {exitance(scene, mesh), reflectance(scene, mesh)});
   }
   warn_of_unverified(result.transport->report(), factor_tolerance(options), events);
   const PatchMesh& made = result.refined ? result.refined->mesh : mesh;
@@ -158,7 +163,7 @@ Study assemble(Scene scene, KnownFactors known, const StudyOptions& options,
   Visibility visibility(known.mesh);
   Patches patches{std::move(known.mesh), std::move(visibility)};
   if (events.divided) events.divided(scene, patches);
-  TransportOptions made = transport_options(scene, options, events.progress);
+  TransportOptions made = transport_options(scene, options, events);
   made.tolerance = known.tolerance;
   add_missing_light(*known.transport, patches.mesh, patches.visibility, made,
                     exitance(scene, patches.mesh));

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 
 #include "radiosity/base/progress.h"
+#include "radiosity/operator/transport.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/scene.h"
 #include "radiosity/visibility/visibility.h"
@@ -21,6 +23,8 @@ struct StudyEvents {
   std::function<void(const std::string&)> warned = {};  ///< one line
   /// The patches are there; what it throws ends the study before the long work.
   std::function<void(const radiosity::Scene&, const Patches&)> divided = {};
+  /// Rougher form factors on the way to compressed ones (TransportOptions::rough).
+  std::function<void(std::unique_ptr<radiosity::Transport>)> rough = {};
   radiosity::Progress progress = {};
 
   void warn(const std::string& message) const {

@@ -10,6 +10,7 @@
 #include "io/picture/image_file.h"
 #include "radiosity/base/error.h"
 #include "viewer/desk/desk.h"
+#include "viewer/draw/backdrop.h"
 #include "viewer/draw/overlay.h"
 #include "viewer/draw/painter.h"
 #include "viewer/draw/window.h"
@@ -79,13 +80,15 @@ class Application final : public ScriptHost {
     if (window_.handle_events(waiting_time())) lively_ = kLivelyFrames;
     for (const std::string& path : window_.take_dropped_files()) open(path);
     if (update(desk_)) lively_ = std::max(lively_, kFewFrames);
+    if (painter_.update()) lively_ = std::max(lively_, kFewFrames);
     if (opened_ != desk_.session.versions().file) {
       opened_ = desk_.session.versions().file;
       window_.set_title(window_title(desk_.session));
       if (!is_unattended()) panels_.remember(desk_.session.model().path);
     }
     // The status line tells how far the work is.
-    const bool is_working = !desk_.session.is_idle() && !desk_.session.is_paused();
+    const bool is_working =
+        (!desk_.session.is_idle() && !desk_.session.is_paused()) || painter_.is_busy();
     return is_hurried() || (window_.is_shown() && is_working);
   }
 
@@ -100,7 +103,8 @@ class Application final : public ScriptHost {
     view_.set_region(desk_.region, window_.width(), window_.height());
     const bool is_frugal = window_.is_software() && !desk_.session.is_idle();
     const bool is_moving = window_.is_software() && view_.is_dirty() && !desk_.screenshot;
-    window_.set_antialiased(!is_frugal && !is_moving);
+    window_.set_antialiased(!is_frugal && !is_moving && painter_.is_exact());
+    backdrop_.draw(painter_.still(), desk_.region);
     draw_overlay(desk_, window_.scale());
     finish_frame();
     const auto end = Clock::now();
@@ -121,7 +125,8 @@ class Application final : public ScriptHost {
       return;
     }
     lively_ = kLivelyFrames;
-    if (++screenshot_frames_ < kScreenshotFrames) {
+    const bool is_ready = painter_.is_done(desk_) || !desk_.session.is_settled();
+    if (++screenshot_frames_ < kScreenshotFrames || !is_ready) {
       window_.end_frame(view_);
       return;
     }
@@ -151,7 +156,10 @@ class Application final : public ScriptHost {
   }
 
   /// Seconds to wait for mouse and keyboard before the next look.
-  [[nodiscard]] double waiting_time() const { return is_hurried() ? 0 : kIdleSeconds; }
+  [[nodiscard]] double waiting_time() const {
+    if (is_hurried()) return 0;
+    return painter_.is_busy() ? kFrugalFrameSeconds : kIdleSeconds;
+  }
 
   /// Whether the script, and then the screenshot, are done.
   bool has_finished() {
@@ -173,6 +181,7 @@ class Application final : public ScriptHost {
   ViewOptions options_;
   Window window_;
   SceneView view_;
+  Backdrop backdrop_;
   Painter painter_;
   Desk desk_;
   Panels panels_;

@@ -333,6 +333,42 @@ TEST(CompressedTransport, MayHaveNoPatches) {
   EXPECT_EQ(compressed->report().open_rows, 0);
 }
 
+// Who waits for an operator is given rougher ones, of which each tells truly how rough it is; what
+// is made in the end is not changed by it.
+TEST_F(CompressedTransportOfARoom, IsGivenRoughlyOnTheWay) {
+  const auto dense = make_dense_transport(room_->mesh, room_->visibility, {.tolerance = 1e-3});
+  std::vector<std::unique_ptr<Transport>> rough;
+  const auto made = make_compressed_transport(
+      room_->mesh, room_->visibility,
+      {.tolerance = 1e-2, .rough = [&](std::unique_ptr<Transport> transport) {
+         rough.push_back(std::move(transport));
+       }});
+  ASSERT_FALSE(rough.empty());
+  const Eigen::MatrixXd ones = Eigen::MatrixXd::Ones(dense->size(), 1);
+  for (const auto& transport : rough) {
+    const CompressionReport& report = transport->report().compression.value();
+    EXPECT_GT(report.verified_error, 1e-2);
+    EXPECT_LE(difference(*dense, transport->apply(ones), dense->apply(ones)),
+              report.verified_error);
+  }
+  EXPECT_LT(rough.front()->report().compression->entries, made->report().compression->entries / 2);
+  const Eigen::VectorXd uneven = Eigen::VectorXd::LinSpaced(dense->size(), 0, 1);
+  EXPECT_EQ(made->apply(uneven), compressed_->apply(uneven));
+  EXPECT_EQ(made->apply_error(ones), compressed_->apply_error(ones));
+  EXPECT_EQ(made->report().compression->verified_error,
+            compressed_->report().compression->verified_error);
+}
+
+// One for almost the same tolerance would be no help.
+TEST(CompressedTransport, GivesNothingRoughWhereLittleIsAsked) {
+  const Room room(box_in_box(6, 3));
+  int n_given = 0;
+  make_compressed_transport(
+      room.mesh, room.visibility,
+      {.tolerance = 0.1, .rough = [&](const std::unique_ptr<Transport>&) { ++n_given; }});
+  EXPECT_EQ(n_given, 0);
+}
+
 TEST(CompressedTransport, RefusesWhatWillNotFit) {
   const Room room(box_in_box(4, 2));
   try {

@@ -9,8 +9,8 @@
 #include "tests/support/output_folder.h"
 #include "tests/viewer/sessions.h"
 #include "viewer/desk/desk.h"
+#include "viewer/desk/painting.h"
 #include "viewer/desk/shown_scale.h"
-#include "viewer/draw/painter.h"
 #include "viewer/work/job_progress.h"
 
 namespace {

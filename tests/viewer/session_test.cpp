@@ -202,14 +202,14 @@ TEST(Session, FactsOfAPatchAreThoseOfTheOperator) {
     EXPECT_LE((arrived - desk.facts->irradiance).norm(), 1e-6 * desk.facts->irradiance.norm());
     EXPECT_NEAR(shares, 1, 1e-12);
     viewer::show(desk, "arriving");
-    const auto sent = viewer::shown_field(desk.session, desk.look);
+    const auto sent = viewer::shown_field(desk.session.known(), desk.look);
     ASSERT_TRUE(sent);
     const Eigen::Map<const Eigen::VectorXd> area(desk.session.model().mesh->area.data(),
                                                  transport.size());
     EXPECT_NEAR(sent->values.dot(area), arrived.mean(), 1e-9 * arrived.mean());
 
     viewer::show(desk, "form-factors");
-    const auto field = viewer::shown_field(desk.session, desk.look);
+    const auto field = viewer::shown_field(desk.session.known(), desk.look);
     ASSERT_TRUE(field);
     EXPECT_EQ(field->values, row);
   }

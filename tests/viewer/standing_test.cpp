@@ -102,6 +102,51 @@ TEST(Session, TellsHowFarItCanBeTrusted) {
   EXPECT_FALSE(viewer::standing(session).is_result);
 }
 
+// While a compressed operator is being made, a rough one shows the light, says how rough it is, and
+// answers what lamps and materials would do.
+TEST(Session, GoesOnWithRoughFormFactorsUntilTheyAreMade) {
+  viewer::Session session(
+      {.patches = {.n_patches = 5000}, .transport = radiosity::TransportKind::compressed});
+  session.open(kBox);
+  const auto is_rough = [&] {
+    return session.light() != nullptr && session.light()->factor_error.has_value();
+  };
+  wait_until(session, is_rough);
+  ASSERT_EQ(session.model().transport, nullptr);
+  EXPECT_EQ(session.light()->kind, Light::Kind::preview);
+  const double error = *session.light()->factor_error;
+  EXPECT_GT(error, 1e-2);
+  const viewer::Standing now = viewer::standing(session);
+  EXPECT_TRUE(now.is_rough);
+  EXPECT_FALSE(now.is_result);
+  EXPECT_FALSE(session.has_result());
+  EXPECT_NE(now.text.find("preview: form factors to about"), std::string::npos) << now.text;
+  EXPECT_NE(now.text.find(std::to_string(static_cast<int>(std::ceil(100 * error)))),
+            std::string::npos)
+      << now.text;
+  const Eigen::MatrixXd rough = session.light()->solution.radiosity;
+
+  const double lit = session.light()->solution.exitance.sum();
+  session.set_emitter(0, 0.5, true);
+  wait_until(session, [&] { return !session.is_change_pending(); });
+  ASSERT_EQ(session.model().transport, nullptr);
+  EXPECT_TRUE(is_rough());
+  EXPECT_NEAR(session.light()->solution.exitance.sum(), 0.5 * lit, 1e-9 * lit);
+  // Light is proportional to its only source, but for the iteration's 1e-3.
+  EXPECT_LE(deviation(session.light()->solution.radiosity, 0.5 * rough), 3e-3);
+  const double before = session.light()->solution.radiosity.sum();
+  session.set_reflectance(1, Eigen::Vector3d::Constant(0.1));
+  wait_until(session, [&] { return !session.is_change_pending(); });
+  EXPECT_LT(session.light()->solution.radiosity.sum(), before);
+
+  session.reset_mix();
+  settle(session);
+  EXPECT_EQ(session.light()->kind, Light::Kind::complete);
+  EXPECT_FALSE(is_rough());
+  // (I - ρ F)⁻¹ makes errors of F larger, by less than 1 / (1 - ρ) with ρ = 0.8.
+  EXPECT_LE(deviation(rough, session.light()->solution.radiosity), 5 * error);
+}
+
 class Results : public OutputFolder {};
 
 TEST_F(Results, OpenWithoutBeingSolvedAgain) {
@@ -187,6 +232,36 @@ TEST_F(Results, AreSavedOnlyOnceTheyAre) {
   EXPECT_FALSE(save());
   settle(desk.session);
   EXPECT_TRUE(save());
+}
+
+// The window goes on while a file is written, and tells what became of it.
+TEST_F(Results, AreWrittenInTheBackground) {
+  viewer::Desk desk(coarse());
+  EXPECT_THROW(viewer::begin_save_result(desk, (folder() / "none.csv").string()),
+               radiosity::OutputError);
+  open(desk.session, kBox);
+  viewer::update(desk);
+  const std::string file = (folder() / "box.csv").string();
+  const auto wait = [&] {
+    wait_until(desk.session, [&] {
+      viewer::update(desk);
+      return desk.saving.empty();
+    });
+  };
+  viewer::begin_save_result(desk, file);
+  EXPECT_EQ(desk.saving, file);
+  EXPECT_THROW(viewer::begin_save_result(desk, (folder() / "other.csv").string()),
+               radiosity::OutputError);
+  wait();
+  EXPECT_FALSE(desk.save_error);
+  EXPECT_EQ(desk.session.messages().back().text, "saved " + file);
+  const std::string same = (folder() / "same.csv").string();
+  viewer::save_result(desk, same);
+  EXPECT_EQ(fs::file_size(file), fs::file_size(same));
+  viewer::begin_save_result(desk, (folder() / "nowhere" / "box.csv").string());
+  wait();
+  EXPECT_TRUE(desk.save_error);
+  EXPECT_TRUE(desk.session.messages().back().is_error);
 }
 
 // A lamp that is dimmed and a wall that is painted must be in the scene that is saved.

@@ -41,6 +41,18 @@ void greet(Desk& desk) {
   use_scene_camera(desk);
 }
 
+/// Takes in what has become of the file that is being written. Whether it is done.
+bool update_saving(Desk& desk) {
+  const bool is_done = desk.saver.deliver();
+  if (const auto error = desk.saver.take_error()) {
+    desk.save_error = *error;
+    desk.session.tell_error(*error);
+    desk.saving.clear();
+    return true;
+  }
+  return is_done;
+}
+
 }  // namespace
 
 const char* first_quantity(Domain domain) {
@@ -57,6 +69,7 @@ const char* first_quantity(Domain domain) {
 
 bool update(Desk& desk) {
   bool has_changed = desk.session.update();
+  has_changed |= update_saving(desk);
   const Session& session = desk.session;
   if (session.versions().file != desk.shown_file) {
     greet(desk);
@@ -70,6 +83,12 @@ bool update(Desk& desk) {
   const Session::Versions& then = desk.facts_versions;
   if (now.light == then.light && now.selection == then.selection && now.model == then.model) {
     return has_changed;
+  }
+  if (now.light != then.light) {
+    desk.fluxes.clear();
+    if (session.is_thermal() && session.light() != nullptr) {
+      desk.fluxes = radiosity::surface_fluxes(*session.model().mesh, session.light()->solution);
+    }
   }
   desk.facts_versions = now;
   desk.facts.reset();
@@ -103,7 +122,7 @@ void fit_camera(Desk& desk) {
   if (!desk.session.is_open()) return;
   const radiosity::PatchMesh& mesh = *desk.session.model().mesh;
   desk.camera =
-      CameraControl(radiosity::fit_camera(mesh, desk.camera.camera()), radiosity::bounds(mesh));
+      CameraControl(radiosity::fit_camera(mesh, desk.camera.camera()), desk.session.model().bounds);
 }
 
 void use_scene_camera(Desk& desk) {
@@ -112,14 +131,14 @@ void use_scene_camera(Desk& desk) {
   // A camera with another up would turn about the wrong axis.
   const bool has_camera = model.camera && guessed_up(*model.mesh, model.camera) == desk.up;
   desk.camera = CameraControl(has_camera ? *model.camera : outside_camera(*model.mesh, desk.up),
-                              radiosity::bounds(*model.mesh));
+                              model.bounds);
 }
 
 void set_up(Desk& desk, UpAxis up) {
   desk.up = up;
   if (!desk.session.is_open()) return;
   const radiosity::PatchMesh& mesh = *desk.session.model().mesh;
-  desk.camera = CameraControl(outside_camera(mesh, up), radiosity::bounds(mesh));
+  desk.camera = CameraControl(outside_camera(mesh, up), desk.session.model().bounds);
 }
 
 void set_unit(Desk& desk, const std::string& unit) {
@@ -172,7 +191,9 @@ void check_output(const Desk& desk, const std::string& path) {
   io::check_not_input(path, inputs);
 }
 
-void save_result(const Desk& desk, const std::string& path) {
+namespace {
+
+void check_result(const Desk& desk, const std::string& path) {
   if (desk.session.light() == nullptr) {
     throw radiosity::OutputError("there is no light yet that could be saved");
   }
@@ -183,10 +204,35 @@ void save_result(const Desk& desk, const std::string& path) {
         "found; it can be saved once it is solved");
   }
   check_output(desk, path);
-  io::write(path, *desk.session.model().mesh, desk.session.light()->solution,
-            {.wavelengths = desk.session.model().bands.wavelengths,
-             .quantities = {},
-             .camera = desk.camera.camera()});
+}
+
+void write_result(const Known& known, const radiosity::Camera& camera, const std::string& path) {
+  io::write(path, *known.model.mesh, known.light->solution,
+            {.wavelengths = known.model.bands.wavelengths, .quantities = {}, .camera = camera});
+}
+
+}  // namespace
+
+void save_result(const Desk& desk, const std::string& path) {
+  check_result(desk, path);
+  write_result(desk.session.known(), desk.camera.camera(), path);
+}
+
+void begin_save_result(Desk& desk, const std::string& path) {
+  check_result(desk, path);
+  if (!desk.saving.empty()) {
+    throw radiosity::OutputError(path + ": not saved: " + desk.saving + " is still being written");
+  }
+  desk.saving = path;
+  desk.save_error.reset();
+  desk.saver.start([&desk, path, known = desk.session.known(),
+                    camera = desk.camera.camera()](const Worker::Context& context) {
+    write_result(known, camera, path);
+    context.post([&desk, path] {
+      desk.session.tell("saved " + path);
+      desk.saving.clear();
+    });
+  });
 }
 
 void save_scene(const Desk& desk, const std::string& path) {

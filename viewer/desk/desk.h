@@ -5,9 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "io/picture/color_map.h"
 #include "radiosity/base/geometry.h"
+#include "radiosity/solve/surface_flux.h"
 #include "viewer/desk/camera_control.h"
+#include "viewer/desk/legend.h"
 #include "viewer/desk/look.h"
 #include "viewer/desk/orientation.h"
 #include "viewer/desk/patch_facts.h"
@@ -15,18 +16,6 @@
 #include "viewer/work/session.h"
 
 namespace viewer {
-
-/// What the colour bar beside the picture tells.
-struct Legend {
-  std::vector<std::string> title;
-  std::string unit;  ///< "" of plain numbers
-  io::ColorScale scale;
-  double least = 0;  ///< of the values that are shown
-  double greatest = 0;
-  Eigen::VectorXd values;  ///< of the patches
-  bool has_below = false;  ///< values below the scale are shown, as its lowest colour
-  bool has_above = false;
-};
 
 /// What a file is about, and so what is shown of it at first.
 enum class Domain {
@@ -50,22 +39,27 @@ struct Desk {
   UpAxis up = UpAxis::y;
   std::optional<UpAxis> asked_up = {};  ///< of all files; absent: guessed for each
   Domain domain = Domain::light;
-  double exposure = 1;                       ///< automatic part, from radiosity to display value
-  bool is_exposure_due = true;               ///< it shall be found anew
-  std::optional<Legend> legend;              ///< of what is shown now
-  Region region;                             ///< of the picture in the window
-  std::optional<PatchFacts> facts;           ///< of the selected patch
-  std::vector<EmitterShare> emitter_shares;  ///< of its light, once the light path is known
+  double exposure = 1;                         ///< automatic part, from radiosity to display value
+  bool is_exposure_due = true;                 ///< it shall be found anew
+  bool is_painting_due = false;                ///< the colours are not yet those of what is known
+  std::optional<Legend> legend;                ///< of what is shown now
+  Region region;                               ///< of the picture in the window
+  std::optional<PatchFacts> facts;             ///< of the selected patch
+  std::vector<radiosity::SurfaceFlux> fluxes;  ///< of the light, where surfaces radiate by heat
+  std::vector<EmitterShare> emitter_shares;    ///< of its light, once the light path is known
   bool shows_panels = true;
   bool shows_help = false;
-  bool asks_light_path = false;             ///< for each patch that is selected
-  std::optional<radiosity::Index> hovered;  ///< patch under the mouse
-  std::optional<int> function_key = {};     ///< the last one that was pressed, for scripts
-  int shown_file = 0;                       ///< of Session::Versions
-  Session::Versions facts_versions = {};    ///< at which the facts were found
-  std::optional<std::string> screenshot;    ///< file that the next drawing shall be written to
+  bool asks_light_path = false;                ///< for each patch that is selected
+  std::optional<radiosity::Index> hovered;     ///< patch under the mouse
+  std::optional<int> function_key = {};        ///< the last one that was pressed, for scripts
+  int shown_file = 0;                          ///< of Session::Versions
+  Session::Versions facts_versions = {};       ///< at which the facts were found
+  std::optional<std::string> screenshot;       ///< file that the next drawing shall be written to
+  std::string saving = {};                     ///< file that is being written; "" if none is
+  std::optional<std::string> save_error = {};  ///< why the latest one could not be
   /// Not to be overwritten, beside what is open and what it refers to.
   std::vector<std::filesystem::path> kept_files = {};
+  Worker saver = Worker();  ///< last, so that it ends first
 };
 
 /// Brings the session and what is told of the selected patch up to date; a file that was opened is
@@ -102,6 +96,9 @@ void check_output(const Desk& desk, const std::string& path);
 /// Writes the light as .vtp, .csv or .ply. Throws OutputError, also if there is none, or none yet
 /// that is a result: a preview, say, or one whose errors are not known.
 void save_result(const Desk& desk, const std::string& path);
+/// Begins to do so in the background, which may take seconds; the console tells when it is done, or
+/// why it is not. Throws OutputError if there is nothing to write, or where it must not go.
+void begin_save_result(Desk& desk, const std::string& path);
 /// Writes the scene as the mix has it, and with the camera as it stands, as .json. Throws
 /// OutputError, also if there is none.
 void save_scene(const Desk& desk, const std::string& path);

@@ -43,8 +43,8 @@ Eigen::VectorXd one_band(const Eigen::MatrixXd& values, const radiosity::Bands& 
 }
 
 ShownField banded(std::string what, const std::string& unit, const Eigen::MatrixXd& values,
-                  const Session& session, const Look& look) {
-  const radiosity::Bands& bands = session.model().bands;
+                  const Known& known, const Look& look) {
+  const radiosity::Bands& bands = known.model.bands;
   ShownField field{
       .title = {std::move(what)}, .unit = unit, .values = one_band(values, bands, look.band)};
   if (!unit.empty()) field.title.push_back(unit);
@@ -52,58 +52,57 @@ ShownField banded(std::string what, const std::string& unit, const Eigen::Matrix
   return field;
 }
 
-std::optional<ShownField> quantity_field(const Session& session, const Look& look) {
-  if (session.light() == nullptr) return std::nullopt;
-  if (look.quantity == Quantity::error && !session.light()->has_errors()) return std::nullopt;
-  const QuantityField field = make_field(look.quantity, *session.model().mesh,
-                                         session.light()->solution, session.model().bands);
+std::optional<ShownField> quantity_field(const Known& known, const Look& look) {
+  if (!known.light) return std::nullopt;
+  if (look.quantity == Quantity::error && !known.light->has_errors()) return std::nullopt;
+  const QuantityField field =
+      make_field(look.quantity, *known.model.mesh, known.light->solution, known.model.bands);
   std::string name(field.info.name);
   std::replace(name.begin(), name.end(), '-', ' ');
   if (look.quantity == Quantity::error) name = "error of radiosity (1 σ)";
-  return banded(std::move(name), field.unit, field.values, session, look);
+  return banded(std::move(name), field.unit, field.values, known, look);
 }
 
 /// Irradiance straight from the emitters, or the rest.
-std::optional<ShownField> direct_field(const Session& session, const Look& look) {
-  if (session.light() == nullptr || !session.model().transport) return std::nullopt;
-  const radiosity::Solution& solution = session.light()->solution;
-  const Eigen::MatrixXd direct = session.model().transport->apply(solution.exitance);
-  const std::string unit = radiosity::band_unit("W/m²", session.model().bands);
-  if (look.show == Show::direct) return banded("direct irradiance", unit, direct, session, look);
+std::optional<ShownField> direct_field(const Known& known, const Look& look) {
+  if (!known.light || !known.model.transport) return std::nullopt;
+  const radiosity::Solution& solution = known.light->solution;
+  const Eigen::MatrixXd direct = known.model.transport->apply(solution.exitance);
+  const std::string unit = radiosity::band_unit("W/m²", known.model.bands);
+  if (look.show == Show::direct) return banded("direct irradiance", unit, direct, known, look);
   const Eigen::MatrixXd indirect = (solution.irradiance - direct).cwiseMax(0);
-  return banded("indirect irradiance", unit, indirect, session, look);
+  return banded("indirect irradiance", unit, indirect, known, look);
 }
 
-std::optional<ShownField> row_field(const Session& session) {
-  if (!session.selected() || !session.model().factors) return std::nullopt;
-  const Index patch = *session.selected();
-  return ShownField{.title = {fmt::format("form factor from patch {}", patch)},
-                    .values = session.model().factors->row(patch)};
+std::optional<ShownField> row_field(const Known& known) {
+  if (!known.row) return std::nullopt;
+  return ShownField{.title = {fmt::format("form factor from patch {}", known.row->patch)},
+                    .values = known.row->factors};
 }
 
-std::optional<ShownField> arriving_field(const Session& session, const Look& look) {
-  const Model& model = session.model();
-  if (!session.selected() || !model.factors || session.light() == nullptr) return std::nullopt;
-  const Index patch = *session.selected();
+std::optional<ShownField> arriving_field(const Known& known, const Look& look) {
+  const Model& model = known.model;
+  if (!known.row || !known.light) return std::nullopt;
+  const Index patch = known.row->patch;
   const Eigen::MatrixXd density =
-      arrival_density(*model.mesh, model.factors->row(patch), session.light()->solution.radiosity);
+      arrival_density(*model.mesh, known.row->factors, known.light->solution.radiosity);
   return banded(fmt::format("light sent to patch {}", patch),
-                radiosity::band_unit("W/m² per m²", model.bands), density, session, look);
+                radiosity::band_unit("W/m² per m²", model.bands), density, known, look);
 }
 
-std::optional<ShownField> path_field(const Session& session, const Look& look) {
-  const LightPath* path = session.light_path();
+std::optional<ShownField> path_field(const Known& known, const Look& look) {
+  const LightPath* path = known.light_path.get();
   if (path == nullptr) return std::nullopt;
   // Per area, so that the size of the patches does not show.
-  const Eigen::Map<const Eigen::VectorXd> area(session.model().mesh->area.data(),
-                                               session.model().mesh->size());
+  const Eigen::Map<const Eigen::VectorXd> area(known.model.mesh->area.data(),
+                                               known.model.mesh->size());
   const Eigen::MatrixXd density = area.cwiseInverse().asDiagonal() * path->importance;
   return banded(fmt::format("importance for patch {}", path->patch), "B there per W emitted, 1/m²",
-                density, session, look);
+                density, known, look);
 }
 
-const IterationFrame* watched_frame(const Session& session, const Look& look) {
-  const IterationRecord* record = session.iteration();
+const IterationFrame* watched_frame(const Known& known, const Look& look) {
+  const IterationRecord* record = known.iteration.get();
   if (record == nullptr || record->frames.empty()) return nullptr;
   return record->frames[std::min(look.step, record->frames.size() - 1)].get();
 }
@@ -164,45 +163,45 @@ bool is_wide(Show show) {
   return show == Show::form_factors || show == Show::arriving || show == Show::light_path;
 }
 
-std::optional<ShownField> shown_field(const Session& session, const Look& look) {
-  if (!session.is_open()) return std::nullopt;
+std::optional<ShownField> shown_field(const Known& known, const Look& look) {
+  if (!known.model.mesh) return std::nullopt;
   switch (look.show) {
     case Show::true_color:
     case Show::watched:
       return std::nullopt;
     case Show::quantity:
-      return quantity_field(session, look);
+      return quantity_field(known, look);
     case Show::area:
       return ShownField{.title = {"area", "m²"},
                         .unit = "m²",
-                        .values = Eigen::Map<const Eigen::VectorXd>(
-                            session.model().mesh->area.data(), session.model().mesh->size())};
+                        .values = Eigen::Map<const Eigen::VectorXd>(known.model.mesh->area.data(),
+                                                                    known.model.mesh->size())};
     case Show::direct:
     case Show::indirect:
-      return direct_field(session, look);
+      return direct_field(known, look);
     case Show::form_factors:
-      return row_field(session);
+      return row_field(known);
     case Show::arriving:
-      return arriving_field(session, look);
+      return arriving_field(known, look);
     case Show::light_path:
-      return path_field(session, look);
+      return path_field(known, look);
     case Show::unshot: {
-      const IterationFrame* frame = watched_frame(session, look);
+      const IterationFrame* frame = watched_frame(known, look);
       if (frame == nullptr) return std::nullopt;
-      return banded("unshot radiosity", radiosity::band_unit("W/m²", session.model().bands),
-                    frame->unshot.cast<double>(), session, look);
+      return banded("unshot radiosity", radiosity::band_unit("W/m²", known.model.bands),
+                    frame->unshot.cast<double>(), known, look);
     }
   }
   return std::nullopt;
 }
 
-std::optional<Eigen::MatrixXd> shown_radiosity(const Session& session, const Look& look) {
+std::optional<Eigen::MatrixXd> shown_radiosity(const Known& known, const Look& look) {
   if (look.show == Show::watched) {
-    const IterationFrame* frame = watched_frame(session, look);
+    const IterationFrame* frame = watched_frame(known, look);
     if (frame != nullptr) return frame->radiosity.cast<double>();
   }
-  if (session.light() == nullptr) return std::nullopt;
-  return session.light()->solution.radiosity;
+  if (!known.light) return std::nullopt;
+  return known.light->solution.radiosity;
 }
 
 std::string band_title(const radiosity::Bands& bands, std::optional<Index> band) {

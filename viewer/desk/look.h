@@ -11,6 +11,7 @@
 #include "radiosity/base/geometry.h"
 #include "radiosity/scene/scene.h"
 #include "radiosity/solve/quantity.h"
+#include "viewer/work/known.h"
 #include "viewer/work/session.h"
 
 namespace viewer {
@@ -71,10 +72,10 @@ struct ShownField {
 };
 
 /// The values in false colour; empty if true colour is shown or nothing is known (yet).
-std::optional<ShownField> shown_field(const Session& session, const Look& look);
+std::optional<ShownField> shown_field(const Known& known, const Look& look);
 
 /// Radiosity that is shown in true colour, n x b; empty if there is none (yet).
-std::optional<Eigen::MatrixXd> shown_radiosity(const Session& session, const Look& look);
+std::optional<Eigen::MatrixXd> shown_radiosity(const Known& known, const Look& look);
 
 /// "mean of 3 bands", "red", "550 nm".
 std::string band_title(const radiosity::Bands& bands, std::optional<radiosity::Index> band);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "radiosity/solve/quantity.h"
 #include "radiosity/solve/solution.h"
@@ -15,23 +14,8 @@ namespace {
 
 using radiosity::Index;
 
-constexpr std::size_t kMostPartners = 10;
 constexpr Index kMostNumbers = 4;
 constexpr int kDigitsOfMany = 3;  // so that they fit into a line
-
-std::vector<Partner> largest(const Eigen::VectorXd& row, const Eigen::VectorXd& error) {
-  std::vector<Index> order(static_cast<std::size_t>(row.size()));
-  std::iota(order.begin(), order.end(), Index{0});
-  const std::size_t n = std::min(kMostPartners, order.size());
-  const auto middle = order.begin() + static_cast<std::ptrdiff_t>(n);
-  std::partial_sort(order.begin(), middle, order.end(),
-                    [&](Index a, Index b) { return row[a] != row[b] ? row[a] > row[b] : a < b; });
-  std::vector<Partner> partners;
-  for (std::size_t k = 0; k < n && row[order[k]] > 0; ++k) {
-    partners.push_back({order[k], row[order[k]], error[order[k]]});
-  }
-  return partners;
-}
 
 /// By how much the mix makes a surface emit more than in the file.
 double factor_of(const Session& session, std::int32_t surface) {
@@ -79,11 +63,11 @@ PatchFacts patch_facts(const Session& session) {
   facts.centroid = model.mesh->centroid[i];
   facts.normal = model.mesh->normal[i];
   if (session.light() != nullptr) add_light(facts, session);
-  if (!model.factors) return facts;
-  const Eigen::VectorXd row = model.factors->row(facts.patch);
+  if (session.row() == nullptr) return facts;
+  const Eigen::VectorXd& row = session.row()->factors;
   facts.has_factors = true;
-  facts.partners = largest(row, model.factors->row_error(facts.patch));
-  facts.row_sum = row.sum();
+  facts.partners = session.row()->partners;
+  facts.row_sum = session.row()->sum;
   if (!facts.has_light) return facts;
   const radiosity::Solution& solution = session.light()->solution;
   facts.direct = solution.exitance.transpose() * row;

@@ -11,13 +11,6 @@
 
 namespace viewer {
 
-/// Another patch as the selected one sees it.
-struct Partner {
-  radiosity::Index patch = -1;
-  double factor = 0;  ///< F from the selected patch
-  double error = 0;   ///< one standard error of it
-};
-
 /// What is known of one patch. Radiometric values have one entry per band, W/m².
 struct PatchFacts {
   radiosity::Index patch = -1;
@@ -39,7 +32,7 @@ struct PatchFacts {
   double luminance = 0;    ///< cd/m²
   std::optional<double> temperature = {};  ///< K, of what radiates by it
 
-  bool has_factors = false;
+  bool has_factors = false;       ///< its row is there
   std::vector<Partner> partners;  ///< the ten largest form factors, the largest first
   std::vector<Arrival> arrivals;  ///< by surface; empty without light
   double row_sum = 0;  ///< Σ_j F_ij; what is missing to 1 leaves the scene or meets backs

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "io/picture/color_bar.h"
 #include "radiosity/scene/patch_mesh.h"
@@ -84,6 +85,7 @@ void draw_text(ImDrawList& list, ImVec2 place, ImU32 color, const std::string& t
 void draw_partners(const Desk& desk, ImDrawList& list, float scale) {
   if (!desk.facts) return;
   const std::vector<Partner>& partners = desk.facts->partners;
+  std::vector<ImVec2> ranks;  // where they stand
   for (std::size_t k = 0; k < partners.size(); ++k) {
     if (!is_seen(desk, partners[k].patch)) continue;
     outline(desk, list, partners[k].patch, kPartner, 1.2F * scale);
@@ -91,6 +93,12 @@ void draw_partners(const Desk& desk, ImDrawList& list, float scale) {
     if (!center) continue;
     const std::string rank = std::to_string(k + 1);
     const ImVec2 size = ImGui::CalcTextSize(rank.c_str());
+    // Of small patches side by side, numbers would lie over each other.
+    const bool is_free = std::none_of(ranks.begin(), ranks.end(), [&](const ImVec2& other) {
+      return std::abs(other.x - center->x) < 2 * size.x && std::abs(other.y - center->y) < size.y;
+    });
+    if (!is_free) continue;
+    ranks.push_back(*center);
     draw_text(list, ImVec2(center->x - size.x / 2, center->y - size.y / 2), kPartner, rank);
   }
 }
@@ -187,8 +195,14 @@ Standing shown_standing(const Desk& desk) {
 
 /// The same in the picture's corner.
 void draw_badge(const Desk& desk, ImDrawList& list, float scale) {
-  const Standing now = shown_standing(desk);
+  Standing now = shown_standing(desk);
   if (now.text.empty()) return;
+  // A preview that is being shot always gets better.
+  const bool is_shot = now.is_rough && !desk.session.light()->factor_error;
+  if (desk.is_painting_due && !is_shot) {
+    now.text += " (being painted)";
+    now.is_result = false;
+  }
   const ImVec2 place(static_cast<float>(desk.region.left) + 12 * scale,
                      static_cast<float>(desk.region.top) + 10 * scale);
   const float width = static_cast<float>(desk.region.width) - 24 * scale;
@@ -219,6 +233,9 @@ std::string missing_text(const Desk& desk) {
       return session.is_settled() ? "Form factors are not known" : "Waits for the form factors ...";
     }
     if (!session.selected()) return "Click a patch";
+    if (show != Show::light_path && session.row() == nullptr) {
+      return "Evaluating the form factors of this patch ...";
+    }
     if (show == Show::light_path) return "Working out where the light comes from ...";
   }
   return session.is_settled() ? "No light is known" : "Waits for the light ...";

@@ -4,9 +4,10 @@
 #include <optional>
 
 #include "radiosity/scene/patch_mesh.h"
-#include "radiosity/scene/scene.h"
 #include "viewer/desk/desk.h"
 #include "viewer/desk/patch_points.h"
+#include "viewer/draw/large_painter.h"
+#include "viewer/draw/painted_state.h"
 #include "viewer/draw/scene_view.h"
 
 namespace viewer {
@@ -15,28 +16,30 @@ namespace viewer {
 class Painter {
  public:
   /// Brings `view` up to date, and the desk's legend and automatic exposure; cheap if nothing has
-  /// changed.
+  /// changed. Of very many patches, as LargePainter does.
   void paint(Desk& desk, SceneView& view);
+  /// Takes in what the background has painted. Whether there was something.
+  bool update() { return large_.update(); }
+  /// Whether something is being painted.
+  [[nodiscard]] bool is_busy() const { return large_.is_busy(); }
+  /// Whether all is painted as the desk has it now.
+  [[nodiscard]] bool is_done(const Desk& desk) const;
+  /// Whether smooth edges of what VTK draws are of use: few patches, not what stands for many.
+  [[nodiscard]] bool is_exact() const { return points_ != nullptr; }
+  /// A picture to be drawn over the scene, or null.
+  [[nodiscard]] const std::shared_ptr<const io::RgbPicture>& still() const {
+    return large_.still();
+  }
 
  private:
   void take_patches(Desk& desk, SceneView& view);
   void paint_colors(Desk& desk, SceneView& view);
-  void paint_light(Desk& desk, SceneView& view, const Eigen::MatrixXd& radiosity);
-  void paint_field(Desk& desk, SceneView& view, const ShownField& field);
-  void paint_unlit(const Desk& desk, SceneView& view);
 
   std::shared_ptr<const radiosity::PatchMesh> mesh_;
   std::unique_ptr<PatchPoints> points_;
-  Session::Versions painted_;
-  Look look_;
+  std::optional<PaintedState> painted_;
   bool was_spreading_ = false;  // the light that was painted last was a preview
-  bool has_painted_ = false;
+  LargePainter large_;
 };
-
-/// Linear sRGB of patches' values in any bands, n x 3.
-Eigen::MatrixX3f display_colors(const Eigen::MatrixXd& values, const radiosity::Bands& bands);
-/// Linear sRGB in [0, 1] of surfaces of that reflectance (n x b) in a light in which one that
-/// reflects all is white, n x 3.
-Eigen::MatrixX3f surface_colors(const Eigen::MatrixXd& reflectance, const radiosity::Bands& bands);
 
 }  // namespace viewer

@@ -19,6 +19,7 @@
 #include <utility>
 
 #include "io/picture/color_map.h"
+#include "viewer/desk/ray_picture.h"
 
 namespace viewer {
 namespace {
@@ -28,10 +29,11 @@ using radiosity::PatchMesh;
 using radiosity::Vec3;
 
 constexpr int kMapColors = 256;
-constexpr std::array<double, 3> kBackground = {0.13, 0.14, 0.16};
-constexpr std::array<double, 3> kUnknown = {0.45, 0.45, 0.45};
-constexpr std::array<double, 3> kBacks = {0.3, 0.31, 0.33};
-constexpr std::array<double, 3> kEdges = {0.05, 0.05, 0.05};
+
+/// 8-bit sRGB as VTK takes it.
+std::array<double, 3> shares(const io::Rgb& color) {
+  return {color[0] / 255.0, color[1] / 255.0, color[2] / 255.0};
+}
 
 void fill_color_map(vtkLookupTable& table) {
   table.SetNumberOfTableValues(kMapColors);
@@ -41,7 +43,8 @@ void fill_color_map(vtkLookupTable& table) {
     table.SetTableValue(k, color[0] / 255.0, color[1] / 255.0, color[2] / 255.0, 1);
   }
   table.SetUseBelowRangeColor(1);
-  table.SetBelowRangeColor(kUnknown[0], kUnknown[1], kUnknown[2], 1);
+  const std::array<double, 3> unknown = shares(kUnknownColor);
+  table.SetBelowRangeColor(unknown[0], unknown[1], unknown[2], 1);
 }
 
 /// Relative to `origin`, since a graphics card has single precision.
@@ -69,8 +72,8 @@ struct SceneView::Parts {
   vtkNew<vtkPolyDataMapper> edge_mapper;
   vtkNew<vtkActor> edge_actor;
   vtkNew<vtkLookupTable> color_map;
-  std::shared_ptr<const PatchMesh> mesh;
-  Vec3 origin = Vec3::Zero();  // of VTK's coordinates, m
+  std::shared_ptr<const PatchMesh> mesh;  // whose edges may be shown, or none
+  Vec3 origin = Vec3::Zero();             // of VTK's coordinates, m
   radiosity::Camera camera;
   Region region;
   int window_width = 0;
@@ -80,7 +83,7 @@ struct SceneView::Parts {
 
 SceneView::SceneView() : parts_(std::make_unique<Parts>()) {
   Parts& parts = *parts_;
-  parts.renderer->SetBackground(kBackground.data());
+  parts.renderer->SetBackground(shares(kBackgroundColor).data());
   parts.patch_mapper->SetInputData(parts.patches);
   parts.patch_actor->SetMapper(parts.patch_mapper);
   parts.patch_actor->GetProperty()->LightingOff();
@@ -89,7 +92,7 @@ SceneView::SceneView() : parts_(std::make_unique<Parts>()) {
   parts.back_mapper->ScalarVisibilityOff();
   parts.back_actor->SetMapper(parts.back_mapper);
   parts.back_actor->GetProperty()->LightingOff();
-  parts.back_actor->GetProperty()->SetColor(kBacks[0], kBacks[1], kBacks[2]);
+  parts.back_actor->GetProperty()->SetColor(shares(kBackColor).data());
   parts.back_actor->GetProperty()->FrontfaceCullingOn();
   parts.back_actor->VisibilityOff();
   fill_color_map(*parts.color_map);
@@ -97,7 +100,7 @@ SceneView::SceneView() : parts_(std::make_unique<Parts>()) {
   parts.edge_mapper->ScalarVisibilityOff();
   parts.edge_actor->SetMapper(parts.edge_mapper);
   parts.edge_actor->GetProperty()->LightingOff();
-  parts.edge_actor->GetProperty()->SetColor(kEdges[0], kEdges[1], kEdges[2]);
+  parts.edge_actor->GetProperty()->SetColor(shares(kEdgeColor).data());
   parts.edge_actor->VisibilityOff();
   vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
   parts.patch_mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(1, 1);
@@ -111,31 +114,29 @@ SceneView::~SceneView() = default;
 
 vtkRenderer& SceneView::renderer() { return *parts_->renderer; }
 
-void SceneView::set_patches(std::shared_ptr<const PatchMesh> mesh, const PatchPoints& points) {
+void SceneView::set_triangles(const Triangles& triangles, std::shared_ptr<const PatchMesh> edges) {
   Parts& parts = *parts_;
-  parts.mesh = std::move(mesh);
-  parts.origin = radiosity::bounds(*parts.mesh).center();
+  parts.mesh = std::move(edges);
+  radiosity::Box3 box;
+  for (const Vec3& position : triangles.positions) box.extend(position);
+  parts.origin = box.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(box.center());
   parts.edges->Initialize();
-  vtkNew<vtkCellArray> triangles;
+  vtkNew<vtkCellArray> fronts;
   vtkNew<vtkCellArray> backs;
-  triangles->AllocateEstimate(static_cast<vtkIdType>(points.triangles().size()), 3);
-  std::size_t next = 0;
-  for (Index i = 0; i < parts.mesh->size(); ++i) {
-    const int n_triangles = parts.mesh->n_corners(i) == 3 ? 1 : 4;  // as PatchPoints cuts them
-    for (int k = 0; k < n_triangles; ++k) {
-      const auto& triangle = points.triangles()[next++];
-      const std::array<vtkIdType, 3> ids = {triangle[0], triangle[1], triangle[2]};
-      triangles->InsertNextCell(3, ids.data());
-      if (parts.mesh->twin[i] < 0) backs->InsertNextCell(3, ids.data());
-    }
+  fronts->AllocateEstimate(static_cast<vtkIdType>(triangles.triangles.size()), 3);
+  for (std::size_t t = 0; t < triangles.triangles.size(); ++t) {
+    const auto& triangle = triangles.triangles[t];
+    const std::array<vtkIdType, 3> ids = {triangle[0], triangle[1], triangle[2]};
+    fronts->InsertNextCell(3, ids.data());
+    if (triangles.has_back[t] != 0) backs->InsertNextCell(3, ids.data());
   }
   parts.patches->Initialize();
-  parts.patches->SetPoints(make_points(points.positions(), parts.origin));
-  parts.patches->SetPolys(triangles);
+  parts.patches->SetPoints(make_points(triangles.positions, parts.origin));
+  parts.patches->SetPolys(fronts);
   parts.backs->Initialize();
   parts.backs->SetPoints(parts.patches->GetPoints());
   parts.backs->SetPolys(backs);
-  set_map_positions(std::vector<float>(points.positions().size(), -1.F));
+  set_map_positions(std::vector<float>(triangles.positions.size(), -1.F));
   parts.are_edges_stale = true;
   update_edges();
 }
@@ -222,7 +223,7 @@ void SceneView::update_edges() {
   view.SetFocalPoint(target.data());
   view.SetViewUp(parts.camera.up.data());
   view.SetViewAngle(parts.camera.vertical_fov * 180 / radiosity::kPi);
-  if (parts.mesh) {
+  if (parts.patches->GetNumberOfPoints() > 0) {
     std::array<double, 6> bounds{};
     parts.patches->GetBounds(bounds.data());
     parts.renderer->ResetCameraClippingRange(bounds.data());

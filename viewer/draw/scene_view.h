@@ -1,19 +1,28 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "io/picture/rgb_picture.h"
+#include "radiosity/base/geometry.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/scene.h"
-#include "viewer/desk/patch_points.h"
 #include "viewer/desk/region.h"
 
 class vtkRenderer;
 
 namespace viewer {
+
+/// Triangles to be drawn, counter-clockwise seen from the front.
+struct Triangles {
+  std::span<const radiosity::Vec3> positions = {};              ///< of the points, m
+  std::span<const std::array<std::int32_t, 3>> triangles = {};  ///< their points
+  std::span<const std::uint8_t> has_back = {};  ///< per triangle: whether its back may be shown
+};
 
 /// The patches as VTK draws them. Notes itself whether a new drawing would differ from the last.
 class SceneView {
@@ -23,9 +32,9 @@ class SceneView {
   SceneView(const SceneView&) = delete;
   SceneView& operator=(const SceneView&) = delete;
 
-  /// Draws these patches from now on, grey until they get colours.
-  void set_patches(std::shared_ptr<const radiosity::PatchMesh> mesh, const PatchPoints& points);
-  /// 8-bit sRGB per point of the patches.
+  /// Draws these from now on, grey until they get colours; `edges`, if any, are those of a mesh.
+  void set_triangles(const Triangles& triangles, std::shared_ptr<const radiosity::PatchMesh> edges);
+  /// 8-bit sRGB per point.
   void set_colors(const std::vector<io::Rgb>& colors);
   /// Positions on the colour map, in [0, 1], per point; negative: nothing is known, grey.
   void set_map_positions(std::span<const float> positions);

@@ -98,7 +98,8 @@ void draw_factors(Desk& desk, const PatchFacts& facts) {
     show(desk, is_shown ? "form-factors" : first_quantity(desk.domain));
   }
   if (!facts.has_factors) {
-    ImGui::TextDisabled("%s", desk.session.is_settled() ? "not known" : "not known yet");
+    const bool is_found = desk.session.is_settled() && !desk.session.model().factors;
+    ImGui::TextDisabled("%s", is_found ? "not known" : "not known yet");
     return;
   }
   ImGui::Text("row sum %.6f   unseen rest %.2g", facts.row_sum, 1 - facts.row_sum);

@@ -131,7 +131,7 @@ void Input::fly(Desk& desk, std::span<const KeyPress> keys) {
   const double right = direction(GLFW_KEY_D, GLFW_KEY_A);
   const double up = direction(GLFW_KEY_E, GLFW_KEY_Q);
   if (forward == 0 && right == 0 && up == 0) return;
-  const double size = radiosity::bounds(*desk.session.model().mesh).diagonal().norm();
+  const double size = desk.session.model().bounds.diagonal().norm();
   const double step = kWalk * size * io.DeltaTime * (io.KeyShift ? kFast : 1);
   desk.camera.fly(step * forward, step * right, step * up);
 }

@@ -69,13 +69,13 @@ bool SaveDialog::save(Desk& desk) {
       return false;
     }
     if (kind_ == Kind::picture) desk.screenshot = path_;
-    if (kind_ == Kind::result) save_result(desk, path_);
+    if (kind_ == Kind::result) begin_save_result(desk, path_);
     if (kind_ == Kind::scene) save_scene(desk, path_);
   } catch (const std::exception& error) {
     error_ = error.what();
     return false;
   }
-  if (kind_ != Kind::picture) desk.session.tell("saved " + path_);
+  if (kind_ == Kind::scene) desk.session.tell("saved " + path_);
   return true;
 }
 

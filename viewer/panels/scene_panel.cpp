@@ -5,7 +5,6 @@
 #include <string>
 
 #include "radiosity/scene/patch_mesh.h"
-#include "radiosity/solve/surface_flux.h"
 #include "viewer/panels/inks.h"
 #include "viewer/panels/panels.h"
 
@@ -18,7 +17,7 @@ constexpr double kSmallest = 0.02;  // m
 constexpr double kLargest = 500;
 
 void draw_size(const Desk& desk) {
-  const radiosity::Vec3 size = radiosity::bounds(*desk.session.model().mesh).sizes();
+  const radiosity::Vec3 size = desk.session.model().bounds.sizes();
   const std::string text = fmt::format("{:.4g} × {:.4g} × {:.4g} m", size.x(), size.y(), size.z());
   const bool is_odd = size.maxCoeff() > kLargest || size.maxCoeff() < kSmallest;
   if (is_odd && desk.session.model().scene) {
@@ -65,7 +64,7 @@ void draw_heat_panel(const Desk& desk) {
   if (!ImGui::CollapsingHeader("Net heat by surface", ImGuiTreeNodeFlags_DefaultOpen)) return;
   const Light* light = desk.session.light();
   if (light == nullptr || !ImGui::BeginTable("heat", 2, ImGuiTableFlags_RowBg)) return;
-  for (const auto& flux : radiosity::surface_fluxes(*desk.session.model().mesh, light->solution)) {
+  for (const auto& flux : desk.fluxes) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(flux.surface.c_str());

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "io/picture/tone_mapping.h"
-#include "viewer/draw/painter.h"
+#include "viewer/desk/painting.h"
 #include "viewer/panels/panels.h"
 
 namespace viewer {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "io/base/atomic_file.h"
+#include "radiosity/base/error.h"
 #include "viewer/script/state_report.h"
 
 namespace viewer {
@@ -197,7 +198,7 @@ void set_camera(Stage& stage, ScriptArguments& arguments) {
                                1e-6 * camera.direction.norm() * camera.up.norm() &&
                            camera.vertical_fov > 0 && camera.vertical_fov < radiosity::kPi;
   if (!is_possible) throw std::invalid_argument("nothing can be seen in that direction");
-  stage.desk.camera = CameraControl(camera, radiosity::bounds(*stage.desk.session.model().mesh));
+  stage.desk.camera = CameraControl(camera, stage.desk.session.model().bounds);
 }
 
 void record_iteration(Stage& stage, ScriptArguments& arguments) {
@@ -233,6 +234,15 @@ void write_report(Stage& stage, ScriptArguments& arguments) {
   check_output(stage.desk, file);
   io::write_stream_atomically(file,
                               [&](std::ofstream& stream) { stream << report.dump(1) << '\n'; });
+}
+
+/// Waits until the result is written.
+bool save(Stage& stage, ScriptArguments& arguments) {
+  const std::string file = arguments.text("file");
+  if (stage.is_first) begin_save_result(stage.desk, file);
+  if (!stage.desk.saving.empty()) return false;
+  if (stage.desk.save_error) throw radiosity::OutputError(*stage.desk.save_error);
+  return true;
 }
 
 /// Waits until the picture has been drawn and written.
@@ -300,9 +310,7 @@ const std::map<std::string, ActionKind>& action_kinds() {
       {"record-iteration", {"method", at_once(record_iteration)}},
       {"set-step", {"step", at_once(set_step)}},
       {"screenshot", {"file", screenshot}},
-      {"save-result", {"file", at_once([](Stage& stage, ScriptArguments& arguments) {
-                         save_result(stage.desk, arguments.text("file"));
-                       })}},
+      {"save-result", {"file", save}},
       {"save-scene", {"file", at_once([](Stage& stage, ScriptArguments& arguments) {
                         save_scene(stage.desk, arguments.text("file"));
                       })}},

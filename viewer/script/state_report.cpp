@@ -55,6 +55,7 @@ json light_json(const Session& session) {
       {"standing", now.text},
       {"is_result", now.is_result},
       {"relative_error", light->relative_error ? number(*light->relative_error) : json(nullptr)},
+      {"factor_error", light->factor_error ? number(*light->factor_error) : json(nullptr)},
       {"residual", number(solution.residual)},
       {"iterations", solution.iterations},
       {"unshot_share", number(session.unshot_share())},
@@ -144,7 +145,7 @@ json look_json(const Desk& desk) {
 
 json size_json(const Session& session) {
   if (!session.is_open()) return nullptr;
-  return list(radiosity::Vec3(radiosity::bounds(*session.model().mesh).sizes()));
+  return list(radiosity::Vec3(session.model().bounds.sizes()));
 }
 
 json camera_json(const Desk& desk) {

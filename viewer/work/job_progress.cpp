@@ -9,8 +9,10 @@ namespace viewer {
 namespace {
 
 constexpr std::string_view kFormFactors = "form factors";
+constexpr std::string_view kRoughFactors = "rough form factors";
 // What a stage takes of the time that is left, as a guess. Form factors take most of it.
 constexpr double kFormFactorShare = 0.8;
+constexpr double kRoughShare = 0.15;
 constexpr double kOtherShare = 0.4;
 constexpr double kRoundFormFactorShare = 0.12;  // as there may be ten rounds
 constexpr double kRoundOtherShare = 0.04;
@@ -20,6 +22,7 @@ constexpr double kLeastDone = 0.02;  // likewise
 /// In the words of a person who does not know the program's stages.
 std::string stage_name(const std::string& stage) {
   if (stage == "solve") return "light";
+  if (stage == kRoughFactors) return "form factors, roughly at first";
   if (stage == "errors") return "errors from the form factors";
   if (stage == "patch size") return "errors from the patches' size";
   return stage.empty() ? "getting ready" : stage;
@@ -47,8 +50,11 @@ void JobProgress::update(const WorkStatus& status, double now) {
   is_busy_ = true;
   done_ = std::max(done_, done);
   const bool is_long = stage_ == kFormFactors;
+  const bool is_rough = stage_ == kRoughFactors;
   const double share = has_rounds_ ? (is_long ? kRoundFormFactorShare : kRoundOtherShare)
-                                   : (is_long ? kFormFactorShare : kOtherShare);
+                       : is_long   ? kFormFactorShare
+                       : is_rough  ? kRoughShare
+                                   : kOtherShare;
   fraction_ = std::max(fraction_, done_before_ + (1 - done_before_) * share * done_);
 }
 

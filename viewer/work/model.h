@@ -25,12 +25,14 @@ struct Model {
   std::shared_ptr<const radiosity::Visibility> visibility;
   std::shared_ptr<const radiosity::Transport> transport;
   std::shared_ptr<const radiosity::FactorRows> factors;  ///< the transport's, or a file's
+  bool has_quick_rows = true;                            ///< of which none takes a product
+  radiosity::Box3 bounds;                                ///< of the patches, m
 };
 
 /// Light on the patches of a model.
 struct Light {
   enum class Kind {
-    preview,   ///< rough, from progressive shooting
+    preview,   ///< rough, from progressive shooting or by rough form factors
     quick,     ///< of a mix, to the accuracy that a picture needs
     solved,    ///< to the iteration's tolerance; errors not known yet
     complete,  ///< with `radiosity_error`
@@ -39,6 +41,9 @@ struct Light {
   Kind kind = Kind::preview;
   radiosity::Solution solution;
   std::optional<double> relative_error = {};  ///< `viewer::relative_error`, if it has errors
+  /// Of a preview that was solved by rough form factors: what these are off by
+  /// (CompressionReport::verified_error).
+  std::optional<double> factor_error = {};
 
   [[nodiscard]] bool is_solved() const { return kind != Kind::preview && kind != Kind::quick; }
   [[nodiscard]] bool has_errors() const { return kind == Kind::complete || kind == Kind::stored; }

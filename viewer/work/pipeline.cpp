@@ -20,6 +20,7 @@
 #include "radiosity/visibility/visibility.h"
 #include "study/study.h"
 #include "study/warnings.h"
+#include "viewer/work/relative_error.h"
 
 namespace viewer {
 namespace {
@@ -38,6 +39,7 @@ constexpr std::size_t kShownBytes = 2000;
 
 Model with_patches(Model model, study::Patches patches) {
   model.mesh = std::make_shared<PatchMesh>(std::move(patches.mesh));
+  model.bounds = radiosity::bounds(*model.mesh);
   model.visibility = std::make_shared<radiosity::Visibility>(std::move(patches.visibility));
   return model;
 }
@@ -98,13 +100,15 @@ OpenedFile open_result(const std::string& path) {
     model.mesh = std::make_shared<PatchMesh>(std::move(result.mesh));
     model.bands = result.bands;
     model.camera = result.camera;
-    file.light = std::move(result.solution);
+    file.light = Light{Light::Kind::stored, std::move(result.solution)};
+    file.light->relative_error = relative_error(*model.mesh, file.light->solution);
   } else if (io::is_compressed_operator(path)) {
     io::StoredOperator stored = io::read_operator(path);
     model.mesh = std::make_shared<PatchMesh>(std::move(stored.mesh));
     model.bands.kind = radiosity::Bands::Kind::grey;
     const std::shared_ptr<const Transport> transport = std::move(stored.transport);
     model.factors = {transport, transport->rows()};
+    model.has_quick_rows = transport->has_quick_rows();
   } else {
     auto reader = std::make_shared<io::FormFactorReader>(path);
     file.warnings = reader->warnings();
@@ -112,6 +116,7 @@ OpenedFile open_result(const std::string& path) {
     model.bands.kind = radiosity::Bands::Kind::grey;
     model.factors = reader;
   }
+  model.bounds = radiosity::bounds(*model.mesh);
   model.visibility = std::make_shared<radiosity::Visibility>(*model.mesh);
   return file;
 }
@@ -148,15 +153,29 @@ OpenedFile open_scene(const std::string& path, std::shared_ptr<const Scene> scen
 }
 
 Model with_form_factors(Model model, const study::StudyOptions& options,
-                        const std::function<void(const std::string&)>& warned,
-                        const Progress& progress) {
+                        const FormFactorEvents& events, const Progress& progress) {
+  const study::StudyEvents studying = {
+      .warned = events.warned,
+      .rough = [&](std::unique_ptr<Transport> transport) { events.rough(std::move(transport)); },
+      .progress = progress};
   study::FormFactors factors =
-      study::make_form_factors(*model.scene, *model.mesh, *model.visibility, options,
-                               {.warned = warned, .progress = progress});
+      study::make_form_factors(*model.scene, *model.mesh, *model.visibility, options, studying);
   if (factors.refined) model = with_patches(std::move(model), *std::move(factors.refined));
   model.transport = std::move(factors.transport);
   model.factors = {model.transport, model.transport->rows()};
+  model.has_quick_rows = model.transport->has_quick_rows();
   return model;
+}
+
+Light rough_light(const Model& model, const Transport& rough, const LightMix& mix,
+                  const Eigen::MatrixXd& irradiance, const Progress& progress) {
+  const Scene scene = with_reflectance(*model.scene, mix);
+  radiosity::SolveOptions options = solve_options(kQuickTolerance, progress);
+  options.start = irradiance;
+  return {.kind = Light::Kind::preview,
+          .solution = solve(rough, mix_exitance(scene, *model.mesh, mix),
+                            radiosity::reflectance(scene, *model.mesh), options),
+          .factor_error = rough.report().compression.value().verified_error};
 }
 
 void solve_light(const Model& model, const LightMix& mix, const LightStart& start,
@@ -166,6 +185,11 @@ void solve_light(const Model& model, const LightMix& mix, const LightStart& star
   const Eigen::MatrixXd emitted = mix_exitance(scene, *model.mesh, mix);
   radiosity::SolveOptions options = solve_options(kQuickTolerance, progress);
   options.start = start.irradiance;
+  if (start.separated) {
+    Solution sum = superpose(*start.separated, mix);
+    options.start = sum.irradiance;
+    events.lit({Light::Kind::solved, std::move(sum)});
+  }
   if (start.is_quick_wanted) {
     Solution quick = solve(*model.transport, emitted, reflectance, options);
     options.start = quick.irradiance;
@@ -183,8 +207,10 @@ void solve_light(const Model& model, const LightMix& mix, const LightStart& star
   Solution complete = solve(*model.transport, emitted, reflectance, options);
   const auto discretisation =
       radiosity::discretisation_error(*model.mesh, *model.transport, complete, progress);
-  events.lit({Light::Kind::complete,
-              radiosity::with_discretisation_error(std::move(complete), discretisation)});
+  Light light{Light::Kind::complete,
+              radiosity::with_discretisation_error(std::move(complete), discretisation)};
+  light.relative_error = relative_error(*model.mesh, light.solution);
+  events.lit(std::move(light));
 }
 
 }  // namespace viewer

@@ -18,8 +18,8 @@ namespace viewer {
 
 /// A file that could be opened: nothing of it is missing but what takes long to compute.
 struct OpenedFile {
-  Model model;                                    ///< with its patches
-  std::optional<radiosity::Solution> light = {};  ///< of a result file
+  Model model;                      ///< with its patches
+  std::optional<Light> light = {};  ///< of a result file
   std::vector<std::string> warnings = {};
   /// Why the scene cannot be solved, if so: too much for memory. Its patches are its polygons then.
   std::optional<std::string> refusal = {};
@@ -40,11 +40,22 @@ radiosity::Scene read_whole_scene(const std::string& path, const io::ReadOptions
 OpenedFile open_scene(const std::string& path, std::shared_ptr<const radiosity::Scene> scene,
                       const study::StudyOptions& options, const radiosity::Progress& progress);
 
+/// What making form factors tells on its way.
+struct FormFactorEvents {
+  std::function<void(const std::string&)> warned;
+  /// Rougher ones, of the same patches, to go on with until they are made.
+  std::function<void(std::shared_ptr<const radiosity::Transport>)> rough;
+};
+
 /// The model of a scene with its form factors, of refined patches perhaps. Throws MeshError,
 /// SolveError, Interrupted.
 Model with_form_factors(Model model, const study::StudyOptions& options,
-                        const std::function<void(const std::string&)>& warned,
-                        const radiosity::Progress& progress);
+                        const FormFactorEvents& events, const radiosity::Progress& progress);
+
+/// The mix's light by rough form factors, which must have a CompressionReport: a preview, to the
+/// accuracy that a picture needs. `irradiance` as in LightStart. Throws Interrupted.
+Light rough_light(const Model& model, const radiosity::Transport& rough, const LightMix& mix,
+                  const Eigen::MatrixXd& irradiance, const radiosity::Progress& progress);
 
 /// What solving a mix tells on its way.
 struct LightEvents {
@@ -59,6 +70,8 @@ struct LightStart {
   double tolerance = 1e-8;           ///< of the iteration
   bool is_quick_wanted = false;      ///< first to the accuracy of a picture
   bool is_separation_wanted = true;  ///< find each emitter's light, too
+  /// Each emitter's light, whose sum shall be told first; or null.
+  std::shared_ptr<const EmitterLights> separated = {};
 };
 
 /// Solves the model for a mix: the light, each emitter's light, then the errors. Throws SolveError,

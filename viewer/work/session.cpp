@@ -7,13 +7,11 @@
 #include <utility>
 
 #include "radiosity/scene/radiometry.h"
-#include "radiosity/solve/importance.h"
 #include "radiosity/solve/solution.h"
 #include "radiosity/solve/solve.h"
 #include "radiosity/solve/surface_flux.h"
 #include "viewer/work/pipeline.h"
 #include "viewer/work/preview.h"
-#include "viewer/work/relative_error.h"
 
 namespace viewer {
 namespace {
@@ -22,6 +20,8 @@ using radiosity::Index;
 using radiosity::Scene;
 
 constexpr std::size_t kMostMessages = 200;
+/// Of which even a sum of lights takes longer than the window's thread has.
+constexpr Index kManyPatches = 30'000;
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -94,16 +94,31 @@ void Session::take_file(OpenedFile file, Clock::time_point start) {
   if (file.refusal) {
     tell_error(*file.refusal);
   } else if (file.light) {
-    take_light({Light::Kind::stored, *std::move(file.light)});
+    take_light(*std::move(file.light));
   } else if (model_.scene) {
     if (!mix_.emitters.empty()) start_preview();
     start_form_factors();
   }
 }
 
+/// By rough form factors once there are some, before by shooting.
 void Session::start_preview() {
   is_quick_running_ = true;
   is_relight_due_ = false;
+  if (!rough_) {
+    start_shooting();
+    return;
+  }
+  Eigen::MatrixXd irradiance;
+  if (light_ && light_->factor_error) irradiance = light_->solution.irradiance;
+  previewing_.start([this, model = model_, rough = rough_, mix = mix_,
+                     irradiance = std::move(irradiance)](const Worker::Context& context) {
+    posting<Light>(context, [this](Light light) { take_light(std::move(light)); })(
+        rough_light(model, *rough, mix, irradiance, context.progress));
+  });
+}
+
+void Session::start_shooting() {
   previewing_.start([this, model = model_, mix = mix_](const Worker::Context& context) {
     preview(model, mix,
             posting<radiosity::Solution, double>(
@@ -118,11 +133,21 @@ void Session::start_preview() {
 
 void Session::start_form_factors() {
   pipeline_.start([this, model = model_, options = options_](const Worker::Context& context) {
-    const auto warned =
-        posting<const std::string&>(context, [this](const std::string& text) { tell(text); });
+    const FormFactorEvents events = {
+        .warned =
+            posting<const std::string&>(context, [this](const std::string& text) { tell(text); }),
+        .rough = posting<std::shared_ptr<const radiosity::Transport>>(
+            context, [this](std::shared_ptr<const radiosity::Transport> rough) {
+              take_rough(std::move(rough));
+            })};
     posting<Model>(context, [this](Model found) { take_model(std::move(found)); })(
-        with_form_factors(model, options, warned, context.progress));
+        with_form_factors(model, options, events, context.progress));
   });
+}
+
+void Session::take_rough(std::shared_ptr<const radiosity::Transport> rough) {
+  rough_ = std::move(rough);
+  if (!mix_.emitters.empty()) start_preview();
 }
 
 void Session::cancel_computing() {
@@ -141,6 +166,7 @@ void Session::take_model(Model model) {
   const bool is_other_scene = model.scene != model_.scene || model.scene == nullptr;
   model_ = std::move(model);
   ++versions_.model;
+  rough_.reset();
   if (is_other_mesh) {
     previewing_.cancel();
     lighting_.cancel();
@@ -158,6 +184,7 @@ void Session::take_model(Model model) {
     original_mix_ = mix_;
     ++versions_.mix;
   }
+  find_row();
   if (is_relight_due_ && previewing_.is_busy()) start_preview();
   if (model_.transport) start_light_task();
 }
@@ -166,14 +193,12 @@ void Session::take_light(Light light) {
   if (light.kind != Light::Kind::preview) previewing_.cancel();
   const bool is_first = light.kind == Light::Kind::solved && seconds_to_solve_ == 0;
   if (is_first) seconds_to_solve_ = seconds_since(start_);
-  const bool is_quick =
-      light.kind == Light::Kind::quick || (light.kind == Light::Kind::preview && !model_.transport);
+  const bool is_quick = light.kind != Light::Kind::preview || !model_.transport;
   if (changed_ && !is_relight_due_) {
     change_seconds_ = seconds_since(*changed_);
     changed_.reset();
   }
-  light_ = std::move(light);
-  if (light_->has_errors()) light_->relative_error = relative_error(*model_.mesh, light_->solution);
+  light_ = std::make_shared<const Light>(std::move(light));
   ++versions_.light;
   if (is_quick) {
     is_quick_running_ = false;
@@ -188,7 +213,8 @@ void Session::start_light_task() {
   start.tolerance = study::iteration_tolerance(options_.tolerance);
   start.is_separation_wanted = emitter_lights_ == nullptr;
   start.is_quick_wanted = has_light && start.is_separation_wanted;
-  is_quick_running_ = start.is_quick_wanted;
+  if (is_large()) start.separated = emitter_lights_;
+  is_quick_running_ = start.is_quick_wanted || start.separated;
   is_relight_due_ = false;
   lighting_.start([this, model = model_, mix = mix_, start](const Worker::Context& context) {
     const LightEvents events = {
@@ -209,7 +235,7 @@ void Session::relight() {
   changed_ = Clock::now();
   change_seconds_ = 0;
   const Worker& worker = model_.transport ? lighting_ : previewing_;
-  if (emitter_lights_) {
+  if (emitter_lights_ && !is_large()) {
     take_light({Light::Kind::solved, superpose(*emitter_lights_, mix_)});
     start_light_task();
   } else if (is_quick_running_ && worker.is_busy()) {
@@ -219,6 +245,8 @@ void Session::relight() {
     relight_anew();
   }
 }
+
+bool Session::is_large() const { return model_.mesh && model_.mesh->size() > kManyPatches; }
 
 void Session::relight_anew() {
   // Until there are form factors, and until they have been used, there is a preview.
@@ -265,89 +293,10 @@ void Session::reset_mix() {
   relight();
 }
 
-void Session::select(std::optional<Index> patch) {
-  if (patch && (!model_.mesh || *patch < 0 || *patch >= model_.mesh->size())) {
-    throw std::out_of_range(fmt::format("there is no patch {}; the scene has {}", *patch,
-                                        model_.mesh ? model_.mesh->size() : 0));
-  }
-  if (patch == selected_) return;
-  selected_ = patch;
-  forget_light_path();
-  ++versions_.selection;
-}
-
-void Session::ask_light_path() {
-  if (!selected_ || !model_.transport || has_asked_) return;
-  has_asked_ = true;
-  asking_.start(
-      [this, model = model_, mix = mix_, patch = *selected_](const Worker::Context& context) {
-        const Scene scene = with_reflectance(*model.scene, mix);
-        radiosity::SolveOptions options;
-        options.estimates_errors = false;
-        options.progress = context.progress;
-        auto path = std::make_shared<LightPath>();
-        path->patch = patch;
-        path->importance = radiosity::importance(
-            *model.transport, radiosity::reflectance(scene, *model.mesh), patch, options);
-        context.post([this, path] {
-          light_path_ = path;
-          ++versions_.selection;
-        });
-      });
-}
-
-void Session::forget_light_path() {
-  light_path_.reset();
-  has_asked_ = false;
-  asking_.cancel();
-}
-
-void Session::record_iteration(radiosity::Method method) {
-  if (!model_.transport) {
-    tell_error("iterations can be watched once the form factors are known");
-    return;
-  }
-  iteration_.reset();
-  ++versions_.iteration;
-  recording_.start([this, method, model = model_, mix = mix_](const Worker::Context& context) {
-    const Scene scene = with_reflectance(*model.scene, mix);
-    const Eigen::MatrixXd emitted = mix_exitance(scene, *model.mesh, mix);
-    IterationRecorder recorder(method, model.transport->area(), emitted);
-    const auto show = [&] {
-      context.post([this, record = std::make_shared<const IterationRecord>(recorder.record())] {
-        iteration_ = record;
-        ++versions_.iteration;
-      });
-    };
-    constexpr auto kInterval = std::chrono::milliseconds(200);
-    auto shown = Clock::now();
-    radiosity::SolveOptions options;
-    options.method = method;
-    options.tolerance = 1e-6;
-    options.max_products = 5000;
-    options.estimates_errors = false;
-    options.progress = context.progress;
-    options.on_step = [&](const radiosity::SolveStep& step) {
-      recorder.add(step);
-      if (Clock::now() - shown < kInterval) return;
-      show();
-      shown = Clock::now();
-    };
-    recorder.finish(
-        solve(*model.transport, emitted, radiosity::reflectance(scene, *model.mesh), options));
-    show();
-  });
-}
-
-void Session::forget_iteration() {
-  recording_.cancel();
-  iteration_.reset();
-  ++versions_.iteration;
-}
-
 bool Session::update() {
   bool has_changed = false;
-  for (Worker* worker : {&opening_, &pipeline_, &previewing_, &lighting_, &asking_, &recording_}) {
+  for (Worker* worker :
+       {&opening_, &pipeline_, &previewing_, &lighting_, &asking_, &rows_, &recording_}) {
     has_changed |= worker->deliver();
     if (const auto error = worker->take_error()) {
       tell_error(*error);
@@ -365,12 +314,13 @@ bool Session::is_settled() const {
 }
 
 bool Session::is_idle() const {
-  return is_settled() && !previewing_.is_busy() && !asking_.is_busy() && !recording_.is_busy();
+  return is_settled() && !previewing_.is_busy() && !asking_.is_busy() && !rows_.is_busy() &&
+         !recording_.is_busy();
 }
 
 WorkStatus Session::status() const {
   for (const Worker* worker :
-       {&pipeline_, &lighting_, &opening_, &recording_, &asking_, &previewing_}) {
+       {&pipeline_, &lighting_, &opening_, &recording_, &asking_, &rows_, &previewing_}) {
     WorkStatus status = worker->status();
     if (status.is_busy) return status;
   }

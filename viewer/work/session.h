@@ -11,8 +11,10 @@
 #include "radiosity/base/geometry.h"
 #include "radiosity/scene/scene.h"
 #include "study/study_options.h"
+#include "viewer/work/factor_row.h"
 #include "viewer/work/iteration_record.h"
 #include "viewer/work/job_progress.h"
+#include "viewer/work/known.h"
 #include "viewer/work/light_mix.h"
 #include "viewer/work/light_path.h"
 #include "viewer/work/model.h"
@@ -65,7 +67,11 @@ class Session {
   [[nodiscard]] bool is_thermal() const;
   [[nodiscard]] const study::StudyOptions& options() const { return options_; }
   /// Absent until there is some.
-  [[nodiscard]] const Light* light() const { return light_ ? &*light_ : nullptr; }
+  [[nodiscard]] const Light* light() const { return light_.get(); }
+  /// All that is known now.
+  [[nodiscard]] Known known() const {
+    return {model_, light_, selected_, row_, light_path_, iteration_};
+  }
   /// Whether the light is a result: solved, with its errors, and of the mix as it is now.
   [[nodiscard]] bool has_result() const { return light_ && light_->has_errors() && !changed_; }
   /// Whether the mix has changed and no light has it.
@@ -93,6 +99,8 @@ class Session {
   /// Throws std::out_of_range if there is no such patch.
   void select(std::optional<radiosity::Index> patch);
   [[nodiscard]] std::optional<radiosity::Index> selected() const { return selected_; }
+  /// Its form factors; absent until they are found.
+  [[nodiscard]] const FactorRow* row() const { return row_.get(); }
   /// Begins to find out where the selected patch's light comes from.
   void ask_light_path();
   /// Of the selected patch and the mix's reflectances; absent until asked for and found.
@@ -125,13 +133,17 @@ class Session {
  private:
   using Clock = std::chrono::steady_clock;
 
+  void find_row();
   void forget_light_path();
   void take_file(OpenedFile file, Clock::time_point start);
   void start_preview();
+  void start_shooting();
+  void take_rough(std::shared_ptr<const radiosity::Transport> rough);
   void start_form_factors();
   void cancel_computing();
   void take_model(Model model);
   void take_light(Light light);
+  [[nodiscard]] bool is_large() const;
   void relight();
   void relight_anew();
   void start_light_task();
@@ -141,11 +153,13 @@ class Session {
   io::ReadOptions reading_;
   std::string asked_path_;
   Model model_;
-  std::optional<Light> light_;
+  std::shared_ptr<const Light> light_;
   LightMix mix_;
   LightMix original_mix_;
+  std::shared_ptr<const radiosity::Transport> rough_;    // until the model has form factors
   std::shared_ptr<const EmitterLights> emitter_lights_;  // of the mix's reflectances, or none
   std::optional<radiosity::Index> selected_;
+  std::shared_ptr<const FactorRow> row_;  // of the selected patch
   std::shared_ptr<const LightPath> light_path_;
   bool has_asked_ = false;  // for the light path; it may have failed
   std::shared_ptr<const IterationRecord> iteration_;
@@ -168,6 +182,7 @@ class Session {
   Worker previewing_;  // meanwhile
   Worker lighting_;    // from form factors to light
   Worker asking_;
+  Worker rows_;
   Worker recording_;
 };
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace viewer {
 namespace {
 
@@ -16,6 +18,9 @@ std::string preview_text(const Session& session) {
   const double unshot = 100 * session.unshot_share();
   const bool is_final = session.is_settled() && !session.is_previewing();
   const char* state = is_final ? ", stopped" : "";
+  if (const auto error = session.light()->factor_error) {
+    return fmt::format("preview{}: form factors to about {:.0f} %", state, std::ceil(100 * *error));
+  }
   return unshot < 1
              ? fmt::format("preview{}: all but 1 % of the light is shot", state)
              : fmt::format("preview{}: {:.0f} % of the light still on its way", state, unshot);

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "io/picture/rgb_picture.h"
+#include "viewer/desk/legend.h"
+#include "viewer/desk/look.h"
+#include "viewer/desk/orientation.h"
+#include "viewer/work/known.h"
+
+namespace viewer {
+
+/// What is to be painted: all that it takes, so that any thread can.
+struct PaintingTask {
+  Known known;  ///< with a mesh
+  Look look;
+  UpAxis up = UpAxis::y;
+  std::optional<double> exposure = {};  ///< automatic part; absent: it shall be found
+};
+
+/// What the patches look like.
+struct Painting {
+  Eigen::MatrixXd values;     ///< n x 3 linear sRGB or, with a legend, n x 1 of its quantity
+  bool is_smooth = false;     ///< values may be blended from patch to patch
+  double exposure = 1;        ///< the automatic part
+  double factor = 1;          ///< from linear sRGB to display value
+  bool is_spreading = false;  ///< true colour of a preview, which gets brighter
+  bool is_light = false;      ///< true colour: `exposure` is of it
+  std::optional<Legend> legend = {};
+};
+
+Painting make_painting(const PaintingTask& task);
+
+/// 8-bit sRGB of points of a painting without legend, from their linear sRGB, m x 3.
+std::vector<io::Rgb> point_colors(const Painting& painting, const Eigen::MatrixXd& values);
+/// Places on the colour map in (0, 1) of points of a painting with a legend, from their values,
+/// m x 1; -1 where nothing is known.
+std::vector<float> map_positions(const Painting& painting, const Eigen::MatrixXd& values);
+
+/// Linear sRGB of patches' values in any bands, n x 3.
+Eigen::MatrixX3f display_colors(const Eigen::MatrixXd& values, const radiosity::Bands& bands);
+/// Linear sRGB in [0, 1] of surfaces of that reflectance (n x b) in a light in which one that
+/// reflects all is white, n x 3.
+Eigen::MatrixX3f surface_colors(const Eigen::MatrixXd& reflectance, const radiosity::Bands& bands);
+
+}  // namespace viewer

@@ -1,0 +1,31 @@
+#include "viewer/draw/painted_state.h"
+
+namespace viewer {
+namespace {
+
+bool is_same(const Look& a, const Look& b) {
+  const bool is_same_range =
+      a.range.has_value() == b.range.has_value() &&
+      (!a.range || (a.range->low == b.range->low && a.range->high == b.range->high &&
+                    a.range->logarithmic == b.range->logarithmic));
+  return a.show == b.show && a.quantity == b.quantity && a.band == b.band && is_same_range &&
+         a.logarithmic == b.logarithmic && a.stops == b.stops && a.smooth == b.smooth &&
+         a.step == b.step;
+}
+
+}  // namespace
+
+bool PaintedState::is_other_look(const Desk& desk) const {
+  const Session::Versions& now = desk.session.versions();
+  const bool is_selection_shown = is_wide(desk.look.show);  // all of them are about that patch
+  return !is_same(look, desk.look) || versions.model != now.model ||
+         (is_selection_shown && versions.selection != now.selection);
+}
+
+bool PaintedState::is_stale(const Desk& desk) const {
+  const Session::Versions& now = desk.session.versions();
+  return is_other_look(desk) || (is_light && desk.is_exposure_due) || versions.light != now.light ||
+         versions.iteration != now.iteration;
+}
+
+}  // namespace viewer

@@ -1,0 +1,119 @@
+// What a person asks of an open scene: patches, light paths, iterations.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <stdexcept>
+#include <utility>
+
+#include "radiosity/scene/radiometry.h"
+#include "radiosity/solve/importance.h"
+#include "radiosity/solve/solve.h"
+#include "viewer/work/session.h"
+
+namespace viewer {
+
+using radiosity::Index;
+using radiosity::Scene;
+
+void Session::select(std::optional<Index> patch) {
+  if (patch && (!model_.mesh || *patch < 0 || *patch >= model_.mesh->size())) {
+    throw std::out_of_range(fmt::format("there is no patch {}; the scene has {}", *patch,
+                                        model_.mesh ? model_.mesh->size() : 0));
+  }
+  if (patch == selected_) return;
+  selected_ = patch;
+  find_row();
+  forget_light_path();
+  ++versions_.selection;
+}
+
+/// Where a row takes a product, in the background.
+void Session::find_row() {
+  row_.reset();
+  rows_.cancel();
+  if (!selected_ || !model_.factors) return;
+  if (model_.has_quick_rows) {
+    row_ = std::make_shared<const FactorRow>(
+        make_factor_row(*model_.factors, model_.mesh->area, *selected_));
+    return;
+  }
+  rows_.start([this, model = model_, patch = *selected_](const Worker::Context& context) {
+    auto row =
+        std::make_shared<const FactorRow>(make_factor_row(*model.factors, model.mesh->area, patch));
+    context.post([this, row] {
+      row_ = row;
+      ++versions_.selection;
+    });
+  });
+}
+
+void Session::ask_light_path() {
+  if (!selected_ || !model_.transport || has_asked_) return;
+  has_asked_ = true;
+  asking_.start(
+      [this, model = model_, mix = mix_, patch = *selected_](const Worker::Context& context) {
+        const Scene scene = with_reflectance(*model.scene, mix);
+        radiosity::SolveOptions options;
+        options.estimates_errors = false;
+        options.progress = context.progress;
+        auto path = std::make_shared<LightPath>();
+        path->patch = patch;
+        path->importance = radiosity::importance(
+            *model.transport, radiosity::reflectance(scene, *model.mesh), patch, options);
+        context.post([this, path] {
+          light_path_ = path;
+          ++versions_.selection;
+        });
+      });
+}
+
+void Session::forget_light_path() {
+  light_path_.reset();
+  has_asked_ = false;
+  asking_.cancel();
+}
+
+void Session::record_iteration(radiosity::Method method) {
+  if (!model_.transport) {
+    tell_error("iterations can be watched once the form factors are known");
+    return;
+  }
+  iteration_.reset();
+  ++versions_.iteration;
+  recording_.start([this, method, model = model_, mix = mix_](const Worker::Context& context) {
+    const Scene scene = with_reflectance(*model.scene, mix);
+    const Eigen::MatrixXd emitted = mix_exitance(scene, *model.mesh, mix);
+    IterationRecorder recorder(method, model.transport->area(), emitted);
+    const auto show = [&] {
+      context.post([this, record = std::make_shared<const IterationRecord>(recorder.record())] {
+        iteration_ = record;
+        ++versions_.iteration;
+      });
+    };
+    constexpr auto kInterval = std::chrono::milliseconds(200);
+    auto shown = Clock::now();
+    radiosity::SolveOptions options;
+    options.method = method;
+    options.tolerance = 1e-6;
+    options.max_products = 5000;
+    options.estimates_errors = false;
+    options.progress = context.progress;
+    options.on_step = [&](const radiosity::SolveStep& step) {
+      recorder.add(step);
+      if (Clock::now() - shown < kInterval) return;
+      show();
+      shown = Clock::now();
+    };
+    recorder.finish(
+        solve(*model.transport, emitted, radiosity::reflectance(scene, *model.mesh), options));
+    show();
+  });
+}
+
+void Session::forget_iteration() {
+  recording_.cancel();
+  iteration_.reset();
+  ++versions_.iteration;
+}
+
+}  // namespace viewer
