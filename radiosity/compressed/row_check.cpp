@@ -23,10 +23,11 @@ RowCheck::RowCheck(const ExchangeEvaluator& evaluator, const std::vector<double>
                    const Eigen::VectorXd& told, Eigen::MatrixXd radiosity, std::uint64_t seed)
     : evaluator_(evaluator), areas_(areas), radiosity_(std::move(radiosity)), seed_(seed) {
   const Eigen::Map<const Eigen::VectorXd> area(areas_.data(), static_cast<Index>(areas_.size()));
+  const double all_area = area.sum();
   const double in_all = area.dot(told.cwiseAbs2());
   double sum = 0;
   for (const std::int32_t patch : evaluator.tree().order) {
-    const double of_area = area[patch] / area.sum();
+    const double of_area = area[patch] / all_area;
     const double of_errors = in_all > 0 ? area[patch] * square(told[patch]) / in_all : of_area;
     sum += kShareOfArea * of_area + (1 - kShareOfArea) * of_errors;
     shares_.push_back(sum);
@@ -37,7 +38,8 @@ void RowCheck::add_rows(Index n, const Progress& progress) {
   const auto& order = evaluator_.tree().order;
   if (order.empty()) return;
   const auto first = static_cast<std::ptrdiff_t>(rows_.size());
-  const Eigen::Map<const Eigen::VectorXd> area(areas_.data(), static_cast<Index>(areas_.size()));
+  const double area =
+      Eigen::Map<const Eigen::VectorXd>(areas_.data(), static_cast<Index>(areas_.size())).sum();
   // One of each n-th part of the shares, in the tree's order.
   for (Index k = 0; k < n; ++k) {
     const std::uint64_t bits =
@@ -47,7 +49,7 @@ void RowCheck::add_rows(Index n, const Progress& progress) {
     const auto found = std::upper_bound(shares_.begin(), shares_.end() - 1, at) - shares_.begin();
     const double own = shares_[found] - (found > 0 ? shares_[found - 1] : 0);
     rows_.push_back(order[found]);
-    weights_.push_back(area[order[found]] / area.sum() / own);
+    weights_.push_back(areas_[order[found]] / area / own);
   }
   gathered_.resize(rows_.size());
   parallel_for(n, [&](std::ptrdiff_t k) {
