@@ -7,13 +7,13 @@
 // these patches say of the groups to divide, and how long that takes.
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include <chrono>
 #include <cstdlib>
 #include <string>
 #include <vector>
 
+#include "bench/usage.h"
 #include "io/scene/scene_file.h"
 #include "meshing/adaptive/adaptive.h"
 #include "radiosity/assembly/make_dense_transport.h"
@@ -25,19 +25,8 @@
 namespace {
 
 using namespace radiosity;
-
-double processor_seconds() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_utime.tv_sec) +
-         1e-6 * static_cast<double>(usage.ru_utime.tv_usec);
-}
-
-double peak_megabytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024;
-}
+using bench::peak_megabytes;
+using bench::processor_seconds;
 
 TransportKind kind_named(const std::string& name) {
   if (name == "dense") return TransportKind::dense;

@@ -8,7 +8,6 @@
 // exactly, how far off F 1 and F B are.
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <chrono>
@@ -19,6 +18,7 @@
 #include <vector>
 
 #include "bench/bench_scenes.h"
+#include "bench/usage.h"
 #include "io/scene/scene_file.h"
 #include "meshing/patches/patches.h"
 #include "radiosity/assembly/make_dense_transport.h"
@@ -32,19 +32,8 @@
 namespace {
 
 using namespace radiosity;
-
-double processor_seconds() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_utime.tv_sec) +
-         1e-6 * static_cast<double>(usage.ru_utime.tv_usec);
-}
-
-double peak_megabytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024;
-}
+using bench::peak_megabytes;
+using bench::processor_seconds;
 
 /// Runs a stage and prints what it took.
 template <typename Work>

@@ -1,7 +1,6 @@
 // What comes before the first form factor: processor time, time and memory of each stage. Usage:
 // setup_bench [PATCHES [SCENE [THREADS]]], default 100000 patches of the Cornell box, all cores.
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include <chrono>
 #include <cstdlib>
@@ -10,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "bench/usage.h"
 #include "io/scene/scene_file.h"
 #include "meshing/patches/patches.h"
 #include "radiosity/base/parallel.h"
@@ -27,12 +27,6 @@ using Clock = std::chrono::steady_clock;
 
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-double most_megabytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024;
-}
-
 /// Runs a stage and prints what it took, with the most memory that there was so far.
 template <typename Stage>
 auto measured(std::string_view name, const Stage& stage) {
@@ -41,7 +35,7 @@ auto measured(std::string_view name, const Stage& stage) {
   auto result = stage();
   const std::chrono::duration<double> seconds = Clock::now() - begin;
   fmt::print("{:22} {:8.2f} s of processors {:8.2f} s {:8.0f} MB\n", name,
-             processor_seconds() - start, seconds.count(), most_megabytes());
+             processor_seconds() - start, seconds.count(), bench::peak_megabytes());
   return result;
 }
 
@@ -59,7 +53,7 @@ void measure_needed(const Scene& scene, long n_patches) {
   measured("ExchangeEvaluator",
            [&] { return ExchangeEvaluator(mesh, visibility, coverage, {}).size(); });
   fmt::print("in all                 {:8.2f} s of processors {:17.0f} MB\n", processor_seconds(),
-             most_megabytes());
+             bench::peak_megabytes());
   // Parts of the evaluator, and what is asked beside it.
   measured("find_regions", [&] { return find_regions(mesh, visibility, thickness).size(); });
   const PreparedMesh prepared = measured("PreparedMesh", [&] { return PreparedMesh(mesh); });

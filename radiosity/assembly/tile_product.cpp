@@ -4,6 +4,8 @@
 #include <immintrin.h>
 #endif
 
+#include "radiosity/base/wide_instructions.h"
+
 namespace radiosity {
 namespace {
 
@@ -33,11 +35,6 @@ void multiply_portably(const TileProduct<Entry>& p) {
 }
 
 #if defined(__x86_64__)
-
-bool has_wide_instructions() {
-  static const bool has = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-  return has;
-}
 
 /// The columns of one row in one or two registers.
 template <Index kColumns>

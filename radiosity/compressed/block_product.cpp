@@ -4,6 +4,8 @@
 #include <immintrin.h>
 #endif
 
+#include "radiosity/base/wide_instructions.h"
+
 namespace radiosity {
 namespace {
 
@@ -30,11 +32,6 @@ void add_transposed_portably(const SmallMatrix& m, const double* x, double* y) {
 }
 
 #if defined(__x86_64__)
-
-bool has_wide_instructions() {
-  static const bool has = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-  return has;
-}
 
 /// Registers of a row.
 template <int kColumns>

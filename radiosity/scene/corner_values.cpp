@@ -61,15 +61,6 @@ Eigen::MatrixXd gradient(const PatchMesh& mesh, const SmoothCorners& groups,
   return basis * (pseudo_inverse(matrix) * right);
 }
 
-/// Inner angle of a patch at a corner, radian.
-double corner_angle(const PatchMesh& mesh, Index patch, int k) {
-  const int n = mesh.n_corners(patch);
-  const Vec3& x = mesh.corner(patch, k);
-  const Vec3 before = mesh.corner(patch, (k + n - 1) % n) - x;
-  const Vec3 after = mesh.corner(patch, (k + 1) % n) - x;
-  return std::atan2(before.cross(after).norm(), before.dot(after));
-}
-
 /// The common value of corners of one group, from the extrapolations in their slots' rows.
 Eigen::RowVectorXd joined_value(const PatchMesh& mesh, const SmoothCorners& groups,
                                 const Eigen::MatrixXd& patch_values,

@@ -1,6 +1,7 @@
 #include "radiosity/scene/patch_mesh.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace radiosity {
 namespace {
@@ -55,6 +56,14 @@ void add_patches(Fingerprint& fingerprint, const PatchMesh& mesh) {
   for (const std::string& name : mesh.surface_names) fingerprint.add(name);
   for (const bool two_sided : mesh.surface_two_sided) fingerprint.add(two_sided);
   fingerprint.add(mesh.precision);
+}
+
+double corner_angle(const PatchMesh& mesh, Index patch, int k) {
+  const int n = mesh.n_corners(patch);
+  const Vec3& x = mesh.corner(patch, k);
+  const Vec3 before = mesh.corner(patch, (k + n - 1) % n) - x;
+  const Vec3 after = mesh.corner(patch, (k + 1) % n) - x;
+  return std::atan2(before.cross(after).norm(), before.dot(after));
 }
 
 Box3 patch_box(const PatchMesh& mesh, Index i) {

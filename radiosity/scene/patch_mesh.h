@@ -60,6 +60,9 @@ struct PatchMesh {
 /// Adds all that form factors depend on.
 void add_patches(Fingerprint& fingerprint, const PatchMesh& mesh);
 
+/// Inner angle of a patch at its k-th corner, radian.
+double corner_angle(const PatchMesh& mesh, Index patch, int k);
+
 /// The box around patch i.
 Box3 patch_box(const PatchMesh& mesh, Index i);
 

@@ -66,14 +66,6 @@ std::vector<std::int32_t> welded(const std::vector<Vec3>& vertices) {
   return first;
 }
 
-double angle_at(const PatchMesh& mesh, Index patch, int k) {
-  const int n = mesh.n_corners(patch);
-  const Vec3& x = mesh.corner(patch, k);
-  const Vec3 before = mesh.corner(patch, (k + n - 1) % n) - x;
-  const Vec3 after = mesh.corner(patch, (k + 1) % n) - x;
-  return std::atan2(before.cross(after).norm(), before.dot(after));
-}
-
 /// A face at a vertex, and the angle that it takes there.
 struct Touch {
   std::int32_t vertex;
@@ -89,7 +81,7 @@ std::vector<Touch> find_touches(const PatchMesh& mesh, const std::vector<std::ui
   touches.reserve(4 * mesh.corners.size());
   for (Index i = 0; i < mesh.size(); ++i) {
     for (int k = 0; k < mesh.n_corners(i); ++k) {
-      touches.push_back({first[mesh.corners[i][k]], faces[i], 4 * i + k, angle_at(mesh, i, k)});
+      touches.push_back({first[mesh.corners[i][k]], faces[i], 4 * i + k, corner_angle(mesh, i, k)});
     }
   }
   std::sort(touches.begin(), touches.end(), [](const Touch& a, const Touch& b) {
