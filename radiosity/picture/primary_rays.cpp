@@ -18,21 +18,15 @@ Eigen::Vector2d sample_position(int k, int n) {
 PrimaryRays::PrimaryRays(const Visibility& visibility, const Camera& camera, int width, int height,
                          int samples)
     : visibility_(visibility),
-      position_(camera.position),
-      forward_(camera.direction.normalized()),
-      right_(forward_.cross(camera.up).normalized()),
-      down_(forward_.cross(right_)),
-      pixel_(2 * std::tan(camera.vertical_fov / 2) / height),
-      center_(0.5 * width, 0.5 * height),
+      pinhole_(camera, width, height),
       samples_per_side_(static_cast<int>(std::lround(std::sqrt(samples)))) {}
 
 std::optional<SurfacePoint> PrimaryRays::first_front(int x, int y, int k) const {
-  const Eigen::Vector2d place =
-      Eigen::Vector2d(x, y) + sample_position(k, samples_per_side_) - center_;
-  const Vec3 direction = (forward_ + pixel_ * (place[0] * right_ + place[1] * down_)).normalized();
-  const std::optional<Hit> hit = visibility_.first_front_hit(position_, direction);
+  const Eigen::Vector2d place = Eigen::Vector2d(x, y) + sample_position(k, samples_per_side_);
+  const Vec3 direction = pinhole_.direction(place[0], place[1]);
+  const std::optional<Hit> hit = visibility_.first_front_hit(pinhole_.position(), direction);
   if (!hit) return std::nullopt;
-  return SurfacePoint{hit->patch, position_ + hit->distance * direction};
+  return SurfacePoint{hit->patch, pinhole_.position() + hit->distance * direction};
 }
 
 void RowCounter::add_rows(int n) {

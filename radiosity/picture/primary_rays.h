@@ -5,6 +5,7 @@
 
 #include "radiosity/base/geometry.h"
 #include "radiosity/base/progress.h"
+#include "radiosity/picture/pinhole.h"
 #include "radiosity/scene/scene.h"
 #include "radiosity/visibility/visibility.h"
 
@@ -31,12 +32,7 @@ class PrimaryRays {
 
  private:
   const Visibility& visibility_;
-  Vec3 position_;
-  Vec3 forward_;
-  Vec3 right_;
-  Vec3 down_;
-  double pixel_;  // width of one, at unit distance
-  Eigen::Vector2d center_;
+  Pinhole pinhole_;
   int samples_per_side_;
 };
 

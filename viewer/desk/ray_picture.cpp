@@ -8,6 +8,7 @@
 
 #include "io/picture/color_map.h"
 #include "radiosity/base/parallel.h"
+#include "radiosity/picture/pinhole.h"
 
 namespace viewer {
 namespace {
@@ -46,20 +47,14 @@ class RayPainter {
         visibility_(visibility),
         corners_(corners),
         options_(options),
-        position_(camera.position),
-        forward_(camera.direction.normalized()),
-        right_(forward_.cross(camera.up).normalized()),
-        down_(forward_.cross(right_)),
-        pixel_(2 * std::tan(camera.vertical_fov / 2) / options.height) {}
+        pinhole_(camera, options.width, options.height) {}
 
   /// Mean sRGB over the samples of a pixel, as antialiasing by a graphics card has it.
   [[nodiscard]] io::Rgb pixel(int x, int y) const {
     const int n = options_.samples;
     Eigen::Array3d sum = Eigen::Array3d::Zero();
     for (int k = 0; k < n * n; ++k) {
-      const double across = x + (k % n + 0.5) / n - 0.5 * options_.width;
-      const double along = y + (k / n + 0.5) / n - 0.5 * options_.height;
-      sum += seen(forward_ + pixel_ * (across * right_ + along * down_));
+      sum += seen(pinhole_.direction(x + (k % n + 0.5) / n, y + (k / n + 0.5) / n));
     }
     io::Rgb result{};
     for (int c = 0; c < 3; ++c) {
@@ -73,18 +68,17 @@ class RayPainter {
     return {1.0 * color[0], 1.0 * color[1], 1.0 * color[2]};
   }
 
-  [[nodiscard]] Eigen::Array3d seen(const Vec3& direction) const {
-    const Vec3 ray = direction.normalized();
-    const std::optional<Hit> hit = options_.hides_backs
-                                       ? visibility_.first_front_hit(position_, ray)
-                                       : visibility_.first_hit(position_, ray);
+  [[nodiscard]] Eigen::Array3d seen(const Vec3& ray) const {
+    const Vec3& position = pinhole_.position();
+    const std::optional<Hit> hit = options_.hides_backs ? visibility_.first_front_hit(position, ray)
+                                                        : visibility_.first_hit(position, ray);
     if (!hit) return array(kBackgroundColor);
-    const Vec3 point = position_ + hit->distance * ray;
+    const Vec3 point = position + hit->distance * ray;
     const bool is_back = !hit->front;
     const Place place = find_place(hit->patch, point);
     if (options_.has_edges) {
       // Of a pixel, there.
-      const double size = pixel_ * hit->distance * ray.dot(forward_);
+      const double size = pinhole_.pixel_size(ray, hit->distance);
       const bool is_large = std::sqrt(mesh_.area[hit->patch]) > kLargeEnough * size;
       if (is_large && place.edge_distance < 0.5 * kEdgeWidth * size) return array(kEdgeColor);
     }
@@ -144,11 +138,7 @@ class RayPainter {
   const radiosity::Visibility& visibility_;
   const CornerColors& corners_;
   const RayPictureOptions& options_;
-  Vec3 position_;
-  Vec3 forward_;
-  Vec3 right_;
-  Vec3 down_;
-  double pixel_;  // width of one, at unit distance
+  radiosity::Pinhole pinhole_;
 };
 
 }  // namespace
