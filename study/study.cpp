@@ -181,6 +181,13 @@ Study with_light(Study study, const StudyOptions& options, const StudyEvents& ev
   Light light = solve_light(study.scene, study.mesh, *study.transport, options, events);
   study.solution = std::move(light.solution);
   study.discretisation = std::move(light.discretisation);
+  if (options.verifies_light) {
+    TransportOptions made = transport_options(study.scene, options, events);
+    made.tolerance = study.factor_tolerance;
+    study.verified = verify_light(*study.transport, study.mesh, study.visibility, made,
+                                  study.solution.radiosity);
+    if (study.verified) warn_of_unverified(*study.verified, made.tolerance, events);
+  }
   return study;
 }
 

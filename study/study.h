@@ -6,6 +6,7 @@
 
 #include "meshing/adaptive/adaptive.h"
 #include "radiosity/base/fingerprint.h"
+#include "radiosity/compressed/verified_light.h"
 #include "radiosity/operator/transport.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/scene.h"
@@ -42,17 +43,20 @@ struct Study {
   std::optional<meshing::Refinement> refinement = {};  ///< if patches were refined
   radiosity::Solution solution = {};                   ///< its errors include `discretisation`
   radiosity::DiscretisationError discretisation = {};
+  /// Of a compressed operator and this light, if StudyOptions::verifies_light.
+  std::optional<radiosity::VerifiedLight> verified = {};
 };
 
 /// Divides the scene into patches. Warns of serious flaws of the scene and of patches that could
-/// not be cut. Throws SolveError if the form factors will not fit into memory, before patches are
-/// made wherever their number can be foreseen (`meshing::least_patches`); MeshError; Interrupted.
+/// not be cut. Throws MemoryShortage if the form factors will not fit into memory, before patches
+/// are made wherever their number can be foreseen (`meshing::least_patches`); MeshError;
+/// Interrupted.
 Patches divide(const radiosity::Scene& scene, const StudyOptions& options = {},
                const StudyEvents& events = {});
 
 /// Computes the form factors, with PatchChoice::adaptive of patches of its own. Warns of rows that
-/// see an opening in a scene taken as closed. Throws SolveError if they don't fit into memory,
-/// before anything long, and as `refuse_excess` does; Interrupted.
+/// see an opening in a scene taken as closed. Throws MemoryShortage if they don't fit into memory,
+/// before anything long; SolveError as `refuse_excess` does; Interrupted.
 FormFactors make_form_factors(const radiosity::Scene& scene, const radiosity::PatchMesh& mesh,
                               const radiosity::Visibility& visibility,
                               const StudyOptions& options = {}, const StudyEvents& events = {});
@@ -83,7 +87,8 @@ Study assemble(radiosity::Scene scene, const StudyOptions& options = {},
 Study assemble(radiosity::Scene scene, KnownFactors known, const StudyOptions& options = {},
                const StudyEvents& events = {});
 
-/// The last stage, of one that has no light yet.
+/// The last stage, of one that has no light yet. Warns if the light was to be verified and is off
+/// by more than the form factors' tolerance.
 Study with_light(Study assembled, const StudyOptions& options = {}, const StudyEvents& events = {});
 
 /// All stages.

@@ -38,6 +38,9 @@ struct StudyOptions {
   /// in radiosity::TransportOptions.
   std::filesystem::path work_file = {};
   radiosity::WorkStart work_start = radiosity::WorkStart::anew;
+  /// Whether what a compressed operator gives for the scene's light is checked anew, as where it
+  /// was made for another (radiosity::verify_light).
+  bool verifies_light = false;
   radiosity::Method method = radiosity::Method::conjugate_gradients;  ///< of the iteration
 };
 

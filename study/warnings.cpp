@@ -31,6 +31,15 @@ void warn_of_unverified(const AssemblyReport& report, double tolerance, const St
       report.compression->verified_error, tolerance));
 }
 
+void warn_of_unverified(const VerifiedLight& verified, double tolerance,
+                        const StudyEvents& events) {
+  if (verified.error <= tolerance) return;
+  events.warn(fmt::format(
+      "for this light the compressed form factors are off by up to {:.2g}, more than the {:.2g} "
+      "that was asked of them; they may be made anew for it",
+      verified.error, tolerance));
+}
+
 void warn_of_spent_patches(const meshing::Refinement& refinement, Index n_patches, double tolerance,
                            const StudyEvents& events) {
   if (refinement.is_accurate) return;

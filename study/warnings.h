@@ -1,6 +1,7 @@
 #pragma once
 
 #include "meshing/adaptive/adaptive.h"
+#include "radiosity/compressed/verified_light.h"
 #include "radiosity/operator/transport.h"
 #include "radiosity/scene/scene.h"
 #include "radiosity/solve/solution.h"
@@ -16,6 +17,10 @@ void warn_of_open_rows(const radiosity::AssemblyReport& report, const StudyEvent
 
 /// If the error of a compressed operator could not be brought down to `tolerance`.
 void warn_of_unverified(const radiosity::AssemblyReport& report, double tolerance,
+                        const StudyEvents& events);
+
+/// The same of the error for one light.
+void warn_of_unverified(const radiosity::VerifiedLight& verified, double tolerance,
                         const StudyEvents& events);
 
 /// If the patches were spent before their error was as asked.

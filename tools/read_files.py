@@ -15,7 +15,7 @@ import subprocess
 import sys
 import time
 
-EXTENSIONS = {".obj", ".ply", ".stl", ".off", ".gltf", ".glb", ".json"}
+EXTENSIONS = {".obj", ".ply", ".stl", ".off", ".gltf", ".glb", ".msh", ".json"}
 LONGEST = 60  # s
 
 

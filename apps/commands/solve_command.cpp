@@ -44,7 +44,8 @@ SolveCommand::SolveCommand(CLI::App& program, Interruption& interruption)
   command
       ->add_option(
           "-o,--output", common_.outputs,
-          "Result file, by extension: .vtp (ParaView), .csv, .ply, .png or .exr (picture), or .h5 "
+          "Result file, by extension: .vtp (ParaView), .csv, .ply or .glb (coloured mesh), "
+          ".png or .exr (picture), or .h5 "
           "(form factors, for --operator); may be repeated")
       ->check([](const std::string& path) { return check_extension(path, result_extensions()); })
       ->type_name("FILE")
@@ -61,11 +62,16 @@ SolveCommand::SolveCommand(CLI::App& program, Interruption& interruption)
   add_transport_option(*command, compute_);
   add_adaptive_option(*command, compute_);
   add_operator_option(*command, operator_);
+  auto* verify = command->add_flag(
+      "--verify", compute_.verifies_light,
+      "Check what compressed form factors of a file are off by for this light, by exact rows");
+  verify->needs("--operator");
   auto* scenarios =
       command
           ->add_option("--scenarios", scenarios_,
                        "Solve for each of the lights and reflectances that this file lists (.json) "
                        "instead of the scene's own; -o then writes a file for each")
+          ->excludes(verify)
           ->type_name("FILE");
   command
       ->add_option(

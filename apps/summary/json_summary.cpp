@@ -199,6 +199,10 @@ std::string solve_json(const SolveSummary& summary, const std::vector<std::strin
       {"outputs", summary.outputs},
       {"warnings", warnings}};
   if (summary.operator_file) json["form_factors"]["read_from"] = *summary.operator_file;
+  if (const auto& verified = solved.verified) {
+    json["form_factors"]["compressed"]["for_this_light"] = {{"verified_error", verified->error},
+                                                            {"rows", verified->n_rows}};
+  }
   if (solved.refinement) json["refinement"] = refinement(*solved.refinement);
   if (radiosity::is_thermal(solved.scene)) {
     json["surfaces"] = surfaces(radiosity::surface_fluxes(solved.mesh, solved.solution));

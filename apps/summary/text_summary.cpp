@@ -122,7 +122,12 @@ std::string study_lines(const study::Study& study,
   std::string text = scene_lines(study.scene, study.mesh) +
                      form_factor_lines(report, study.transport->bytes(),
                                        origin + (report.compression ? ", compressed" : ", dense"));
-  if (operator_file && report.compression) text += line("", "verified for the light of then");
+  if (study.verified) {
+    text += line("", fmt::format("for this light by {:.2g} at most (95 %, {} rows)",
+                                 study.verified->error, study.verified->n_rows));
+  } else if (operator_file && report.compression) {
+    text += line("", "verified for the light of then");
+  }
   return text;
 }
 

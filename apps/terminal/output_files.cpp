@@ -21,7 +21,7 @@ bool contains(const std::vector<std::string>& list, const std::string& item) {
 }  // namespace
 
 const std::vector<std::string>& result_extensions() {
-  static const std::vector<std::string> extensions = {".vtp", ".csv", ".ply",
+  static const std::vector<std::string> extensions = {".vtp", ".csv", ".ply", ".glb",
                                                       ".png", ".exr", ".h5"};
   return extensions;
 }

@@ -11,9 +11,11 @@
 #include "io/base/rounding.h"
 #include "io/mesh/gltf_files.h"
 #include "io/mesh/gltf_reader.h"
+#include "io/mesh/msh_reader.h"
 #include "io/mesh/obj_reader.h"
 #include "io/mesh/off_reader.h"
 #include "io/mesh/ply_reader.h"
+#include "io/mesh/read_vtk_mesh.h"
 #include "io/mesh/stl_reader.h"
 
 namespace io {
@@ -26,16 +28,25 @@ FileScene read_by_extension(const std::filesystem::path& path, MeshMaterials mat
                             const Progress& progress) {
   const std::string extension = lower_case_extension(path);
   if (extension == ".obj") return read_obj(path, materials, progress);
+  if (extension == ".msh") return read_msh(path, progress);
   if (extension == ".off") return read_off(path, progress);
   if (extension == ".ply") return read_ply(path, progress);
   if (extension == ".stl") return read_stl(path, progress);
+  if (extension == ".vtp" || extension == ".vtu") {
+    if (radiosity_io_read_vtk_mesh == nullptr) {
+      fail(path, "this program was built without VTK, which " + extension + " files need");
+    }
+    FileScene file;
+    radiosity_io_read_vtk_mesh(path, file);
+    return file;
+  }
   if (extension == ".gltf" || extension == ".glb") {
     FileScene file = read_gltf(path, progress);
     file.scene.files = gltf_files(path);
     return file;
   }
-  fail(path, fmt::format("unknown extension \"{}\", expected .obj, .off, .ply, .stl, .gltf, .glb "
-                         "or .json",
+  fail(path, fmt::format("unknown extension \"{}\", expected .obj, .off, .ply, .stl, .gltf, "
+                         ".glb, .msh, .vtp, .vtu or .json",
                          extension));
 }
 

@@ -27,18 +27,6 @@ using radiosity::Image;
 using radiosity::Index;
 using radiosity::OutputError;
 
-RgbPicture srgb_picture(const Image& image, const ImageOptions& options) {
-  const Eigen::MatrixX3f colors = display_colors(image.values, options.wavelengths);
-  const double exposure = options.exposure ? *options.exposure : automatic_exposure(colors);
-  RgbPicture picture = {image.width, image.height, {}};
-  picture.bytes.reserve(3 * static_cast<std::size_t>(colors.rows()));
-  for (Index i = 0; i < colors.rows(); ++i) {
-    const auto pixel = srgb_bytes(colors.row(i), exposure);
-    picture.bytes.insert(picture.bytes.end(), pixel.begin(), pixel.end());
-  }
-  return picture;
-}
-
 /// The bytes of a PNG file. Throws OutputError with libpng's reason.
 std::vector<std::uint8_t> encode_png(const fs::path& path, const RgbPicture& picture) {
   png_image header = {};
@@ -90,6 +78,18 @@ void write_exr(const fs::path& path, const Image& image, const ImageOptions& opt
 }
 
 }  // namespace
+
+RgbPicture srgb_picture(const Image& image, const ImageOptions& options) {
+  const Eigen::MatrixX3f colors = display_colors(image.values, options.wavelengths);
+  const double exposure = options.exposure ? *options.exposure : automatic_exposure(colors);
+  RgbPicture picture = {image.width, image.height, {}};
+  picture.bytes.reserve(3 * static_cast<std::size_t>(colors.rows()));
+  for (Index i = 0; i < colors.rows(); ++i) {
+    const auto pixel = srgb_bytes(colors.row(i), exposure);
+    picture.bytes.insert(picture.bytes.end(), pixel.begin(), pixel.end());
+  }
+  return picture;
+}
 
 void write_image(const fs::path& path, const Image& image, const ImageOptions& options) {
   assert(image.values.rows() == Index{image.width} * image.height);

@@ -22,8 +22,12 @@ struct ImageOptions {
   std::string channel = "Y";
 };
 
-/// Writes a picture by extension: .png (8-bit sRGB, colours by `display_colors`) or .exr (float,
-/// linear, all bands as they are). Written beside and renamed into place. Throws OutputError.
+/// A picture as a .png shows it: 8-bit sRGB, colours by `display_colors`, exposed as the options
+/// say.
+RgbPicture srgb_picture(const radiosity::Image& image, const ImageOptions& options = {});
+
+/// Writes a picture by extension: .png (`srgb_picture`) or .exr (float, linear, all bands as they
+/// are). Written beside and renamed into place. Throws OutputError.
 void write_image(const std::filesystem::path& path, const radiosity::Image& image,
                  const ImageOptions& options = {});
 

@@ -7,12 +7,12 @@
 #include <cstdint>
 #include <cstring>
 #include <fstream>
-#include <unordered_map>
 #include <vector>
 
 #include "io/base/atomic_file.h"
 #include "io/picture/color_map.h"
 #include "io/picture/tone_mapping.h"
+#include "io/result/colored_mesh.h"
 #include "radiosity/scene/corner_values.h"
 
 namespace io {
@@ -21,17 +21,6 @@ namespace {
 using radiosity::Index;
 using radiosity::PatchMesh;
 using radiosity::Solution;
-
-struct ColoredVertex {
-  std::int32_t vertex;
-  std::array<std::uint8_t, 3> color;
-};
-
-/// The patches' corners with a colour each; corners that agree in both share a vertex.
-struct ColoredMesh {
-  std::vector<ColoredVertex> vertices;
-  std::vector<std::array<std::int32_t, 4>> corners;  ///< per patch; [3] = -1 for a triangle
-};
 
 /// Exposure for the light that surfaces reflect; what emits by itself may become white.
 double reflected_light_exposure(const Solution& solution, const std::vector<double>& wavelengths) {
@@ -43,26 +32,6 @@ double reflected_light_exposure(const Solution& solution, const std::vector<doub
     return automatic_exposure(display_colors(solution.radiosity.cast<float>(), wavelengths));
   const Eigen::MatrixXd values = solution.radiosity(reflecting, Eigen::all);
   return automatic_exposure(display_colors(values.cast<float>(), wavelengths));
-}
-
-ColoredMesh color_corners(const PatchMesh& mesh, const CornerColors& colors) {
-  ColoredMesh colored;
-  std::unordered_map<std::uint64_t, std::int32_t> index_of;
-  for (Index i = 0; i < mesh.size(); ++i) {
-    std::array<std::int32_t, 4> corners = {-1, -1, -1, -1};
-    for (int k = 0; k < mesh.n_corners(i); ++k) {
-      const std::int32_t vertex = mesh.corners[i][k];
-      const auto& rgb = colors[4 * i + k];
-      const std::uint64_t key = std::uint64_t(vertex) << 24 | std::uint64_t(rgb[0]) << 16 |
-                                std::uint64_t(rgb[1]) << 8 | rgb[2];
-      const auto [entry, is_new] =
-          index_of.try_emplace(key, static_cast<std::int32_t>(colored.vertices.size()));
-      if (is_new) colored.vertices.push_back({vertex, rgb});
-      corners[k] = entry->second;
-    }
-    colored.corners.push_back(corners);
-  }
-  return colored;
 }
 
 template <typename T>
@@ -109,7 +78,7 @@ void write_color_ply(const std::filesystem::path& path, const PatchMesh& mesh,
         "property uchar red\nproperty uchar green\nproperty uchar blue\n"
         "element face {}\nproperty list uchar int vertex_indices\nend_header\n",
         colored.vertices.size(), colored.corners.size());
-    for (const ColoredVertex& vertex : colored.vertices) {
+    for (const ColoredMesh::Vertex& vertex : colored.vertices) {
       for (const double x : mesh.vertices[vertex.vertex]) put(stream, static_cast<float>(x));
       for (const std::uint8_t c : vertex.color) put(stream, c);
     }

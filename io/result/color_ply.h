@@ -1,18 +1,14 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <filesystem>
 #include <vector>
 
+#include "io/result/colored_mesh.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/solve/quantity.h"
 #include "radiosity/solve/solution.h"
 
 namespace io {
-
-/// 8-bit sRGB of the patches' corners: rows 4 i + k as of `radiosity::corner_values`.
-using CornerColors = std::vector<std::array<std::uint8_t, 3>>;
 
 /// The radiosity as `display_colors` shows it, exposed for the patches that do not emit.
 CornerColors radiosity_colors(const radiosity::PatchMesh& mesh, const radiosity::Solution& solution,

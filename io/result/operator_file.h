@@ -45,7 +45,7 @@ bool is_compressed_operator(const std::filesystem::path& path);
 /// Reads an operator, or the form factors of `radiosity form-factors`, which become a dense one.
 /// All sizes and indices are checked, so that whatever the file holds, the operator can be used.
 /// Throws SceneError naming the file if it is no such file, of a newer version, cut off or damaged;
-/// SolveError if it does not fit into `memory` bytes (0 = what the machine has); Interrupted.
+/// MemoryShortage if it does not fit into `memory` bytes (0 = what the machine has); Interrupted.
 StoredOperator read_operator(const std::filesystem::path& path,
                              const radiosity::Progress& progress = {}, std::size_t memory = 0);
 

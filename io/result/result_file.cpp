@@ -3,15 +3,30 @@
 #include <fmt/format.h>
 
 #include <cassert>
+#include <cmath>
 #include <string>
 
 #include "io/base/extension.h"
+#include "io/result/color_glb.h"
 #include "io/result/color_ply.h"
 #include "io/result/patch_csv.h"
 #include "io/result/write_vtp.h"
 #include "radiosity/base/error.h"
 
 namespace io {
+namespace {
+
+/// Of a camera's `up`, from which on the z axis is taken to point upwards.
+constexpr double kSteep = 0.9;
+
+CornerColors shown_colors(const radiosity::PatchMesh& mesh, const radiosity::Solution& solution,
+                          const ResultOptions& options) {
+  return options.quantities.empty()
+             ? radiosity_colors(mesh, solution, options.wavelengths)
+             : quantity_colors(mesh, options.quantities.front(), options.wavelengths);
+}
+
+}  // namespace
 
 void write(const std::filesystem::path& path, const radiosity::PatchMesh& mesh,
            const radiosity::Solution& solution, const ResultOptions& options) {
@@ -20,7 +35,8 @@ void write(const std::filesystem::path& path, const radiosity::PatchMesh& mesh,
   if (extension == ".vtp") {
     if (radiosity_io_write_vtp == nullptr) {
       throw radiosity::OutputError(fmt::format(
-          "{}: this program was built without VTK, which .vtp files need; expected .csv or .ply",
+          "{}: this program was built without VTK, which .vtp files need; expected .csv, .ply or "
+          ".glb",
           path.string()));
     }
     radiosity_io_write_vtp(path, mesh, solution, options.quantities, options.wavelengths,
@@ -28,14 +44,15 @@ void write(const std::filesystem::path& path, const radiosity::PatchMesh& mesh,
   } else if (extension == ".csv") {
     write_patch_csv(path, mesh, solution, options.quantities);
   } else if (extension == ".ply") {
-    write_color_ply(path, mesh,
-                    options.quantities.empty()
-                        ? radiosity_colors(mesh, solution, options.wavelengths)
-                        : quantity_colors(mesh, options.quantities.front(), options.wavelengths));
+    write_color_ply(path, mesh, shown_colors(mesh, solution, options));
+  } else if (extension == ".glb") {
+    const bool is_z_up = options.camera && std::abs(options.camera->up.z()) > kSteep;
+    write_color_glb(path, mesh, shown_colors(mesh, solution, options),
+                    is_z_up ? UpAxis::z : UpAxis::y);
   } else {
     throw radiosity::OutputError(
-        fmt::format("{}: cannot write a result as '{}', expected .vtp, .csv or .ply", path.string(),
-                    extension));
+        fmt::format("{}: cannot write a result as '{}', expected .vtp, .csv, .ply or .glb",
+                    path.string(), extension));
   }
 }
 

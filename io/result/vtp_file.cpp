@@ -69,8 +69,12 @@ void swap_bytes(std::string& bytes, std::size_t size) {
 
 class VtpReader {
  public:
-  explicit VtpReader(const std::filesystem::path& path)
-      : path_(path), size_(input_size(path)), stream_(path, std::ios::binary) {
+  enum class Accepts { polygons, any };
+  VtpReader(const std::filesystem::path& path, Accepts accepts)
+      : path_(path),
+        is_any_kind_(accepts == Accepts::any),
+        size_(input_size(path)),
+        stream_(path, std::ios::binary) {
     if (!stream_) fail(path_, "cannot be read");
     allowance_ = kSmallValues + kMostExpansion * size_;
   }
@@ -151,8 +155,12 @@ class VtpReader {
   }
 
   void read_root(const XmlScanner& root) {
-    if (root.attribute("type") != "PolyData") {
-      fail(path_, "is a VTK file of another kind, expected PolyData (.vtp)");
+    const std::string kind = root.attribute("type");
+    if (kind == "UnstructuredGrid" && is_any_kind_) {
+      file_.kind = VtkKind::unstructured;
+    } else if (kind != "PolyData") {
+      fail(path_, std::string("is a VTK file of another kind, expected PolyData (.vtp)") +
+                      (is_any_kind_ ? " or UnstructuredGrid (.vtu)" : ""));
     }
     const std::string header = root.attribute("header_type");
     if (!header.empty() && header != "UInt32" && header != "UInt64") {
@@ -193,7 +201,13 @@ class VtpReader {
   void read_piece(const XmlScanner& piece) {
     ++n_pieces_;
     file_.n_points = count(piece, "NumberOfPoints", "the piece");
+    if (file_.kind == VtkKind::unstructured) {
+      file_.n_polygons = count(piece, "NumberOfCells", "the piece");
+      return;
+    }
     file_.n_polygons = count(piece, "NumberOfPolys", "the piece");
+    file_.n_verts_and_lines =
+        count(piece, "NumberOfVerts", "the piece") + count(piece, "NumberOfLines", "the piece");
     for (const char* other : {"NumberOfVerts", "NumberOfLines", "NumberOfStrips"}) {
       file_.n_other_cells += count(piece, other, "the piece");
     }
@@ -235,7 +249,7 @@ class VtpReader {
     }
     array.offset = parse_number<std::uint64_t>(tag.attribute("offset"));
     std::optional<std::uint64_t> rows = rows_of_section(array.name, n_rows);
-    if (!rows && section_ != "Polys" && section_ != "FieldData") return std::nullopt;
+    if (!rows && section_ != cells_section() && section_ != "FieldData") return std::nullopt;
     if (section_ == "FieldData" && array.values.type == "String") rows.reset();
     if (rows) {
       if (*rows * array.values.n_components > kMost) damaged(label + " has too many values");
@@ -244,12 +258,19 @@ class VtpReader {
     return array;
   }
 
+  /// The part of the file that has the cells' corners.
+  [[nodiscard]] const char* cells_section() const {
+    return file_.kind == VtkKind::unstructured ? "Cells" : "Polys";
+  }
+
   /// How many rows an array of the part of the file that we are in must have, if that is known.
   [[nodiscard]] std::optional<std::uint64_t> rows_of_section(const std::string& name,
                                                              std::uint64_t n_given) const {
     if (section_ == "Points") return file_.n_points;
     if (section_ == "CellData") return file_.n_polygons + file_.n_other_cells;
-    if (section_ == "Polys" && name == "offsets") return file_.n_polygons;
+    if (section_ == cells_section() && (name == "offsets" || name == "types")) {
+      return file_.n_polygons;
+    }
     if (section_ == "FieldData") return n_given;
     return std::nullopt;
   }
@@ -313,6 +334,7 @@ class VtpReader {
   }
 
   const std::filesystem::path& path_;
+  bool is_any_kind_;
   std::uint64_t size_;
   std::ifstream stream_;
   std::string head_;         // the XML, up to the appended values
@@ -336,6 +358,12 @@ std::size_t vtp_type_size(const std::string& type) {
   return entry == kTypes.end() ? 0 : entry->second;
 }
 
-VtpFile read_vtp(const std::filesystem::path& path) { return VtpReader(path).read(); }
+VtpFile read_vtp(const std::filesystem::path& path) {
+  return VtpReader(path, VtpReader::Accepts::polygons).read();
+}
+
+VtpFile read_vtk_xml(const std::filesystem::path& path) {
+  return VtpReader(path, VtpReader::Accepts::any).read();
+}
 
 }  // namespace io

@@ -15,14 +15,21 @@ struct VtpArray {
                                    ///< the characters, a zero byte after each
 };
 
-/// What a file of polygons (.vtp) holds, by the names of the arrays. Values at points are left out.
+enum class VtkKind {
+  polygons,     ///< PolyData, .vtp
+  unstructured  ///< UnstructuredGrid, .vtu
+};
+
+/// What a file of cells holds, by the names of the arrays. Values at points are left out.
 struct VtpFile {
   using Arrays = std::map<std::string, VtpArray>;
+  VtkKind kind = VtkKind::polygons;
   std::uint64_t n_points = 0;
-  std::uint64_t n_polygons = 0;
-  std::uint64_t n_other_cells = 0;  ///< vertices, lines and strips
+  std::uint64_t n_polygons = 0;         ///< of a .vtu: cells of any type
+  std::uint64_t n_other_cells = 0;      ///< vertices, lines and strips; of a .vtu none
+  std::uint64_t n_verts_and_lines = 0;  ///< of these, those whose values come before the polygons'
   VtpArray points;
-  Arrays polygons;  ///< "connectivity" and "offsets"
+  Arrays polygons;  ///< "connectivity" and "offsets", of a .vtu "types", too
   Arrays cells;     ///< a row for each cell
   Arrays fields;
 };
@@ -35,5 +42,7 @@ std::size_t vtp_type_size(const std::string& type);
 /// of the memory; here all numbers are checked against each other and against what the file can
 /// hold before anything is allocated. Throws SceneError naming `path`.
 VtpFile read_vtp(const std::filesystem::path& path);
+/// The same of either kind.
+VtpFile read_vtk_xml(const std::filesystem::path& path);
 
 }  // namespace io

@@ -202,7 +202,8 @@ void add_mesh(const JsonItem& item, const Surface& given, const std::filesystem:
   }
   const std::string file = item.at("mesh").text();
   if (lower_case_extension(file) == ".json") {
-    item.at("mesh").fail("is a scene, expected a mesh file: .obj, .off, .ply, .stl, .gltf, .glb");
+    item.at("mesh").fail(
+        "is a scene, expected a mesh file: .obj, .off, .ply, .stl, .gltf, .glb, .msh, .vtp, .vtu");
   }
   const FileScene read =
       read_mesh(folder / file,

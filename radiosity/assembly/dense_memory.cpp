@@ -35,9 +35,9 @@ void check_memory(Index n_patches, Index n_polygons, std::size_t memory) {
           ? "use --patches " + std::to_string(fits) + " or, for more, --transport compressed"
           : "use a scene of fewer polygons (at most about " + std::to_string(fits) + "; it has " +
                 std::to_string(n_polygons) + ")";
-  throw SolveError("the form factors of " + std::to_string(n_patches) + " patches need " +
-                   gigabytes(needed) + " of memory, but " + gigabytes(limit) +
-                   " can be used: " + way_out);
+  throw MemoryShortage("the form factors of " + std::to_string(n_patches) + " patches need " +
+                       gigabytes(needed) + " of memory, but " + gigabytes(limit) +
+                       " can be used: " + way_out);
 }
 
 }  // namespace radiosity

@@ -14,8 +14,8 @@ std::size_t dense_transport_bytes(Index n_patches);
 /// not tell what it has: then it is the largest number that an operator can have.
 Index largest_problem(std::size_t memory = 0);
 
-/// Throws SolveError, with the figures and the way out, if the dense operator of `n_patches` does
-/// not fit into `memory` bytes (0 = what the machine has; never throws if it does not tell).
+/// Throws MemoryShortage, with the figures and the way out, if the dense operator of `n_patches`
+/// does not fit into `memory` bytes (0 = what the machine has; never throws if it does not tell).
 /// `n_polygons` is the number of polygons of the scene, below which no choice of patches can go; 0
 /// if it is not known.
 void check_memory(Index n_patches, Index n_polygons, std::size_t memory = 0);

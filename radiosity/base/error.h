@@ -15,9 +15,14 @@ struct MeshError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A transport problem that has no solution, or does not fit into memory.
+/// A transport problem that has no solution, or that this program cannot solve.
 struct SolveError : std::runtime_error {
   using std::runtime_error::runtime_error;
+};
+
+/// A problem that does not fit into memory, found out before it was begun.
+struct MemoryShortage : SolveError {
+  using SolveError::SolveError;
 };
 
 /// A result that cannot be written.

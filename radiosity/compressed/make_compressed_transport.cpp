@@ -37,9 +37,6 @@ constexpr double kAimedAt = 0.85;
 constexpr double kLeastStep = 0.2;
 constexpr double kMostStep = 0.6;
 constexpr int kMostRounds = 6;
-/// Rows that verify it, and as many again as long as they do not decide.
-constexpr Index kRows = 96;
-constexpr Index kMostRows = 384;
 /// The verified error may be that much larger than what the blocks tell before it counts as told
 /// wrong, and never less: errors are not made smaller by luck.
 constexpr double kLeastScale = 1;
@@ -206,23 +203,12 @@ class CompressedAssembly {
       fields.conservativeResize(Eigen::NoChange, n + solution.radiosity.cols());
       fields.rightCols(solution.radiosity.cols()) = solution.radiosity;
     }
-    const Eigen::MatrixXd told = transport.matrix().common_errors(transport.order().to_rows(area_));
-    return {evaluator_, mesh_.area, transport.order().to_patches(told), std::move(fields),
-            options_.seed};
+    return {evaluator_, mesh_.area, likely_errors(transport), std::move(fields), options_.seed};
   }
 
-  /// With as many rows as it takes to tell.
   [[nodiscard]] RowCheck::Error verify(RowCheck& check,
                                        const CompressedTransport& transport) const {
-    const Eigen::MatrixXd gathered = transport.apply(check.radiosity());
-    if (check.n_rows() == 0) check.add_rows(kRows, options_.progress);
-    RowCheck::Error error = check.error(gathered);
-    while (error.limit > options_.tolerance && error.estimate < kAimedAt * options_.tolerance &&
-           check.n_rows() < kMostRows) {
-      check.add_rows(check.n_rows(), options_.progress);
-      error = check.error(gathered);
-    }
-    return error;
+    return check.decide(transport.apply(check.radiosity()), options_.tolerance, options_.progress);
   }
 
   void finish(CompressedTransport& transport, const RowCheck::Error& error, int round) const {
@@ -294,10 +280,10 @@ void check_compressed_memory(Index n_patches, std::size_t memory) {
   const std::size_t needed = compressed_transport_bytes(n_patches);
   if (needed <= limit) return;
   const auto fits = static_cast<Index>(static_cast<double>(limit) / kBytesOfPatch);
-  throw SolveError("the compressed form factors of " + std::to_string(n_patches) +
-                   " patches need some " + gigabytes(needed) + " of memory, but " +
-                   gigabytes(limit) + " can be used: use --patches " + std::to_string(fits) +
-                   " or a scene of fewer polygons");
+  throw MemoryShortage("the compressed form factors of " + std::to_string(n_patches) +
+                       " patches need some " + gigabytes(needed) + " of memory, but " +
+                       gigabytes(limit) + " can be used: use --patches " + std::to_string(fits) +
+                       " or a scene of fewer polygons");
 }
 
 }  // namespace radiosity

@@ -20,7 +20,7 @@ struct ExpectedLight {
 
 /// Makes a compressed operator in rounds, until its verified error is no more than
 /// TransportOptions::tolerance or rounds no longer help (CompressionReport tells). Same input, same
-/// bits, at any number of threads. KnownPairs are not used. Throws SolveError if it will not fit
+/// bits, at any number of threads. KnownPairs are not used. Throws MemoryShortage if it will not fit
 /// into memory; OutputError if the work file can't be written, or is to be gone on with and belongs
 /// to another computation; Interrupted if asked to stop.
 std::unique_ptr<CompressedTransport> make_compressed_transport(const PatchMesh& mesh,
@@ -35,7 +35,7 @@ Fingerprint compressed_fingerprint(const PatchMesh& mesh, const TransportOptions
 /// Memory that the assembly for n patches takes, about, bytes.
 std::size_t compressed_transport_bytes(Index n_patches);
 
-/// Throws SolveError, with the figures and the way out, if so many patches will not fit into
+/// Throws MemoryShortage, with the figures and the way out, if so many patches will not fit into
 /// `memory` bytes (0 = what the machine has).
 void check_compressed_memory(Index n_patches, std::size_t memory = 0);
 

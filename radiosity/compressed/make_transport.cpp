@@ -20,7 +20,7 @@ std::string way_out(Index fits, Index n_polygons) {
 /// Refuses what fits neither way.
 [[noreturn]] void refuse_both(Index n_patches, Index n_polygons, std::size_t limit) {
   const auto compressed = static_cast<Index>(limit / compressed_transport_bytes(1));
-  throw SolveError(
+  throw MemoryShortage(
       "the form factors of " + std::to_string(n_patches) + " patches need " +
       gigabytes(dense_transport_bytes(n_patches)) + " of memory, or some " +
       gigabytes(compressed_transport_bytes(n_patches)) + " compressed, but " + gigabytes(limit) +
@@ -29,11 +29,11 @@ std::string way_out(Index fits, Index n_polygons) {
 
 void check_rows_memory(Index n_patches, Index n_polygons, std::size_t limit) {
   if (dense_transport_bytes(n_patches) <= limit) return;
-  throw SolveError("this method goes by rows of all form factors, which for " +
-                   std::to_string(n_patches) + " patches need " +
-                   gigabytes(dense_transport_bytes(n_patches)) + " of memory, but " +
-                   gigabytes(limit) + " can be used: use --method cg, which needs none, or " +
-                   way_out(largest_problem(limit), n_polygons).substr(4));
+  throw MemoryShortage("this method goes by rows of all form factors, which for " +
+                       std::to_string(n_patches) + " patches need " +
+                       gigabytes(dense_transport_bytes(n_patches)) + " of memory, but " +
+                       gigabytes(limit) + " can be used: use --method cg, which needs none, or " +
+                       way_out(largest_problem(limit), n_polygons).substr(4));
 }
 
 }  // namespace

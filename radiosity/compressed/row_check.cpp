@@ -14,6 +14,11 @@ namespace {
 constexpr double kQuantile = 1.67;
 /// Errors of entries that rows are checked by, next to those of the operator.
 constexpr double kShareOfErrors = 0.2;
+/// Rows that verify an operator, and as many again as long as they do not decide.
+constexpr Index kRows = 96;
+constexpr Index kMostRows = 384;
+/// They may still decide that it will do if their error is that much smaller than what is asked.
+constexpr double kMayDo = 0.85;
 /// Rows that are spread over the area; the others follow the errors.
 constexpr double kShareOfArea = 1.0 / 3;
 
@@ -92,6 +97,22 @@ RowCheck::Error RowCheck::error(const Eigen::MatrixXd& gathered) const {
     result.limit = std::max(result.limit, std::sqrt(mean + quantile * deviation / std::sqrt(n)));
   }
   return result;
+}
+
+RowCheck::Error RowCheck::decide(const Eigen::MatrixXd& gathered, double tolerance,
+                                 const Progress& progress) {
+  if (rows_.empty()) add_rows(kRows, progress);
+  Error result = error(gathered);
+  while (result.limit > tolerance && result.estimate < kMayDo * tolerance && n_rows() < kMostRows) {
+    add_rows(n_rows(), progress);
+    result = error(gathered);
+  }
+  return result;
+}
+
+Eigen::VectorXd likely_errors(const CompressedTransport& transport) {
+  const PatchOrder& order = transport.order();
+  return order.to_patches(transport.matrix().common_errors(order.to_rows(transport.area())));
 }
 
 }  // namespace radiosity

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "radiosity/base/progress.h"
+#include "radiosity/compressed/compressed_transport.h"
 #include "radiosity/exchange/exchange_evaluator.h"
 
 namespace radiosity {
@@ -33,6 +34,9 @@ class RowCheck {
     Index n_rows = 0;
   };
   [[nodiscard]] Error error(const Eigen::MatrixXd& gathered) const;
+  /// The same of as many rows as it takes to tell whether it is within a tolerance: 96 at least,
+  /// and up to 384.
+  Error decide(const Eigen::MatrixXd& gathered, double tolerance, const Progress& progress);
 
  private:
   const ExchangeEvaluator& evaluator_;
@@ -44,5 +48,9 @@ class RowCheck {
   std::vector<double> weights_;     // of the rows: their share of the area over that of the rows
   std::vector<Eigen::VectorXd> gathered_;
 };
+
+/// What each row of F 1 may be off by if the errors of its blocks are alike, n, in the order of the
+/// patches: what rows are chosen by.
+Eigen::VectorXd likely_errors(const CompressedTransport& transport);
 
 }  // namespace radiosity

@@ -41,9 +41,10 @@ void check_streaming_memory(Index n_patches, std::size_t memory) {
   const std::size_t needed = streaming_memory(n_patches) + least_buffers(n_patches);
   memory = memory_limit(memory);
   if (needed <= memory) return;
-  throw SolveError("the form factors of " + std::to_string(n_patches) + " patches need at least " +
-                   memory_text(needed) + " of memory, but " + memory_text(memory) +
-                   " may be used: use --memory " + memory_text(needed) + " or fewer patches");
+  throw MemoryShortage("the form factors of " + std::to_string(n_patches) +
+                       " patches need at least " + memory_text(needed) + " of memory, but " +
+                       memory_text(memory) + " may be used: use --memory " + memory_text(needed) +
+                       " or fewer patches");
 }
 
 }  // namespace radiosity

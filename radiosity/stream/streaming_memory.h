@@ -16,7 +16,7 @@ std::size_t least_buffers(Index n_patches);
 /// Memory for streamed form factors if nobody says how much, bytes: half of what is usable.
 std::size_t default_streaming_memory();
 
-/// Throws SolveError, with the least that works, if the form factors of `n_patches` cannot be
+/// Throws MemoryShortage, with the least that works, if the form factors of `n_patches` cannot be
 /// streamed within `memory` bytes (0 = what the machine has; never throws if it does not tell).
 void check_streaming_memory(Index n_patches, std::size_t memory = 0);
 

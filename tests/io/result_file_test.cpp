@@ -300,7 +300,7 @@ TEST_F(ResultFileTest, UnknownExtensionIsAnError) {
 
 TEST_F(ResultFileTest, MissingFolderIsAnError) {
   const PatchMesh mesh = floor_and_wall();
-  for (const char* name : {"out.csv", "out.vtp", "out.ply"}) {
+  for (const char* name : {"out.csv", "out.vtp", "out.ply", "out.glb"}) {
     const auto path = folder() / "missing" / name;
     const std::string message = error_of([&] { io::write(path, mesh, make_solution(mesh)); });
     EXPECT_EQ(message.find(path.string()), 0U) << message;

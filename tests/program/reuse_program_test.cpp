@@ -57,6 +57,18 @@ TEST_F(ReuseProgram, AKeptOperatorGivesTheSameResults) {
   }
 }
 
+TEST_F(ReuseProgram, AKeptOperatorIsVerifiedForOtherLight) {
+  const std::string file = made("compressed");
+  const Json solved = json_of({"solve", kRoom, "--operator", file, "--verify"});
+  const Json& verified = solved.at("form_factors").at("compressed").at("for_this_light");
+  EXPECT_GE(verified.at("rows").get<int>(), 96);
+  EXPECT_GT(verified.at("verified_error").get<double>(), 0);
+  EXPECT_LE(verified.at("verified_error").get<double>(), 1e-2);
+  const Json dense = json_of({"solve", kRoom, "--operator", made("dense"), "--verify"});
+  EXPECT_FALSE(dense.at("form_factors").contains("compressed"));
+  expect_error(run({"solve", kRoom, "--verify"}), 2, "--operator");
+}
+
 TEST_F(ReuseProgram, FilesOfFormFactorsServe) {
   ASSERT_EQ(run({"form-factors", kRoom, "--patches", "200", "-o", result("F.h5")}).exit_code, 0);
   const Json solved = json_of({"solve", kRoom, "--operator", result("F.h5")});

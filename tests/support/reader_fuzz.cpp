@@ -209,6 +209,7 @@ std::vector<Seed> seeds(const std::string& format, const std::filesystem::path& 
   const std::pair<std::string, std::string> bin = {"data.bin", gltf_buffer()};
   if (format == "obj") return {{{{"a.obj", kObj}, mtl}}};
   if (format == "off") return {{{{"a.off", kOff}}}};
+  if (format == "msh") return {{{{"a.msh", kMsh2}}}, {{{"a.msh", kMsh41}}}};
   if (format == "stl") return {{{{"a.stl", kAsciiStl}}}, {{{"a.stl", binary_stl()}}}};
   if (format == "ply") {
     return {{{{"a.ply", kAsciiPly}}},
@@ -222,6 +223,7 @@ std::vector<Seed> seeds(const std::string& format, const std::filesystem::path& 
     if (format == "csv") std::swap(seed.files[0], seed.files[1]);  // the first is damaged
     return {seed};
   }
+  if (format == "vtu") return {{{{"a.vtu", kVtu}}}};
   if (format == "vtp") return {{{{"a.vtp", vtp(folder)}}}};
   if (format == "h5") {
     return {{{{"a.h5", small_form_factor_file(folder)}}}};
@@ -271,8 +273,8 @@ std::string read_fault(const std::filesystem::path& path, bool& was_read) {
 }  // namespace
 
 const std::vector<std::string>& fuzz_formats() {
-  static const std::vector<std::string> formats = {"obj", "ply",  "stl", "off", "gltf",
-                                                   "glb", "json", "csv", "vtp", "h5"};
+  static const std::vector<std::string> formats = {"obj", "ply",  "stl", "off", "msh", "gltf",
+                                                   "glb", "json", "csv", "vtu", "vtp", "h5"};
   return formats;
 }
 

@@ -15,8 +15,8 @@ struct FuzzReport {
   std::vector<std::string> faults;  ///< "mutant 17: ..."; empty if all was well
 };
 
-/// "obj", "ply", "stl", "off", "gltf", "glb", "json", "csv", "vtp", "h5". The .mtl belongs to
-/// "obj" and is damaged as often.
+/// "obj", "ply", "stl", "off", "msh", "gltf", "glb", "json", "csv", "vtu", "vtp", "h5". The .mtl
+/// belongs to "obj" and is damaged as often.
 const std::vector<std::string>& fuzz_formats();
 
 /// Reads the mutants first, first + 1, ..., first + n - 1 of small files of a format: bytes

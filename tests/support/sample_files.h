@@ -31,6 +31,37 @@ inline const std::string kOff =
     "COFF  # colours\n\n4 2 0\n0 0 0 255 0 0\n1 0 0 0 255 0\n1 1 0\n0 0.8660254037844386 0\n"
     "4 0 1 2 3 0.5 0.5 0.5\n3 0 1 2\n";
 
+/// A triangle and a quad of the group "hot wall", and a triangle of the surface 8.
+inline const std::string kMsh2 =
+    "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n2\n1 3 \"edge\"\n2 3 \"hot wall\"\n"
+    "$EndPhysicalNames\n$Nodes\n10\n1 0 0 0\n2 1 0 0\n3 1 1 0\n20 0 0 1\n21 1 0 1\n22 1 1 1\n"
+    "23 0 1 1\n10 0 0 2\n11 0 1 2\n12 1 1 2\n$EndNodes\n$Elements\n5\n1 15 2 0 1 1\n"
+    "2 1 2 3 4 1 2\n3 2 2 3 5 1 2 3\n4 3 2 3 5 20 21 22 23\n5 2 2 0 8 10 11 12\n$EndElements\n";
+
+/// The same in version 4.1.
+inline const std::string kMsh41 =
+    "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n2\n1 3 \"edge\"\n2 3 \"hot wall\"\n"
+    "$EndPhysicalNames\n$Entities\n1 1 2 0\n1 0 0 0 0\n4 0 0 0 1 0 0 1 3 0\n"
+    "5 0 0 0 1 1 0 1 3 0\n8 0 0 2 1 1 2 0 0\n$EndEntities\n$Nodes\n2 10 1 23\n2 5 0 7\n1\n2\n3\n"
+    "20\n21\n22\n23\n0 0 0\n1 0 0\n1 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n2 8 0 3\n10\n11\n12\n"
+    "0 0 2\n0 1 2\n1 1 2\n$EndNodes\n$Elements\n5 5 1 5\n0 1 15 1\n1 1\n1 4 1 1\n2 1 2\n2 5 2 1\n"
+    "3 1 2 3\n2 5 3 1\n4 20 21 22 23\n2 8 2 1\n5 10 11 12\n$EndElements\n";
+
+/// The same triangles and quad, of surfaces 3 and 8, as VTK XML; and a line.
+inline const std::string kVtu = R"(<?xml version="1.0"?>
+<VTKFile type="UnstructuredGrid" version="0.1" byte_order="LittleEndian">
+<UnstructuredGrid><Piece NumberOfPoints="10" NumberOfCells="4">
+<Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">
+0 0 0 1 0 0 1 1 0 0 0 1 1 0 1 1 1 1 0 1 1 0 0 2 0 1 2 1 1 2
+</DataArray></Points>
+<Cells><DataArray type="Int64" Name="connectivity" format="ascii">
+0 1 2 0 1 3 4 5 6 7 8 9
+</DataArray><DataArray type="Int64" Name="offsets" format="ascii">3 5 9 12</DataArray>
+<DataArray type="UInt8" Name="types" format="ascii">5 3 9 5</DataArray></Cells>
+<CellData><DataArray type="Int32" Name="surface" format="ascii">3 0 3 8</DataArray></CellData>
+</Piece></UnstructuredGrid></VTKFile>
+)";
+
 inline const std::string kPlyHeader =
     "element material 1\nproperty uchar shininess\nproperty list uchar int maps\n"
     "element vertex 4\nproperty float quality\nproperty double x\nproperty double y\n"

@@ -1,0 +1,86 @@
+// Meshes of VTK XML.
+
+#include <string>
+
+#include "io/result/result_file.h"
+#include "tests/support/sample_files.h"
+#include "tests/support/scratch_files.h"
+
+namespace {
+
+using radiosity::Scene;
+using radiosity::Vec3;
+
+class VtkMeshReader : public ScratchFiles {
+ protected:
+  /// The message for the grid with a part replaced.
+  [[nodiscard]] std::string error_with(const std::string& part, const std::string& other) const {
+    std::string content = kVtu;
+    content.replace(content.find(part), part.size(), other);
+    return error_of(file("a.vtu", content));
+  }
+};
+
+const std::string kVtp = R"(<VTKFile type="PolyData" byte_order="LittleEndian"><PolyData>
+<Piece NumberOfPoints="5" NumberOfVerts="0" NumberOfLines="1" NumberOfStrips="0" NumberOfPolys="2">
+<Points><DataArray type="Float32" NumberOfComponents="3" format="ascii">
+0 0 0 1 0 0 1 1 0 0 1 0 0 0 1</DataArray></Points>
+<Lines><DataArray type="Int32" Name="connectivity" format="ascii">0 1</DataArray>
+<DataArray type="Int32" Name="offsets" format="ascii">2</DataArray></Lines>
+<Polys><DataArray type="Int32" Name="connectivity" format="ascii">0 1 2 3 0 3 4</DataArray>
+<DataArray type="Int32" Name="offsets" format="ascii">4 7</DataArray></Polys>
+<CellData><DataArray type="Int32" Name="surface" format="ascii">7 1 2</DataArray></CellData>
+</Piece></PolyData></VTKFile>)";
+
+TEST_F(VtkMeshReader, ReadsPolygonsOfGrids) {
+  const Scene scene = read("a.vtu", kVtu);
+  ASSERT_EQ(scene.n_polygons(), 3);
+  ASSERT_EQ(scene.surfaces.size(), 2U);
+  EXPECT_EQ(scene.surfaces[0].name, "surface 3");
+  EXPECT_EQ(scene.surfaces[1].name, "surface 8");
+  EXPECT_EQ(scene.polygon_surface, (std::vector<std::int32_t>{0, 0, 1}));
+  EXPECT_EQ(scene.polygon(1).size(), 4U);
+  EXPECT_EQ(scene.vertices[scene.polygon(2)[0]], Vec3(0, 0, 2));
+  EXPECT_CONTAINS(scene.warnings.back(), "cell 1 is of type 3; only polygons are read");
+}
+
+TEST_F(VtkMeshReader, ReadsPolyDataWithValuesOfLinesBefore) {
+  const Scene scene = read("a.vtp", kVtp);
+  ASSERT_EQ(scene.n_polygons(), 2);
+  ASSERT_EQ(scene.surfaces.size(), 2U);
+  EXPECT_EQ(scene.surfaces[0].name, "surface 1");
+  EXPECT_EQ(scene.surfaces[1].name, "surface 2");
+}
+
+TEST_F(VtkMeshReader, ReadsWhatIsWrittenAsAResult) {
+  radiosity::PatchMesh mesh;
+  mesh.surface_names = {"floor", "east wall"};
+  mesh.surface_two_sided = {false, false};
+  mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 0, 1}, {1, 1, 1}};
+  mesh.add_patch({0, 1, 2, 3}, 0, 0);
+  mesh.add_patch({1, 4, 5, 2}, 1, 1);
+  const Eigen::MatrixXd ones = Eigen::MatrixXd::Ones(2, 1);
+  radiosity::Solution solution;
+  solution.radiosity = solution.irradiance = solution.exitance = ones;
+  solution.reflectance = solution.radiosity_error = ones;
+  io::write(folder() / "a.vtp", mesh, solution);
+  const Scene scene = io::read_scene(folder() / "a.vtp");
+  ASSERT_EQ(scene.n_polygons(), 2);
+  EXPECT_EQ(scene.surfaces[1].name, "east wall");
+  EXPECT_EQ(scene.vertices[scene.polygon(1)[2]], Vec3(1, 1, 1));
+}
+
+TEST_F(VtkMeshReader, ExplainsBadFiles) {
+  EXPECT_CONTAINS(error_with("0 1 2 0 1 3 4 5 6 7 8 9", "0 1 2 0 1 3 4 5 6 7 8 10"),
+                  "cell 3 uses point 10, but there are 10");
+  EXPECT_CONTAINS(error_with("3 5 9 12", "3 5 4 12"), "cell 2 ends where it cannot");
+  EXPECT_CONTAINS(error_with("3 5 9 12", "3 5 9 13"), "cell 3 ends where it cannot");
+  EXPECT_CONTAINS(error_with("3 5 9 12", "3 5 9"), "are not as they should be");
+  EXPECT_CONTAINS(error_with("Name=\"types\"", "Name=\"kinds\""), "types of its cells");
+  EXPECT_CONTAINS(error_with("5 3 9 5", "10 3 12 3"), "has no polygons");
+  EXPECT_CONTAINS(error_with("<VTKFile type=\"UnstructuredGrid\"", "<VTKFile type=\"ImageData\""),
+                  "another kind");
+  EXPECT_CONTAINS(error_of(file("a.vtu", "solid")), "a.vtu");
+}
+
+}  // namespace
