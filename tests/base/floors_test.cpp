@@ -36,6 +36,7 @@ const std::vector<std::string> kFloors = {"radiosity/base",
                                           "io/mesh",
                                           "io/scene",
                                           "io/result",
+                                          "python/bindings",
                                           "viewer/work",
                                           "viewer/desk",
                                           "viewer/draw",
@@ -63,7 +64,7 @@ std::map<std::string, Source> read_sources() {
   std::map<std::string, Source> result;
   const fs::path top(RADIOSITY_SOURCES);
   const std::regex include("#include \"([^\"]+)\".*");
-  for (const char* folder : {"radiosity", "meshing", "study", "io", "viewer", "apps"}) {
+  for (const char* folder : {"radiosity", "meshing", "study", "io", "python", "viewer", "apps"}) {
     for (const auto& entry : fs::recursive_directory_iterator(top / folder)) {
       const fs::path& path = entry.path();
       if (path.extension() != ".h" && path.extension() != ".cpp") continue;

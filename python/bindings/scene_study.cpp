@@ -1,0 +1,189 @@
+#include "python/bindings/scene_study.h"
+
+#include <pybind11/eigen.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "io/picture/image_file.h"
+#include "io/result/operator_file.h"
+#include "io/result/result_file.h"
+#include "python/bindings/arrays.h"
+#include "python/bindings/light.h"
+#include "python/bindings/operator.h"
+#include "python/bindings/work.h"
+#include "radiosity/base/error.h"
+#include "radiosity/picture/gathered_picture.h"
+#include "radiosity/picture/render.h"
+#include "radiosity/solve/quantity.h"
+#include "study/study.h"
+
+namespace python {
+namespace {
+
+namespace py = pybind11;
+using namespace radiosity;
+
+/// A study, and what it is to be.
+struct KeptStudy {
+  std::shared_ptr<study::Study> study;
+  study::StudyOptions options;
+};
+
+KeptStudy assemble(Scene scene, const study::StudyOptions& options,
+                   const std::optional<std::filesystem::path>& operator_file,
+                   const py::object& report, std::size_t n_threads) {
+  KeptStudy result{{}, options};
+  run_work({report, n_threads}, [&](const study::StudyEvents& events) {
+    if (!operator_file) {
+      result.study =
+          std::make_shared<study::Study>(study::assemble(std::move(scene), options, events));
+      return;
+    }
+    io::StoredOperator stored = io::read_operator(*operator_file, events.progress, options.memory);
+    study::KnownFactors known{.source = operator_file->string(),
+                              .mesh = std::move(stored.mesh),
+                              .transport = std::move(stored.transport),
+                              .tolerance = stored.tolerance,
+                              .geometry = std::move(stored.geometry)};
+    result.study = std::make_shared<study::Study>(
+        study::assemble(std::move(scene), std::move(known), options, events));
+  });
+  return result;
+}
+
+Operator operator_of(const KeptStudy& kept) {
+  const auto& study = kept.study;
+  return {std::shared_ptr<const PatchMesh>(study, &study->mesh),
+          std::shared_ptr<const Transport>(study, study->transport.get()), study->factor_tolerance,
+          study::geometry_fingerprint(study->scene)};
+}
+
+void light_up(const KeptStudy& kept, const py::object& report, std::size_t n_threads) {
+  study::Study& study = *kept.study;
+  study::Light light;
+  run_work({report, n_threads}, [&](const study::StudyEvents& events) {
+    light = study::solve_light(study.scene, study.mesh, *study.transport, kept.options, events);
+  });
+  study.solution = std::move(light.solution);
+  study.discretisation = std::move(light.discretisation);
+}
+
+QuantityField field_of(const study::Study& study, const std::string& name, double efficacy) {
+  const auto quantity = quantity_named(name);
+  if (!quantity) {
+    std::string known;
+    for (const QuantityInfo& info : quantity_infos()) {
+      known += (known.empty() ? "'" : ", '") + std::string(info.name) + "'";
+    }
+    throw SceneError("found quantity '" + name + "', expected one of " + known);
+  }
+  return make_field(*quantity, study.mesh, study.solution, study.scene.bands, efficacy);
+}
+
+/// How a picture is taken.
+struct PictureOptions {
+  RenderOptions render;
+  bool gathers = false;
+  std::optional<double> exposure;
+  std::optional<Camera> camera;
+};
+
+Image draw(const study::Study& study, const PictureOptions& options, const Progress& progress) {
+  RenderOptions render_options = options.render;
+  render_options.progress = progress;
+  const std::optional<Camera>& given = options.camera ? options.camera : study.scene.camera;
+  const Camera camera = given ? *given : fit_camera(study.mesh, fit_camera(study.mesh));
+  const Solution& solution = study.solution;
+  if (!options.gathers) {
+    return render(study.mesh, study.visibility, solution.radiosity, camera, render_options);
+  }
+  const FinalGather gather(study.mesh, solution.radiosity);
+  return render_gathered(gather, study.visibility, {solution.exitance, solution.reflectance},
+                         camera, render_options);
+}
+
+io::ImageOptions image_options(const study::Study& study, const PictureOptions& options) {
+  return {.exposure = options.exposure, .wavelengths = study.scene.bands.wavelengths};
+}
+
+/// 8-bit sRGB, height x width x 3.
+py::array image(const KeptStudy& kept, const PictureOptions& options, const py::object& report,
+                std::size_t n_threads) {
+  io::RgbPicture picture;
+  run_work({report, n_threads}, [&](const study::StudyEvents& events) {
+    picture = io::srgb_picture(draw(*kept.study, options, events.progress),
+                               image_options(*kept.study, options));
+  });
+  return owned_array(std::move(picture.bytes))
+      .reshape({py::ssize_t{picture.height}, py::ssize_t{picture.width}, py::ssize_t{3}});
+}
+
+/// Writes a result by its extension.
+void write(const KeptStudy& kept, const std::filesystem::path& path,
+           const std::vector<std::string>& quantities, double efficacy,
+           const PictureOptions& picture, const py::object& report, std::size_t n_threads) {
+  const study::Study& study = *kept.study;
+  io::ResultOptions options{.wavelengths = study.scene.bands.wavelengths,
+                            .camera = study.scene.camera};
+  for (const std::string& name : quantities) {
+    options.quantities.push_back(field_of(study, name, efficacy));
+  }
+  run_work({report, n_threads}, [&](const study::StudyEvents& events) {
+    if (path.extension() == ".h5") {
+      io::write_operator(path, study.mesh, *study.transport,
+                         {.tolerance = study.factor_tolerance,
+                          .geometry = study::geometry_fingerprint(study.scene)},
+                         events.progress);
+    } else if (path.extension() == ".png" || path.extension() == ".exr") {
+      io::write_image(path, draw(study, picture, events.progress), image_options(study, picture));
+    } else {
+      io::write(path, study.mesh, study.solution, options);
+    }
+  });
+}
+
+/// Of vectors of three.
+Camera camera_of(const Eigen::VectorXd& position, const Eigen::VectorXd& direction,
+                 const Eigen::VectorXd& up, double vertical_fov) {
+  return {position, direction.stableNormalized(), up.stableNormalized(), vertical_fov};
+}
+
+}  // namespace
+
+void bind_study(py::module_& module) {
+  py::class_<Camera>(module, "Camera").def(py::init(&camera_of));
+  py::class_<PictureOptions>(module, "PictureOptions")
+      .def(py::init([](int width, int height, int samples, bool gathers,
+                       std::optional<double> exposure, const std::optional<Camera>& camera) {
+        return PictureOptions{.render = {.width = width, .height = height, .samples = samples},
+                              .gathers = gathers,
+                              .exposure = exposure,
+                              .camera = camera};
+      }));
+  py::class_<KeptStudy>(module, "Study")
+      .def_property_readonly("operator", &operator_of)
+      .def_property_readonly("scene", [](const KeptStudy& kept) { return kept.study->scene; })
+      .def("solve", &light_up)
+      .def("light",
+           [](const KeptStudy& kept) {
+             return light_dict(kept.study->solution, kept.study->discretisation);
+           })
+      .def("quantity",
+           [](const KeptStudy& kept, const std::string& name, double efficacy) {
+             QuantityField field = field_of(*kept.study, name, efficacy);
+             return py::make_tuple(std::move(field.values), field.unit);
+           })
+      .def("image", &image)
+      .def("write", &write);
+  module.def("assemble", &assemble);
+}
+
+}  // namespace python

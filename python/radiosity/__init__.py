@@ -1,0 +1,65 @@
+"""Certified radiosity: form factors and light between diffuse surfaces.
+
+    import radiosity as rad
+    mesh = rad.Mesh(vertices, faces, surface=ids)
+    F = rad.form_factors(mesh, tolerance=1e-3)      # F.matrix, F.error, F.area
+    T = rad.transport(mesh, patches=20000)          # T @ B, without a matrix
+    light = rad.solve(T, exitance=E, reflectance=rho)
+
+Units are SI: metre, square metre, W/m² per band, kelvin. A surface acts on the side from which its
+corners run counter-clockwise; its back blocks light and does nothing else.
+"""
+
+from ._core import __version__
+from ._errors import (
+    Error,
+    InputError,
+    MemoryShortage,
+    MeshError,
+    OutputError,
+    RadiosityWarning,
+    SceneError,
+    SolveError,
+)
+from ._mesh import Mesh, Scene, read_scene
+from ._operator import (
+    FormFactors,
+    Patches,
+    Transport,
+    factors_from_points,
+    form_factors,
+    load,
+    transport,
+)
+from ._solve import Energy, Light, importance, solve
+from ._study import Camera, Study
+from ._view import view
+
+__all__ = [
+    "Camera",
+    "Energy",
+    "Error",
+    "FormFactors",
+    "InputError",
+    "Light",
+    "MemoryShortage",
+    "Mesh",
+    "MeshError",
+    "OutputError",
+    "Patches",
+    "RadiosityWarning",
+    "Scene",
+    "SceneError",
+    "SolveError",
+    "Study",
+    "Transport",
+    "__version__",
+    "factors_from_points",
+    "form_factors",
+    "importance",
+    "load",
+    "read_scene",
+    "solve",
+    "transport",
+    "view",
+]

@@ -1,0 +1,137 @@
+from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple
+
+import numpy as np
+
+__version__: str
+WHITE_EFFICACY: float
+
+class Scene:
+    source: str
+    warnings: List[str]
+    precision: float
+    n_polygons: int
+    bands: str
+    n_bands: int
+    wavelengths: np.ndarray
+    surface_names: List[str]
+    material_names: List[str]
+    vertices: np.ndarray
+    corners: np.ndarray
+    first_corner: np.ndarray
+    polygon_surface: np.ndarray
+    two_sided: List[bool]
+    def changed(self, lights: Mapping[str, float], reflectances: Mapping[str, np.ndarray]) -> Scene: ...
+    def write(self, path: str) -> None: ...
+
+class Patches:
+    vertices: np.ndarray
+    corners: np.ndarray
+    surface: np.ndarray
+    polygon: np.ndarray
+    twin: np.ndarray
+    area: np.ndarray
+    normal: np.ndarray
+    centroid: np.ndarray
+    surface_names: List[str]
+    def __len__(self) -> int: ...
+
+class Operator:
+    size: int
+    patches: Patches
+    tolerance: float
+    bytes: int
+    error: float
+    is_dense: bool
+    report: Dict[str, Any]
+    raw_row_sums: np.ndarray
+    def apply(self, radiosity: np.ndarray) -> np.ndarray: ...
+    def apply_error(self, radiosity: np.ndarray) -> np.ndarray: ...
+    def row(self, i: int) -> np.ndarray: ...
+    def row_error(self, i: int) -> np.ndarray: ...
+    def by_surface(self) -> np.ndarray: ...
+    def by_surface_error(self) -> np.ndarray: ...
+    def csr(self, report: Any) -> Tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]: ...
+    def save(self, path: str, report: Any) -> None: ...
+
+class StudyOptions:
+    patches: Optional[int]
+    max_edge: Optional[float]
+    as_is: bool
+    adaptive: bool
+    tolerance: float
+    factor_tolerance: Optional[float]
+    closed: Optional[bool]
+    transport: str
+    memory: int
+    seed: int
+    method: str
+
+class Camera:
+    def __init__(
+        self, position: np.ndarray, direction: np.ndarray, up: np.ndarray, vertical_fov: float
+    ) -> None: ...
+
+class PictureOptions:
+    def __init__(
+        self,
+        width: int,
+        height: int,
+        samples: int,
+        gathers: bool,
+        exposure: Optional[float],
+        camera: Optional[Camera],
+    ) -> None: ...
+
+class Study:
+    operator: Operator
+    scene: Scene
+    def solve(self, report: Any, n_threads: int) -> None: ...
+    def light(self) -> Dict[str, Any]: ...
+    def quantity(self, name: str, efficacy: float) -> Tuple[np.ndarray, str]: ...
+    def image(self, options: PictureOptions, report: Any, n_threads: int) -> np.ndarray: ...
+    def write(
+        self,
+        path: str,
+        quantities: Sequence[str],
+        efficacy: float,
+        picture: PictureOptions,
+        report: Any,
+        n_threads: int,
+    ) -> None: ...
+
+def read_scene(
+    path: str, unit: Optional[str], precision: Optional[float], strict: bool, report: Any
+) -> Scene: ...
+def scene_of_mesh(
+    vertices: np.ndarray,
+    corners: np.ndarray,
+    first_corner: np.ndarray,
+    surface: np.ndarray,
+    names: Sequence[str],
+    two_sided: Sequence[bool],
+    precision: Optional[float],
+    is_single: bool,
+) -> Scene: ...
+def polygons_of(scene: Scene) -> Patches: ...
+def assemble(
+    scene: Scene,
+    options: StudyOptions,
+    operator_file: Optional[str],
+    report: Any,
+    n_threads: int,
+) -> Study: ...
+def load(path: str, memory: int, report: Any) -> Operator: ...
+def solve(
+    factors: Operator,
+    exitance: np.ndarray,
+    reflectance: np.ndarray,
+    options: StudyOptions,
+    report: Any,
+    n_threads: int,
+) -> Dict[str, Any]: ...
+def importance(
+    factors: Operator, reflectance: np.ndarray, patch: int, tolerance: float, report: Any
+) -> np.ndarray: ...
+def factors_from_points(
+    polygons: Patches, points: np.ndarray, normals: np.ndarray, report: Any, n_threads: int
+) -> np.ndarray: ...

@@ -1,0 +1,252 @@
+"""A scene from its file to its light."""
+
+import math
+import os
+from typing import Optional, Sequence
+
+import numpy as np
+
+from . import _arguments, _core
+from ._errors import InputError
+from ._mesh import Scene, core_scene
+from ._operator import Patches, Transport, operator_of
+from ._progress import reporter
+from ._solve import Light
+
+
+class Camera:
+    """A pinhole camera.
+
+    Parameters
+    ----------
+    position : array_like, (3,)
+        m.
+    look_at : array_like, (3,), optional
+        Point in the middle of the picture; or give `direction`.
+    direction : array_like, (3,), optional
+    up : array_like, (3,)
+        What is up in the picture.
+    fov : float
+        Full vertical angle of view, degrees.
+    """
+
+    def __init__(self, position, *, look_at=None, direction=None, up=(0, 1, 0), fov=39.3):
+        if (look_at is None) == (direction is None):
+            raise InputError("Camera: expected look_at or direction")
+        place = _arguments.points("position", position)[0]
+        if direction is None:
+            way = _arguments.points("look_at", look_at)[0] - place
+        else:
+            way = _arguments.points("direction", direction)[0]
+        above = _arguments.points("up", up)[0]
+        if not np.linalg.norm(way) > 0:
+            raise InputError("Camera: the viewing direction is 0")
+        if not np.linalg.norm(np.cross(way, above)) > 1e-6 * np.linalg.norm(way) * np.linalg.norm(
+            above
+        ):
+            raise InputError("Camera: up is parallel to the viewing direction")
+        angle = _arguments.number("fov", fov, above=0)
+        if angle >= 180:
+            raise InputError(f"fov: found {angle}, expected less than 180 degrees")
+        self._core = _core.Camera(place, way, above, math.radians(angle))
+
+
+class Study:
+    """A scene, its form factors and its light: what `radiosity solve` does.
+
+    Parameters
+    ----------
+    scene : Scene, or path of a file
+    patches, max_edge, as_is, adaptive
+        How fine patches are: about so many, of no longer edges (m), as the polygons are, or
+        refined where the light varies. Without any there are about 2,000.
+    tolerance : float
+        Relative error asked of the result.
+    closed : bool, optional
+        Whether the surfaces enclose the space that they light; else the scene tells or it is found
+        out.
+    transport : {'auto', 'dense', 'compressed'}
+    operator : path, optional
+        An .h5 file with the form factors of the same surfaces.
+    method : {'cg', 'jacobi', 'gauss-seidel', 'southwell', 'chebyshev'}
+    memory, seed, threads, progress
+        As of `form_factors`.
+
+    Work is done when its result is asked for first; `solve()` does all of it.
+    """
+
+    def __init__(
+        self,
+        scene,
+        *,
+        patches: Optional[int] = None,
+        max_edge: Optional[float] = None,
+        as_is: bool = False,
+        adaptive: bool = False,
+        tolerance: float = 1e-2,
+        closed: Optional[bool] = None,
+        transport: str = "auto",
+        operator=None,
+        method: str = "cg",
+        memory: int = 0,
+        seed: int = 0,
+        threads: int = 0,
+        progress=None,
+    ):
+        if isinstance(scene, (str, os.PathLike)):
+            from ._mesh import read_scene
+
+            scene = read_scene(scene)
+        self._scene = core_scene(scene)
+        self._options = _arguments.study_options(
+            patches=patches,
+            max_edge=max_edge,
+            as_is=as_is,
+            adaptive=adaptive,
+            tolerance=tolerance,
+            closed=closed,
+            transport=transport,
+            memory=memory,
+            seed=seed,
+            method=method,
+        )
+        self._operator_file = None if operator is None else os.fspath(operator)
+        self._threads = _arguments.count("threads", threads)
+        self._progress = progress
+        self._core = None
+        self._light = None
+        self._transport = None
+
+    def __repr__(self) -> str:
+        state = "solved" if self._light else "assembled" if self._core else "to be done"
+        return f"<radiosity.Study of {self._scene.source!r}: {state}>"
+
+    @property
+    def scene(self) -> Scene:
+        return Scene(self._scene)
+
+    @property
+    def transport(self) -> Transport:
+        """The form factors, or the compressed operator."""
+        if self._transport is None:
+            self._transport = operator_of(self._assembled().operator)
+        return self._transport
+
+    @property
+    def patches(self) -> Patches:
+        return self.transport.patches
+
+    @property
+    def light(self) -> Light:
+        """The light by the scene's own lamps and materials."""
+        return self.solve()
+
+    def solve(self) -> Light:
+        """Do all that is not done yet."""
+        if self._light is None:
+            core = self._assembled()
+            with reporter(self._progress) as report:
+                core.solve(report, self._threads)
+            self._light = Light(core.light())
+        return self._light
+
+    def quantity(self, name: str, *, efficacy: float = _core.WHITE_EFFICACY) -> np.ndarray:
+        """A quantity of `radiosity solve --quantity`, (n, bands), or (n,) if it has one value.
+
+        Parameters
+        ----------
+        name : str
+            'radiance', 'radiosity', 'irradiance', 'net-flux', 'illuminance', 'luminance'...
+        efficacy : float
+            lm/W of white light, for photometric quantities of RGB and grey bands.
+        """
+        self.solve()
+        values, _ = self._core.quantity(
+            str(name), _arguments.number("efficacy", efficacy, above=0)
+        )
+        return values[:, 0] if values.shape[1] == 1 else values
+
+    def image(
+        self,
+        width: int = 512,
+        height: Optional[int] = None,
+        *,
+        samples: int = 16,
+        gather: bool = False,
+        exposure: Optional[float] = None,
+        camera: Optional[Camera] = None,
+    ) -> np.ndarray:
+        """A picture of the light, (height, width, 3), 8-bit sRGB.
+
+        Parameters
+        ----------
+        width, height : int
+            Pixels; without `height` it is a square.
+        samples : int
+            Rays for each pixel, a square number.
+        gather : bool
+            Gather the light anew at each point: shadows are then finer than patches.
+        exposure : float, optional
+            Factor from radiance to display value; without it the picture is well exposed.
+        camera : Camera, optional
+            Else the scene's.
+        """
+        self.solve()
+        options = self._picture(width, height, samples, gather, exposure, camera)
+        with reporter(self._progress) as report:
+            return self._core.image(options, report, self._threads)
+
+    def write(
+        self,
+        path,
+        *,
+        quantities: Sequence[str] = (),
+        width: int = 512,
+        height: Optional[int] = None,
+        samples: int = 16,
+        gather: bool = False,
+        exposure: Optional[float] = None,
+        camera: Optional[Camera] = None,
+        efficacy: float = _core.WHITE_EFFICACY,
+    ) -> None:
+        """Write a file by its extension, as `radiosity solve -o` does.
+
+        .vtp (ParaView; if this was built with VTK), .csv, .ply or .glb (vertex colours), .png or .exr (a picture), .h5 (the
+        form factors).
+        """
+        path = os.fspath(path)
+        if not path.endswith(".h5"):
+            self.solve()
+        core = self._assembled()
+        options = self._picture(width, height, samples, gather, exposure, camera)
+        with reporter(self._progress) as report:
+            core.write(
+                path,
+                [str(name) for name in quantities],
+                _arguments.number("efficacy", efficacy, above=0),
+                options,
+                report,
+                self._threads,
+            )
+
+    def _picture(self, width, height, samples, gather, exposure, camera):
+        width = _arguments.count("width", width, least=1)
+        height = width if height is None else _arguments.count("height", height, least=1)
+        samples = _arguments.count("samples", samples, least=1)
+        if math.isqrt(samples) ** 2 != samples:
+            raise InputError(f"samples: found {samples}, expected a square number")
+        if exposure is not None:
+            exposure = _arguments.number("exposure", exposure, above=0)
+        if camera is not None and not isinstance(camera, Camera):
+            raise InputError(f"camera: found {type(camera).__name__}, expected radiosity.Camera")
+        return _core.PictureOptions(
+            width, height, samples, bool(gather), exposure, None if camera is None else camera._core
+        )
+
+    def _assembled(self):
+        if self._core is None:
+            with reporter(self._progress) as report:
+                self._core = _core.assemble(
+                    self._scene, self._options, self._operator_file, report, self._threads
+                )
+        return self._core

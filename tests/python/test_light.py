@@ -1,0 +1,114 @@
+"""Light against laws and the command line."""
+
+import csv
+import subprocess
+
+import numpy as np
+import pytest
+from conftest import room_with_box
+
+import radiosity as rad
+
+pytestmark = pytest.mark.filterwarnings("ignore::radiosity.RadiosityWarning")
+
+
+def test_a_furnace_is_as_bright_everywhere():
+    F = rad.form_factors(room_with_box(4))
+    light = rad.solve(F, np.full(F.shape[0], 0.3), 0.7)
+    assert light.radiosity == pytest.approx(1, rel=1e-5)
+    assert light.converged and light.error_bound < 1e-4
+    assert light.radiosity.shape == light.error.shape == (F.shape[0],)
+
+
+def test_energy_is_kept_in_all_bands():
+    T = rad.transport(room_with_box(4))
+    n = T.shape[0]
+    E = np.zeros((n, 2))
+    E[:8] = [1, 3]
+    light = rad.solve(T, E, [0.2, 0.9])
+    assert light.radiosity.shape == (n, 2)
+    assert light.energy.emitted == pytest.approx(T.area[:8].sum() * np.array([1, 3]))
+    balance = light.energy.absorbed + light.energy.escaped
+    assert balance == pytest.approx(light.energy.emitted, rel=1e-4)
+    assert light.net_flux == pytest.approx(light.radiosity - light.irradiance)
+    assert light.radiosity == pytest.approx(
+        E + np.array([0.2, 0.9]) * light.irradiance, rel=1e-4, abs=1e-9
+    )
+
+
+def test_importance_is_the_gradient():
+    T = rad.form_factors(room_with_box(4))
+    rho = np.full(T.shape[0], 0.6)
+    E = np.random.default_rng(2).random(T.shape[0])
+    Y = rad.importance(T, rho, 7)
+    assert Y @ E == pytest.approx(rad.solve(T, E, rho, tolerance=1e-6).radiosity[7], rel=1e-6)
+
+
+def test_a_study_has_the_bits_of_the_command_line(tmp_path, scenes, program):
+    subprocess.run(
+        [program, "solve", scenes / "cornell-box.json", "--patches", "500", "--quiet"]
+        + ["-o", tmp_path / "a.csv", "-o", tmp_path / "a.ply", "-o", tmp_path / "a.png"]
+        + ["-o", tmp_path / "a.vtp", "-o", tmp_path / "a.h5"]
+        + ["--width", "64", "--height", "48"],
+        check=True,
+        capture_output=True,
+    )
+    study = rad.Study(rad.read_scene(scenes / "cornell-box.json"), patches=500)
+    light = study.solve()
+    for name in ("b.csv", "b.ply", "b.png", "b.vtp", "b.h5"):
+        study.write(tmp_path / name, width=64, height=48)
+        assert (tmp_path / name).read_bytes() == (tmp_path / ("a" + name[1:])).read_bytes(), name
+    with open(tmp_path / "a.csv") as file:
+        rows = list(csv.DictReader(file))
+    assert [float(row["B_1"]) for row in rows] == light.radiosity[:, 1].tolist()
+    again = rad.Study(scenes / "cornell-box.json", operator=tmp_path / "a.h5").solve()
+    assert again.radiosity == pytest.approx(light.radiosity, rel=1e-12)
+
+
+def test_form_factors_have_the_bits_of_the_command_line(tmp_path, scenes, program):
+    h5py = pytest.importorskip("h5py")
+    subprocess.run(
+        [program, "form-factors", scenes / "cornell-box.json", "--patches", "400", "--quiet"]
+        + ["-o", tmp_path / "F.h5"],
+        check=True,
+        capture_output=True,
+    )
+    F = rad.form_factors(rad.read_scene(scenes / "cornell-box.json"), patches=400)
+    with h5py.File(tmp_path / "F.h5") as file:
+        assert (file["form_factors/indptr"][:] == F.matrix.indptr).all()
+        assert (file["form_factors/indices"][:] == F.matrix.indices).all()
+        assert (file["form_factors/data"][:] == F.matrix.data).all()
+        assert (file["form_factors/error"][:] == F.error.data).all()
+
+
+def test_pictures_show_the_light(scenes):
+    study = rad.Study(scenes / "cornell-box.json", patches=300)
+    assert study.image(width=60, height=40).shape == (40, 60, 3)
+    picture = study.image(width=80)
+    assert picture.shape == (80, 80, 3) and picture.dtype == np.uint8
+    assert picture[40, 8, 0] > 2 * picture[40, 8, 1]  # the red wall, left
+    assert picture[40, -8, 1] > picture[40, -8, 0]  # the green one, right
+    other = study.image(40, camera=rad.Camera([0.28, 0.27, -0.8], look_at=[0.28, 0.27, 0.3]))
+    assert other.shape == (40, 40, 3)
+
+
+def test_quantities_and_other_lights(scenes):
+    scene = rad.read_scene(scenes / "cornell-box.json")
+    study = rad.Study(scene, patches=300)
+    lux = study.quantity("illuminance")
+    assert lux.ndim == 1
+    weights = 179 * np.array([0.2126, 0.7152, 0.0722])
+    assert lux == pytest.approx(study.light.irradiance @ weights)
+    dimmed = rad.Study(scene.changed(lights={"*": 0.5}), patches=300)
+    assert dimmed.quantity("illuminance") == pytest.approx(lux / 2, rel=1e-6)
+
+
+def test_adaptive_patches(scenes):
+    study = rad.Study(scenes / "cornell-box.json", patches=900, adaptive=True, tolerance=0.05)
+    assert 100 < len(study.patches) <= 900
+    assert study.light.converged
+
+
+def test_window_is_asked_for_by_name(scenes):
+    with pytest.raises(rad.OutputError, match="not installed"):
+        rad.view(scenes / "cornell-box.json", program="no-such-radiosity")
