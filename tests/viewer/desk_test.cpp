@@ -173,6 +173,45 @@ TEST_F(Desks, KeepThePlaceThatIsAskedWhenSolvedAgain) {
   EXPECT_FALSE(desk.session.selected());
 }
 
+// A scene that was saved while a lamp was off is dark, and the lamp can be switched on again.
+TEST_F(Desks, SaveLampsThatCanBeSwitchedOnAgain) {
+  viewer::Desk desk(coarse());
+  open(desk.session, kBox);
+  viewer::update(desk);
+  const Eigen::MatrixXd lit = desk.session.light()->solution.radiosity;
+  desk.session.set_emitter(0, 0.6, false);
+  desk.session.set_reflectance(0, Eigen::Vector3d(0.5, 0.4, 0.3));
+  settle(desk.session);
+  const std::string file = (folder() / "dark.json").string();
+  viewer::save_scene(desk, file);
+
+  const auto scene = desk.session.model().scene;
+  const radiosity::Scene saved = io::read_scene(file);
+  EXPECT_EQ(saved.name, "Cornell box");
+  EXPECT_EQ(saved.description, scene->description);
+  ASSERT_EQ(saved.materials.size(), scene->materials.size());
+  ASSERT_EQ(saved.surfaces.size(), scene->surfaces.size());
+  EXPECT_EQ(saved.materials[0].reflectance, Eigen::Vector3d(0.5, 0.4, 0.3));
+
+  open(desk.session, file);
+  viewer::update(desk);
+  EXPECT_EQ(desk.session.light()->solution.radiosity.norm(), 0);
+  // Its exposure is found once there is light, and kept if it was known before.
+  const viewer::PaintingTask dark = {.known = desk.session.known(), .look = desk.look};
+  EXPECT_TRUE(viewer::make_painting(dark).is_spreading);
+  viewer::PaintingTask exposed = dark;
+  exposed.exposure = 0.3;
+  EXPECT_FALSE(viewer::make_painting(exposed).is_spreading);
+  ASSERT_EQ(desk.session.mix().emitters.size(), 1U);
+  EXPECT_FALSE(desk.session.mix().emitters[0].is_on);
+  desk.session.set_emitter(0, 1, true);
+  desk.session.set_reflectance(0, scene->materials[0].reflectance);
+  settle(desk.session);
+  // (The patches are those of the same polygons.)
+  const Eigen::MatrixXd again = desk.session.light()->solution.radiosity;
+  EXPECT_LE((again - lit).norm(), 1e-6 * lit.norm());
+}
+
 // What was set for one scene must not hide the next one, and heat is nothing to see.
 TEST_F(Desks, GreetEachFileAfresh) {
   viewer::Desk desk(coarse());

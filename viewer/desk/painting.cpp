@@ -24,7 +24,9 @@ Painting painted_light(const PaintingTask& task, const Eigen::MatrixXd& radiosit
   painting.values = colors.cast<double>();
   painting.is_smooth = is_smooth(task.look);
   painting.is_light = true;
-  painting.is_spreading = task.known.light && task.known.light->kind == Light::Kind::preview;
+  const bool is_preview = task.known.light && task.known.light->kind == Light::Kind::preview;
+  // What exposes darkness well is no exposure for lamps that are switched on.
+  painting.is_spreading = is_preview || (!task.exposure && colors.isZero(0));
   return painting;
 }
 

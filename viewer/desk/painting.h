@@ -26,7 +26,7 @@ struct Painting {
   bool is_smooth = false;     ///< values may be blended from patch to patch
   double exposure = 1;        ///< the automatic part
   double factor = 1;          ///< from linear sRGB to display value
-  bool is_spreading = false;  ///< true colour of a preview, which gets brighter
+  bool is_spreading = false;  ///< true colour of what gets brighter: a preview, or darkness
   bool is_light = false;      ///< true colour: `exposure` is of it
   std::optional<Legend> legend = {};
 };
