@@ -238,6 +238,7 @@ constexpr Key kKeys[] = {{"left drag", "turn the scene"},
                          {"Tab", "hide or show the panels"},
                          {"Ctrl+O", "open a file (or drop it here)"},
                          {"Ctrl+P", "save the picture"},
+                         {"Ctrl+Z, Ctrl+Shift+Z", "undo, redo (lamps, materials)"},
                          {"Enter, Esc", "in dialogs: do it, cancel"},
                          {"?", "this help"}};
 

@@ -103,6 +103,9 @@ void Input::press(Desk& desk, Panels& panels, const KeyPress& key) {
   if (key.has_control) {
     if (key.key == GLFW_KEY_O) panels.choose_file(desk);
     if (key.key == GLFW_KEY_P) panels.begin_save(desk, SaveDialog::Kind::picture);
+    const bool is_redo = key.key == GLFW_KEY_Y || (key.key == GLFW_KEY_Z && key.has_shift);
+    if (is_redo) desk.session.redo_mix();
+    if (key.key == GLFW_KEY_Z && !key.has_shift) desk.session.undo_mix();
     return;
   }
   press_letter(desk, key.key);

@@ -134,6 +134,16 @@ void Panels::draw_menu(Desk& desk) {
     }
     ImGui::EndMenu();
   }
+  if (ImGui::BeginMenu("Edit")) {
+    const MixHistory& history = desk.session.mix_history();
+    if (ImGui::MenuItem("Undo change of the scene", "Ctrl+Z", false, history.can_undo())) {
+      desk.session.undo_mix();
+    }
+    if (ImGui::MenuItem("Redo", "Ctrl+Shift+Z", false, history.can_redo())) {
+      desk.session.redo_mix();
+    }
+    ImGui::EndMenu();
+  }
   if (ImGui::BeginMenu("View")) {
     if (ImGui::MenuItem("Fit", "F")) fit_camera(desk);
     if (ImGui::MenuItem("Scene's camera", "C")) use_scene_camera(desk);

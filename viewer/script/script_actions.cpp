@@ -135,6 +135,7 @@ void set_emitter(Stage& stage, ScriptArguments& arguments) {
   Session& session = stage.desk.session;
   const std::size_t e = emitter_of(stage, arguments);
   const Emitter& emitter = session.mix().emitters[e];
+  session.begin_mix_step();
   session.set_emitter(e, arguments.number_or("scale", emitter.scale),
                       arguments.flag_or("on", emitter.is_on));
 }
@@ -143,16 +144,24 @@ void toggle_emitter(Stage& stage, ScriptArguments& arguments) {
   Session& session = stage.desk.session;
   const std::size_t e = emitter_of(stage, arguments);
   const Emitter& emitter = session.mix().emitters[e];
+  session.begin_mix_step();
   session.set_emitter(e, emitter.scale, !emitter.is_on);
 }
 
-void set_reflectance(Stage& stage, ScriptArguments& arguments) {
-  Session& session = stage.desk.session;
+std::size_t material_of(const Stage& stage, ScriptArguments& arguments) {
+  const Session& session = stage.desk.session;
   const std::string name = arguments.name("material");
   const std::size_t n_materials = session.mix().reflectance.size();
   std::size_t m = 0;
   while (m < n_materials && session.model().scene->materials[m].name != name) ++m;
   if (m == n_materials) throw std::invalid_argument("no material is called '" + name + "'");
+  return m;
+}
+
+void set_reflectance(Stage& stage, ScriptArguments& arguments) {
+  Session& session = stage.desk.session;
+  const std::size_t m = material_of(stage, arguments);
+  session.begin_mix_step();
   if (arguments.value("value").is_array()) {
     session.set_reflectance(m, arguments.numbers("value"));
     return;
@@ -160,6 +169,16 @@ void set_reflectance(Stage& stage, ScriptArguments& arguments) {
   const double mean = arguments.number("value");
   if (!(mean >= 0 && mean <= 1)) throw std::invalid_argument("'value' must be in [0, 1]");
   session.set_reflectance(m, with_mean_reflectance(session.original_mix().reflectance[m], mean));
+}
+
+void undo(Session& session) {
+  if (!session.mix_history().can_undo()) throw std::runtime_error("there is nothing to undo");
+  session.undo_mix();
+}
+
+void redo(Session& session) {
+  if (!session.mix_history().can_redo()) throw std::runtime_error("there is nothing to redo");
+  session.redo_mix();
 }
 
 void restart(Stage& stage, ScriptArguments& arguments) {
@@ -277,6 +296,14 @@ const std::map<std::string, ActionKind>& action_kinds() {
       {"set-emitter", {"emitter", at_once(set_emitter)}},
       {"toggle-emitter", {"emitter", at_once(toggle_emitter)}},
       {"set-reflectance", {"material", at_once(set_reflectance)}},
+      {"reset-emitter", {"emitter", at_once([](Stage& stage, ScriptArguments& arguments) {
+                           stage.desk.session.reset_emitter(emitter_of(stage, arguments));
+                         })}},
+      {"reset-material", {"material", at_once([](Stage& stage, ScriptArguments& arguments) {
+                            stage.desk.session.reset_material(material_of(stage, arguments));
+                          })}},
+      {"undo", {"", at_once([](Stage& stage, ScriptArguments&) { undo(stage.desk.session); })}},
+      {"redo", {"", at_once([](Stage& stage, ScriptArguments&) { redo(stage.desk.session); })}},
       {"reset-scene",
        {"", at_once([](Stage& stage, ScriptArguments&) { stage.desk.session.reset_mix(); })}},
       {"restart", {"patches", at_once(restart)}},

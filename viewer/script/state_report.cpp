@@ -120,6 +120,8 @@ json mix_json(const Session& session) {
   }
   return {{"emitters", emitters},
           {"materials", materials},
+          {"can_undo", session.mix_history().can_undo()},
+          {"can_redo", session.mix_history().can_redo()},
           {"change_seconds", number(session.change_seconds())},
           {"superposed", session.can_superpose()}};
 }

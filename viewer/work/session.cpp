@@ -182,6 +182,7 @@ void Session::take_model(Model model) {
   if (is_other_scene && is_other_mesh) {
     mix_ = model_.scene ? make_mix(*model_.scene) : LightMix{};
     original_mix_ = mix_;
+    mix_history_.clear();
     ++versions_.mix;
   }
   find_row();
@@ -253,44 +254,6 @@ void Session::relight_anew() {
   const bool is_previewed = !model_.transport && (light_ || pipeline_.is_busy());
   if (is_previewed || previewing_.is_busy()) start_preview();
   if (model_.transport) start_light_task();
-}
-
-void Session::set_emitter(std::size_t emitter, double scale, bool is_on) {
-  Emitter& changed = mix_.emitters.at(emitter);
-  if (!(scale >= 0) || !std::isfinite(scale)) {
-    throw std::out_of_range(fmt::format("an emitter's scale must be at least 0, found {}", scale));
-  }
-  if (changed.scale == scale && changed.is_on == is_on) return;
-  changed.scale = scale;
-  changed.is_on = is_on;
-  relight();
-}
-
-void Session::set_reflectance(std::size_t material, const Eigen::VectorXd& reflectance) {
-  Eigen::VectorXd& changed = mix_.reflectance.at(material);
-  if (reflectance.size() != changed.size()) {
-    throw std::out_of_range(fmt::format("expected {} reflectances, one for each band, found {}",
-                                        changed.size(), reflectance.size()));
-  }
-  for (const double value : reflectance) {
-    if (!(value >= 0 && value <= 1)) {
-      throw std::out_of_range(fmt::format("a reflectance must be in [0, 1], found {}", value));
-    }
-  }
-  if (changed == reflectance) return;
-  changed = reflectance;
-  emitter_lights_.reset();
-  forget_light_path();
-  relight();
-}
-
-void Session::reset_mix() {
-  if (!mix_.has_reflectance_of(original_mix_)) {
-    emitter_lights_.reset();
-    forget_light_path();
-  }
-  mix_ = original_mix_;
-  relight();
 }
 
 bool Session::update() {
