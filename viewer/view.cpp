@@ -11,8 +11,10 @@
 #include "radiosity/base/error.h"
 #include "viewer/desk/desk.h"
 #include "viewer/draw/backdrop.h"
+#include "viewer/draw/comparison_overlay.h"
 #include "viewer/draw/overlay.h"
 #include "viewer/draw/painter.h"
+#include "viewer/draw/pinned_view.h"
 #include "viewer/draw/window.h"
 #include "viewer/panels/input.h"
 #include "viewer/panels/panels.h"
@@ -100,12 +102,21 @@ class Application final : public ScriptHost {
     input_.handle(desk_, panels_, keys);
     panels_.draw(desk_, keys, window_.width(), window_.height(), window_.scale());
     painter_.paint(desk_, view_);
-    view_.set_region(desk_.region, window_.width(), window_.height());
+    SceneView* pinned = pinned_view_.paint(desk_);
+    const double split = pinned != nullptr ? drawn_split(desk_) : 0;
+    view_.set_region(desk_.region, window_.width(), window_.height(), {.left = split});
+    views_ = {&view_};
+    if (pinned != nullptr) {
+      pinned->set_region(desk_.region, window_.width(), window_.height(), {.right = split});
+      views_.push_back(pinned);
+    }
     const bool is_frugal = window_.is_software() && !desk_.session.is_idle();
-    const bool is_moving = window_.is_software() && view_.is_dirty() && !desk_.screenshot;
+    const bool is_dirty = view_.is_dirty() || (pinned != nullptr && pinned->is_dirty());
+    const bool is_moving = window_.is_software() && is_dirty && !desk_.screenshot;
     window_.set_antialiased(!is_frugal && !is_moving && painter_.is_exact());
     backdrop_.draw(painter_.still(), desk_.region);
     draw_overlay(desk_, window_.scale());
+    draw_comparison(desk_, window_.scale());
     finish_frame();
     const auto end = Clock::now();
     frame_times_.push_back(std::chrono::duration<double, std::milli>(end - last_frame_).count());
@@ -121,16 +132,16 @@ class Application final : public ScriptHost {
   void finish_frame() {
     if (!desk_.screenshot) {
       screenshot_frames_ = 0;
-      window_.end_frame(view_);
+      window_.end_frame(views_);
       return;
     }
     lively_ = kLivelyFrames;
     const bool is_ready = painter_.is_done(desk_) || !desk_.session.is_settled();
     if (++screenshot_frames_ < kScreenshotFrames || !is_ready) {
-      window_.end_frame(view_);
+      window_.end_frame(views_);
       return;
     }
-    const io::RgbPicture picture = window_.end_captured_frame(view_);
+    const io::RgbPicture picture = window_.end_captured_frame(views_);
     const std::string file = *std::exchange(desk_.screenshot, std::nullopt);
     save_screenshot(picture, file);
   }
@@ -181,6 +192,8 @@ class Application final : public ScriptHost {
   ViewOptions options_;
   Window window_;
   SceneView view_;
+  PinnedView pinned_view_;
+  std::vector<SceneView*> views_;  // that are drawn
   Backdrop backdrop_;
   Painter painter_;
   Desk desk_;

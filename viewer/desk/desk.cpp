@@ -78,6 +78,9 @@ bool update(Desk& desk) {
     // Divided otherwise: the question is about the same place.
     desk.session.select(same_place(*session.model().mesh, *desk.facts));
   }
+  const std::string pinned =
+      follow_model(desk.pinning, desk.look, session.model(), session.versions().model);
+  if (!pinned.empty()) desk.session.tell(pinned);
   if (desk.asks_light_path) desk.session.ask_light_path();
   const Session::Versions& now = session.versions();
   const Session::Versions& then = desk.facts_versions;

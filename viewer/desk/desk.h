@@ -8,6 +8,7 @@
 #include "radiosity/base/geometry.h"
 #include "radiosity/solve/surface_flux.h"
 #include "viewer/desk/camera_control.h"
+#include "viewer/desk/comparison.h"
 #include "viewer/desk/legend.h"
 #include "viewer/desk/look.h"
 #include "viewer/desk/orientation.h"
@@ -47,6 +48,7 @@ struct Desk {
   std::optional<PatchFacts> facts;             ///< of the selected patch
   std::vector<radiosity::SurfaceFlux> fluxes;  ///< of the light, where surfaces radiate by heat
   std::vector<EmitterShare> emitter_shares;    ///< of its light, once the light path is known
+  Pinning pinning = {};                        ///< light to compare with
   bool shows_panels = true;
   bool shows_help = false;
   bool asks_light_path = false;                ///< for each patch that is selected

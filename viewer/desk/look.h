@@ -30,6 +30,13 @@ enum class Show {
   unshot         ///< light not passed on yet at that step
 };
 
+/// How later light is compared with light that was pinned.
+enum class Comparison {
+  none,
+  wipe,       ///< side by side, in two parts of the picture
+  difference  ///< now minus pinned
+};
+
 /// How the scene is drawn.
 struct Look {
   Show show = Show::true_color;
@@ -42,6 +49,7 @@ struct Look {
   bool edges = false;
   bool hide_backs = true;
   std::size_t step = 0;  ///< frame of the recorded iteration
+  Comparison comparison = Comparison::none;
 };
 
 /// What can be shown, with the name that scripts use ("true-colour", "illuminance",
@@ -69,6 +77,7 @@ struct ShownField {
   std::vector<std::string> title;  ///< lines: what, unit, band
   std::string unit = {};           ///< "" of plain numbers
   Eigen::VectorXd values;          ///< n; not finite = nothing is known
+  double least_range = 0;          ///< what is smaller is no more than rounding
 };
 
 /// The values in false colour; empty if true colour is shown or nothing is known (yet).

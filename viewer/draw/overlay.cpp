@@ -10,6 +10,8 @@
 
 #include "io/picture/color_bar.h"
 #include "radiosity/scene/patch_mesh.h"
+#include "viewer/desk/pinning.h"
+#include "viewer/draw/comparison_overlay.h"
 #include "viewer/work/standing.h"
 
 namespace viewer {
@@ -106,8 +108,8 @@ void draw_partners(const Desk& desk, ImDrawList& list, float scale) {
 void draw_bar(ImDrawList& list, const Legend& legend, ImVec2 top, ImVec2 size) {
   constexpr int kSteps = 64;
   for (int k = 0; k < kSteps; ++k) {
-    const auto color = [](int step) {
-      const io::Rgb rgb = io::map_color(1 - static_cast<double>(step) / kSteps);
+    const auto color = [&](int step) {
+      const io::Rgb rgb = io::map_color(1 - static_cast<double>(step) / kSteps, legend.map);
       return IM_COL32(rgb[0], rgb[1], rgb[2], 255);
     };
     const float y0 = top.y + size.y * static_cast<float>(k) / kSteps;
@@ -116,8 +118,8 @@ void draw_bar(ImDrawList& list, const Legend& legend, ImVec2 top, ImVec2 size) {
                                  color(k + 1), color(k + 1));
   }
   const float tip = 0.6F * size.x;
-  const auto end_color = [](double position) {
-    const io::Rgb rgb = io::map_color(position);
+  const auto end_color = [&](double position) {
+    const io::Rgb rgb = io::map_color(position, legend.map);
     return IM_COL32(rgb[0], rgb[1], rgb[2], 255);
   };
   const float right = top.x + size.x;
@@ -197,15 +199,21 @@ Standing shown_standing(const Desk& desk) {
 void draw_badge(const Desk& desk, ImDrawList& list, float scale) {
   Standing now = shown_standing(desk);
   if (now.text.empty()) return;
+  const Comparison comparison = shown_comparison(desk);
+  if (comparison != Comparison::none) now.text = "now: " + now.text;
   // A preview that is being shot always gets better.
   const bool is_shot = now.is_rough && !desk.session.light()->factor_error;
   if (desk.is_painting_due && !is_shot) {
     now.text += " (being painted)";
     now.is_result = false;
   }
-  const ImVec2 place(static_cast<float>(desk.region.left) + 12 * scale,
+  // Pinned light stands to the left of its line.
+  const double split = comparison == Comparison::wipe ? drawn_split(desk) : 0;
+  const auto left = static_cast<float>(split * desk.region.width);
+  const ImVec2 place(static_cast<float>(desk.region.left) + left + 12 * scale,
                      static_cast<float>(desk.region.top) + 10 * scale);
-  const float width = static_cast<float>(desk.region.width) - 24 * scale;
+  const float width = static_cast<float>(desk.region.width) - left - 24 * scale;
+  if (width < 2 * ImGui::GetFontSize()) return;
   const char* text = now.text.c_str();
   const ImVec2 extent = ImGui::CalcTextSize(text, nullptr, false, width);
   list.AddRectFilled(ImVec2(place.x - 6 * scale, place.y - 4 * scale),

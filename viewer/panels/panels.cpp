@@ -84,6 +84,7 @@ void Panels::draw(Desk& desk, std::span<const KeyPress> keys, int width, int hei
       begin_panel("Look and what if", 0, top, left, bottom - top);
       draw_scene_panel(desk);
       draw_look_panel(desk);
+      draw_compare_panel(desk);
       if (!has_right) draw_right(desk, scale);  // here, rather than nowhere
       draw_solve(desk);
       draw_what_if_panel(desk);

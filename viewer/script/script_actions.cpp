@@ -11,6 +11,7 @@
 
 #include "io/base/atomic_file.h"
 #include "radiosity/base/error.h"
+#include "viewer/script/comparison_actions.h"
 #include "viewer/script/state_report.h"
 
 namespace viewer {
@@ -271,10 +272,8 @@ bool screenshot(Stage& stage, ScriptArguments& arguments) {
   return !stage.desk.screenshot;
 }
 
-}  // namespace
-
-const std::map<std::string, ActionKind>& action_kinds() {
-  static const std::map<std::string, ActionKind> kinds = {
+std::map<std::string, ActionKind> general_actions() {
+  return {
       {"load", {"scene", at_once(load)}},
       {"wait-solved", {"timeout", wait_solved}},
       {"wait-idle", {"timeout", wait_idle}},
@@ -348,6 +347,16 @@ const std::map<std::string, ActionKind>& action_kinds() {
       {"report", {"file", at_once(write_report)}},
       {"forget-frame-times",
        {"", at_once([](Stage& stage, ScriptArguments&) { stage.host.forget_frame_times(); })}}};
+}
+
+}  // namespace
+
+const std::map<std::string, ActionKind>& action_kinds() {
+  static const std::map<std::string, ActionKind> kinds = [] {
+    std::map<std::string, ActionKind> all = general_actions();
+    all.merge(comparison_actions());
+    return all;
+  }();
   return kinds;
 }
 

@@ -10,6 +10,7 @@
 
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/solve/solution.h"
+#include "viewer/desk/pinning.h"
 #include "viewer/work/standing.h"
 
 namespace viewer {
@@ -81,6 +82,7 @@ json patch_json(const Desk& desk) {
     result["illuminance"] = number(facts.illuminance);
     result["luminance"] = number(facts.luminance);
   }
+  if (const auto pinned = pinned_irradiance(desk)) result["pinned_irradiance"] = list(*pinned);
   result["arrivals"] = json::array();
   for (const Arrival& arrival : facts.arrivals) {
     result["arrivals"].push_back(
@@ -140,9 +142,24 @@ json look_json(const Desk& desk) {
     result["legend"] = {{"title", desk.legend->title},
                         {"low", number(desk.legend->scale.low)},
                         {"high", number(desk.legend->scale.high)},
+                        {"least", number(desk.legend->least)},
+                        {"greatest", number(desk.legend->greatest)},
                         {"log", desk.legend->scale.logarithmic}};
   }
   return result;
+}
+
+json comparison_json(const Desk& desk) {
+  json pinned = nullptr;
+  if (desk.pinning.light) {
+    pinned = {{"standing", desk.pinning.light->standing},
+              {"patches", desk.pinning.light->known.model.mesh->size()},
+              {"has_same_patches", desk.pinning.has_same_patches}};
+  }
+  return {{"mode", comparison_name(desk.look.comparison)},
+          {"shown", comparison_name(shown_comparison(desk))},
+          {"split", desk.pinning.split},
+          {"pinned", pinned}};
 }
 
 json size_json(const Session& session) {
@@ -205,6 +222,7 @@ json state_report(const Desk& desk) {
           {"selected", patch_json(desk)},
           {"mix", mix_json(session)},
           {"look", look_json(desk)},
+          {"comparison", comparison_json(desk)},
           {"camera", camera_json(desk)},
           {"region",
            {{"left", desk.region.left},
