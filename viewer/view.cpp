@@ -117,6 +117,7 @@ class Application final : public ScriptHost {
     backdrop_.draw(painter_.still(), desk_.region);
     draw_overlay(desk_, window_.scale());
     draw_comparison(desk_, window_.scale());
+    if (desk_.copied) window_.copy(*std::exchange(desk_.copied, std::nullopt));
     finish_frame();
     const auto end = Clock::now();
     frame_times_.push_back(std::chrono::duration<double, std::milli>(end - last_frame_).count());

@@ -212,6 +212,31 @@ TEST_F(Desks, SaveLampsThatCanBeSwitchedOnAgain) {
   EXPECT_LE((again - lit).norm(), 1e-6 * lit.norm());
 }
 
+// An error of another file must not look like one of the scene that is open.
+TEST_F(Desks, KnowWhichMessagesAreAboutWhatIsOpen) {
+  viewer::Desk desk(coarse());
+  const std::string missing = (folder() / "none.json").string();
+  open(desk.session, missing);
+  ASSERT_EQ(desk.session.messages().size(), 1U);
+  EXPECT_FALSE(desk.session.messages().back().is_past);
+  EXPECT_EQ(viewer::messages_text(desk.session),
+            "error: " + desk.session.messages()[0].text + "\n");
+  open(desk.session, kRoom);
+  for (const viewer::Message& message : desk.session.messages()) {
+    EXPECT_EQ(message.is_past, message.text.find("none.json") != std::string::npos);
+  }
+  // One that cannot be read takes no message of what stays open away.
+  desk.session.tell("about the room");
+  open(desk.session, missing);
+  EXPECT_FALSE(desk.session.messages()[desk.session.messages().size() - 2].is_past);
+  EXPECT_FALSE(desk.session.messages().back().is_past);
+  for (const int lines : {-3, 1, 12, 100000}) {
+    viewer::set_console_lines(desk, lines);
+    EXPECT_GE(desk.console_lines, 1);
+    EXPECT_LE(desk.console_lines, 100);
+  }
+}
+
 // What was set for one scene must not hide the next one, and heat is nothing to see.
 TEST_F(Desks, GreetEachFileAfresh) {
   viewer::Desk desk(coarse());

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -181,6 +182,19 @@ std::string hovered_text(const Desk& desk) {
   const int digits = standing(desk.session).is_rough ? kRoughDigits : kDigits;
   const std::string unit = desk.legend->unit.empty() ? "" : " " + desk.legend->unit;
   return fmt::format("{}, {}{}", surface, number_text(desk.legend->values[patch], digits), unit);
+}
+
+void set_console_lines(Desk& desk, int n_lines) {
+  constexpr int kMostLines = 60;
+  desk.console_lines = std::clamp(n_lines, 1, kMostLines);
+}
+
+std::string messages_text(const Session& session) {
+  std::string text;
+  for (const Message& message : session.messages()) {
+    text += (message.is_error ? "error: " : "") + message.text + '\n';
+  }
+  return text;
 }
 
 void check_output(const Desk& desk, const std::string& path) {

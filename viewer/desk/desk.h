@@ -28,6 +28,9 @@ enum class Domain {
 /// The name of what is shown of it at first.
 const char* first_quantity(Domain domain);
 
+/// Lines of the console, unless it is given more.
+inline constexpr int kConsoleLines = 3;
+
 /// Everything that the window shows. Panels, keys and scripts act on it through the functions below
 /// and through its session, so that all can do the same.
 struct Desk {
@@ -51,6 +54,8 @@ struct Desk {
   Pinning pinning = {};                        ///< light to compare with
   bool shows_panels = true;
   bool shows_help = false;
+  int console_lines = kConsoleLines;
+  std::optional<std::string> copied = {};      ///< text that shall go to the clipboard
   bool asks_light_path = false;                ///< for each patch that is selected
   std::optional<radiosity::Index> hovered;     ///< patch under the mouse
   std::optional<int> function_key = {};        ///< the last one that was pressed, for scripts
@@ -91,6 +96,11 @@ std::optional<radiosity::Index> patch_at(const Desk& desk, double x, double y);
 
 /// What the mouse points at: "floor, 123.4 lux"; "" if it is nothing.
 std::string hovered_text(const Desk& desk);
+
+/// Gives the console so many lines, at least one.
+void set_console_lines(Desk& desk, int n_lines);
+/// All messages, a line each, errors marked.
+std::string messages_text(const Session& session);
 
 /// Throws OutputError if a file must not be written, since what is open is read from it.
 void check_output(const Desk& desk, const std::string& path);

@@ -192,6 +192,7 @@ void Window::close() { glfwSetWindowShouldClose(parts_->window, GLFW_TRUE); }
 void Window::set_title(const std::string& title) {
   glfwSetWindowTitle(parts_->window, title.c_str());
 }
+void Window::copy(const std::string& text) { glfwSetClipboardString(parts_->window, text.c_str()); }
 void Window::resize(int width, int height) {
   // X ends programs that ask for none.
   glfwSetWindowSize(parts_->window, std::max(1, width), std::max(1, height));

@@ -62,6 +62,8 @@ class Window {
   /// The same, and returns what is shown: 0 x 0 pixels if the window has no size.
   io::RgbPicture end_captured_frame(std::span<SceneView* const> views);
 
+  /// Puts text where other programs find it to paste.
+  void copy(const std::string& text);
   /// Files that were dropped onto the window since the last call.
   std::vector<std::string> take_dropped_files();
   /// Keys that were pressed since the last call, however short, in that order.

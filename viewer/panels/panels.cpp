@@ -6,15 +6,12 @@
 #include <algorithm>
 #include <vector>
 
-#include "viewer/panels/inks.h"
-
 namespace viewer {
 namespace {
 
 constexpr float kLeftWidth = 270;  // at scale 1, as the others
 constexpr float kRightWidth = 330;
 constexpr float kLeastPicture = 160;
-constexpr int kConsoleLines = 3;
 
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
                                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoTitleBar |
@@ -42,14 +39,6 @@ std::string status_text(const Desk& desk) {
   return text;
 }
 
-void draw_messages(const Session& session) {
-  for (const Message& message : session.messages()) {
-    ImGui::PushStyleColor(ImGuiCol_Text, message.is_error ? kErrorInk : kPlainInk);
-    ImGui::TextWrapped("%s", message.text.c_str());
-    ImGui::PopStyleColor();
-  }
-}
-
 }  // namespace
 
 Panels::Panels(const study::StudyOptions& options)
@@ -72,8 +61,10 @@ void Panels::draw(Desk& desk, std::span<const KeyPress> keys, int width, int hei
     draw_menu(desk);
     top = ImGui::GetFrameHeight();
     const float line = ImGui::GetTextLineHeightWithSpacing();
-    const float status = (kConsoleLines + 1) * line + 14 * size;
-    if (h > top + status + kLeastPicture * size) {
+    // As much as leaves a picture.
+    const float most = h - top - kLeastPicture * size;
+    const float status = std::min(line + ConsolePanel::height(desk, scale), most);
+    if (status > 3 * line) {
       bottom = h - status;
       draw_status(desk, bottom, w, status);
     }
@@ -190,6 +181,7 @@ void Panels::draw_solve(Desk& desk) {
 
 void Panels::draw_status(Desk& desk, float top, float width, float height) {
   begin_panel("Status", 0, top, width, height);
+  ConsolePanel::draw_edge(desk);
   const Session& session = desk.session;
   if (session.status().is_busy) {
     ImGui::ProgressBar(static_cast<float>(session.job().fraction()),
@@ -201,15 +193,8 @@ void Panels::draw_status(Desk& desk, float top, float width, float height) {
     ImGui::SameLine(width * 0.6F);
     ImGui::TextDisabled("%s", hovered.c_str());
   }
-  if (!session.messages().empty()) {
-    ImGui::SameLine(width - 4 * ImGui::GetFontSize());
-    if (ImGui::SmallButton("Clear")) desk.session.clear_messages();
-  }
-  ImGui::BeginChild("console", ImVec2(0, 0), true);
-  draw_messages(session);
-  if (console_length_ != session.versions().messages) ImGui::SetScrollHereY(1);
-  console_length_ = session.versions().messages;
-  ImGui::EndChild();
+  ConsolePanel::draw_buttons(desk);
+  console_.draw(desk);
   ImGui::End();
 }
 

@@ -5,6 +5,7 @@
 
 #include "viewer/desk/desk.h"
 #include "viewer/desk/key_press.h"
+#include "viewer/panels/console_panel.h"
 #include "viewer/panels/file_browser.h"
 #include "viewer/panels/recent_files.h"
 #include "viewer/panels/save_dialog.h"
@@ -43,9 +44,9 @@ class Panels {
   RecentFiles recent_;
   SaveDialog save_;
   WatchPanel watch_;
+  ConsolePanel console_;
   int n_patches_;
   bool is_adaptive_;
-  int console_length_ = 0;
 };
 
 /// Parts of the panels that remember nothing.

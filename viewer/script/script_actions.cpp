@@ -12,6 +12,7 @@
 #include "io/base/atomic_file.h"
 #include "radiosity/base/error.h"
 #include "viewer/script/comparison_actions.h"
+#include "viewer/script/console_actions.h"
 #include "viewer/script/state_report.h"
 
 namespace viewer {
@@ -31,8 +32,9 @@ Perform at_once(std::function<void(Stage&, ScriptArguments&)> work) {
 
 std::string last_error(const Session& session) {
   const auto& messages = session.messages();
-  const auto found = std::find_if(messages.rbegin(), messages.rend(),
-                                  [](const Message& message) { return message.is_error; });
+  const auto found = std::find_if(messages.rbegin(), messages.rend(), [](const Message& message) {
+    return message.is_error && !message.is_past;
+  });
   return found == messages.rend() ? "no light was found" : found->text;
 }
 
@@ -355,6 +357,7 @@ const std::map<std::string, ActionKind>& action_kinds() {
   static const std::map<std::string, ActionKind> kinds = [] {
     std::map<std::string, ActionKind> all = general_actions();
     all.merge(comparison_actions());
+    all.merge(console_actions());
     return all;
   }();
   return kinds;

@@ -207,7 +207,8 @@ json state_report(const Desk& desk) {
   const Session& session = desk.session;
   json messages = json::array();
   for (const Message& message : session.messages()) {
-    messages.push_back({{"error", message.is_error}, {"text", message.text}});
+    messages.push_back(
+        {{"error", message.is_error}, {"text", message.text}, {"past", message.is_past}});
   }
   return {{"path", session.model().path},
           {"patches", session.is_open() ? session.model().mesh->size() : 0},
@@ -230,6 +231,7 @@ json state_report(const Desk& desk) {
             {"width", desk.region.width},
             {"height", desk.region.height}}},
           {"iteration", iteration_json(desk)},
+          {"console_lines", desk.console_lines},
           {"messages", messages}};
 }
 

@@ -62,6 +62,7 @@ void Session::open(const std::string& path, const std::optional<std::string>& un
     }
     posting<OpenedFile>(context, [this, start](OpenedFile opened) {
       ++versions_.file;
+      for (Message& message : messages_) message.is_past = true;
       take_file(std::move(opened), start);
     })(std::move(file));
   });
@@ -293,7 +294,7 @@ WorkStatus Session::status() const {
 bool Session::is_thermal() const { return model_.scene && radiosity::is_thermal(*model_.scene); }
 
 void Session::add_message(bool is_error, const std::string& text) {
-  messages_.push_back({is_error, text});
+  messages_.push_back({.is_error = is_error, .text = text});
   if (messages_.size() > kMostMessages) messages_.pop_front();
   ++versions_.messages;
 }

@@ -28,6 +28,7 @@ namespace viewer {
 struct Message {
   bool is_error = false;
   std::string text;
+  bool is_past = false;  ///< it was told before the file that is open
 };
 
 /// The scene in the window, what is computed about it in the background, and the questions that a
