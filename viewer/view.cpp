@@ -10,6 +10,7 @@
 #include "io/picture/image_file.h"
 #include "radiosity/base/error.h"
 #include "viewer/desk/desk.h"
+#include "viewer/desk/tour.h"
 #include "viewer/draw/backdrop.h"
 #include "viewer/draw/comparison_overlay.h"
 #include "viewer/draw/overlay.h"
@@ -34,6 +35,12 @@ constexpr int kFewFrames = 2;             // after news from the background
 constexpr int kScreenshotFrames = 3;      // likewise, before a picture of the window
 constexpr std::size_t kMostTimes = 4096;  // frames
 
+/// Beside the recent files; empty if there is no place for such things.
+std::filesystem::path first_visit_file() {
+  const std::filesystem::path recent = RecentFiles::default_file();
+  return recent.empty() ? recent : recent.parent_path() / "toured";
+}
+
 std::string window_title(const Session& session) {
   if (!session.is_open()) return "radiosity";
   return std::filesystem::path(session.model().path).filename().string() + " - radiosity";
@@ -48,6 +55,7 @@ class Application final : public ScriptHost {
         desk_(options.solving, options.reading),
         panels_(options.solving) {
     desk_.asked_up = options.up;
+    desk_.examples.find(options.examples);
     if (options.path) desk_.kept_files.emplace_back(*options.path);
     if (!options.script) return;
     script_.emplace(*options.script);
@@ -86,7 +94,10 @@ class Application final : public ScriptHost {
     if (opened_ != desk_.session.versions().file) {
       opened_ = desk_.session.versions().file;
       window_.set_title(window_title(desk_.session));
-      if (!is_unattended()) panels_.remember(desk_.session.model().path);
+      if (!is_unattended()) {
+        panels_.remember(desk_.session.model().path);
+        if (is_first_visit(first_visit_file())) show_tour(desk_, 0);
+      }
     }
     // The status line tells how far the work is.
     const bool is_working =

@@ -71,6 +71,7 @@ const char* first_quantity(Domain domain) {
 bool update(Desk& desk) {
   bool has_changed = desk.session.update();
   has_changed |= update_saving(desk);
+  has_changed |= desk.examples.update();
   const Session& session = desk.session;
   if (session.versions().file != desk.shown_file) {
     greet(desk);

@@ -9,6 +9,7 @@
 #include "radiosity/solve/surface_flux.h"
 #include "viewer/desk/camera_control.h"
 #include "viewer/desk/comparison.h"
+#include "viewer/desk/examples.h"
 #include "viewer/desk/legend.h"
 #include "viewer/desk/look.h"
 #include "viewer/desk/orientation.h"
@@ -55,6 +56,7 @@ struct Desk {
   bool shows_panels = true;
   bool shows_help = false;
   int console_lines = kConsoleLines;
+  std::optional<int> tour_step = {};           ///< that is shown
   std::optional<std::string> copied = {};      ///< text that shall go to the clipboard
   bool asks_light_path = false;                ///< for each patch that is selected
   std::optional<radiosity::Index> hovered;     ///< patch under the mouse
@@ -66,7 +68,8 @@ struct Desk {
   std::optional<std::string> save_error = {};  ///< why the latest one could not be
   /// Not to be overwritten, beside what is open and what it refers to.
   std::vector<std::filesystem::path> kept_files = {};
-  Worker saver = Worker();  ///< last, so that it ends first
+  Worker saver = Worker();  ///< among the last, so that they end first
+  Examples examples = {};
 };
 
 /// Brings the session and what is told of the selected patch up to date; a file that was opened is

@@ -227,8 +227,9 @@ void draw_badge(const Desk& desk, ImDrawList& list, float scale) {
 std::string missing_text(const Desk& desk) {
   const Session& session = desk.session;
   if (!session.is_open()) {
-    return session.status().is_busy ? "Opening ..."
-                                    : "Drop a scene or result file here, or press Ctrl+O";
+    if (session.status().is_busy) return "Opening ...";
+    // Examples say so themselves.
+    return desk.examples.list().empty() ? "Drop a scene or result file here, or press Ctrl+O" : "";
   }
   const Show show = desk.look.show;
   const bool is_painted = show == Show::true_color || show == Show::watched;

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "viewer/desk/pinning.h"
+#include "viewer/desk/tour.h"
 
 namespace viewer {
 namespace {
@@ -130,7 +131,9 @@ void Input::press(Desk& desk, Panels& panels, const KeyPress& key) {
   if (key.key == GLFW_KEY_TAB) desk.shows_panels = !desk.shows_panels;
   if (key.key == GLFW_KEY_SPACE) desk.session.set_paused(!desk.session.is_paused());
   if (key.key == GLFW_KEY_ESCAPE) {
-    if (desk.shows_help) {
+    if (desk.tour_step) {
+      end_tour(desk);
+    } else if (desk.shows_help) {
       desk.shows_help = false;
     } else {
       desk.session.select(std::nullopt);

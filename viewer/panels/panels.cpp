@@ -74,11 +74,11 @@ void Panels::draw(Desk& desk, std::span<const KeyPress> keys, int width, int hei
       left = kLeftWidth * size;
       begin_panel("Look and what if", 0, top, left, bottom - top);
       draw_scene_panel(desk);
-      draw_look_panel(desk);
+      draw_part(desk, TourTarget::look, [&] { draw_look_panel(desk); });
       draw_compare_panel(desk);
       if (!has_right) draw_right(desk, scale);  // here, rather than nowhere
       draw_solve(desk);
-      draw_what_if_panel(desk);
+      draw_part(desk, TourTarget::what_if, [&] { draw_what_if_panel(desk); });
       ImGui::End();
     }
     if (has_right) {
@@ -88,44 +88,70 @@ void Panels::draw(Desk& desk, std::span<const KeyPress> keys, int width, int hei
       ImGui::End();
     }
   }
-  const DialogKeys dialog = dialog_keys(keys);
-  if (const auto chosen = browser_.draw(dialog, scale)) desk.session.open(*chosen);
-  save_.draw(desk, dialog, scale);
-  if (desk.shows_help) draw_help(desk, scale);
   desk.region = {.left = static_cast<int>(left),
                  .top = static_cast<int>(top),
                  .width = std::max(0, static_cast<int>(right) - static_cast<int>(left)),
                  .height = std::max(0, static_cast<int>(bottom) - static_cast<int>(top))};
+  tour_.place(TourTarget::picture, ImVec2(left, top), ImVec2(right, bottom));
+  if (bottom < h) tour_.place(TourTarget::console, ImVec2(0, bottom), ImVec2(w, h));
+  gallery_.draw(desk, scale);
+  const DialogKeys dialog = dialog_keys(keys);
+  if (const auto chosen = browser_.draw(dialog, scale)) desk.session.open(*chosen);
+  save_.draw(desk, dialog, scale);
+  if (desk.shows_help) draw_help(desk, scale);
+  tour_.draw(desk, scale);
+}
+
+template <typename Draw>
+void Panels::draw_part(const Desk& desk, TourTarget target, const Draw& draw) {
+  const float top = ImGui::GetCursorScreenPos().y;
+  tour_.scroll_to(desk, target);
+  draw();
+  // Of it what the panel shows.
+  const ImVec2 corner = ImGui::GetWindowPos();
+  const ImVec2 size = ImGui::GetWindowSize();
+  const float bottom = ImGui::GetCursorScreenPos().y;
+  tour_.place(target, ImVec2(corner.x, std::clamp(top, corner.y, corner.y + size.y)),
+              ImVec2(corner.x + size.x, std::clamp(bottom, corner.y, corner.y + size.y)));
 }
 
 void Panels::draw_right(Desk& desk, double scale) {
-  draw_ask_panel(desk);
+  draw_part(desk, TourTarget::ask, [&] { draw_ask_panel(desk); });
   if (desk.session.is_thermal()) draw_heat_panel(desk);
   watch_.draw(desk, scale);
 }
 
-void Panels::draw_menu(Desk& desk) {
-  if (!ImGui::BeginMainMenuBar()) return;
-  if (ImGui::BeginMenu("File")) {
-    if (ImGui::MenuItem("Open ...", "Ctrl+O")) choose_file(desk);
-    if (ImGui::BeginMenu("Recent", !recent_.paths().empty())) {
-      const std::vector<std::string> paths = recent_.paths();
-      for (const std::string& path : paths) {
-        if (ImGui::MenuItem(path.c_str())) desk.session.open(path);
-      }
-      ImGui::EndMenu();
-    }
-    ImGui::Separator();
-    if (ImGui::MenuItem("Save picture ...", "Ctrl+P")) begin_save(desk, SaveDialog::Kind::picture);
-    if (ImGui::MenuItem("Save result ...", nullptr, false, desk.session.has_result())) {
-      begin_save(desk, SaveDialog::Kind::result);
-    }
-    const bool has_scene = desk.session.model().scene != nullptr;
-    if (ImGui::MenuItem("Save scene ...", nullptr, false, has_scene)) {
-      begin_save(desk, SaveDialog::Kind::scene);
+void Panels::draw_file_menu(Desk& desk) {
+  if (!ImGui::BeginMenu("File")) return;
+  if (ImGui::MenuItem("Open ...", "Ctrl+O")) choose_file(desk);
+  if (ImGui::BeginMenu("Recent", !recent_.paths().empty())) {
+    const std::vector<std::string> paths = recent_.paths();
+    for (const std::string& path : paths) {
+      if (ImGui::MenuItem(path.c_str())) desk.session.open(path);
     }
     ImGui::EndMenu();
   }
+  if (ImGui::BeginMenu("Examples", !desk.examples.list().empty())) {
+    for (const Example& example : desk.examples.list()) {
+      if (ImGui::MenuItem(example.name.c_str())) desk.session.open(example.path);
+    }
+    ImGui::EndMenu();
+  }
+  ImGui::Separator();
+  if (ImGui::MenuItem("Save picture ...", "Ctrl+P")) begin_save(desk, SaveDialog::Kind::picture);
+  if (ImGui::MenuItem("Save result ...", nullptr, false, desk.session.has_result())) {
+    begin_save(desk, SaveDialog::Kind::result);
+  }
+  const bool has_scene = desk.session.model().scene != nullptr;
+  if (ImGui::MenuItem("Save scene ...", nullptr, false, has_scene)) {
+    begin_save(desk, SaveDialog::Kind::scene);
+  }
+  ImGui::EndMenu();
+}
+
+void Panels::draw_menu(Desk& desk) {
+  if (!ImGui::BeginMainMenuBar()) return;
+  draw_file_menu(desk);
   if (ImGui::BeginMenu("Edit")) {
     const MixHistory& history = desk.session.mix_history();
     if (ImGui::MenuItem("Undo change of the scene", "Ctrl+Z", false, history.can_undo())) {
@@ -149,6 +175,7 @@ void Panels::draw_menu(Desk& desk) {
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu("Help")) {
+    if (ImGui::MenuItem("Tour")) show_tour(desk, 0);
     ImGui::MenuItem("Keys and mouse", "?", &desk.shows_help);
     ImGui::EndMenu();
   }

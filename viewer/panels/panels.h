@@ -7,8 +7,10 @@
 #include "viewer/desk/key_press.h"
 #include "viewer/panels/console_panel.h"
 #include "viewer/panels/file_browser.h"
+#include "viewer/panels/gallery.h"
 #include "viewer/panels/recent_files.h"
 #include "viewer/panels/save_dialog.h"
+#include "viewer/panels/tour_box.h"
 #include "viewer/panels/watch_panel.h"
 
 namespace viewer {
@@ -36,6 +38,10 @@ class Panels {
 
  private:
   void draw_menu(Desk& desk);
+  void draw_file_menu(Desk& desk);
+  /// Draws a part of a panel that the tour may point at.
+  template <typename Draw>
+  void draw_part(const Desk& desk, TourTarget target, const Draw& draw);
   void draw_right(Desk& desk, double scale);
   void draw_solve(Desk& desk);
   void draw_status(Desk& desk, float top, float width, float height);
@@ -45,6 +51,8 @@ class Panels {
   SaveDialog save_;
   WatchPanel watch_;
   ConsolePanel console_;
+  Gallery gallery_;
+  TourBox tour_;
   int n_patches_;
   bool is_adaptive_;
 };

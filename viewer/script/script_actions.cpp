@@ -13,6 +13,7 @@
 #include "radiosity/base/error.h"
 #include "viewer/script/comparison_actions.h"
 #include "viewer/script/console_actions.h"
+#include "viewer/script/help_actions.h"
 #include "viewer/script/state_report.h"
 
 namespace viewer {
@@ -55,7 +56,7 @@ bool wait_solved(Stage& stage, ScriptArguments& arguments) {
 
 bool wait_idle(Stage& stage, ScriptArguments& arguments) {
   check_patience(stage, arguments);
-  return !stage.is_first && stage.desk.session.is_idle();
+  return !stage.is_first && stage.desk.session.is_idle() && !stage.desk.examples.is_busy();
 }
 
 /// Until a person, or what acts as one, presses a function key: all keys before it have been taken
@@ -358,6 +359,7 @@ const std::map<std::string, ActionKind>& action_kinds() {
     std::map<std::string, ActionKind> all = general_actions();
     all.merge(comparison_actions());
     all.merge(console_actions());
+    all.merge(help_actions());
     return all;
   }();
   return kinds;

@@ -162,6 +162,16 @@ json comparison_json(const Desk& desk) {
           {"pinned", pinned}};
 }
 
+json examples_json(const Desk& desk) {
+  json examples = json::array();
+  for (const Example& example : desk.examples.list()) {
+    examples.push_back({{"path", example.path},
+                        {"name", example.name},
+                        {"has_picture", example.picture != nullptr}});
+  }
+  return examples;
+}
+
 json size_json(const Session& session) {
   if (!session.is_open()) return nullptr;
   return list(radiosity::Vec3(session.model().bounds.sizes()));
@@ -232,6 +242,8 @@ json state_report(const Desk& desk) {
             {"height", desk.region.height}}},
           {"iteration", iteration_json(desk)},
           {"console_lines", desk.console_lines},
+          {"tour", desk.tour_step ? json(*desk.tour_step + 1) : json(nullptr)},
+          {"examples", examples_json(desk)},
           {"messages", messages}};
 }
 
