@@ -1,6 +1,7 @@
 // What the window shows and how, without a window.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "io/scene/scene_file.h"
@@ -210,6 +211,33 @@ TEST_F(Desks, SaveLampsThatCanBeSwitchedOnAgain) {
   // (The patches are those of the same polygons.)
   const Eigen::MatrixXd again = desk.session.light()->solution.radiosity;
   EXPECT_LE((again - lit).norm(), 1e-6 * lit.norm());
+}
+
+// Which patches a warning is about can be seen.
+TEST_F(Desks, ShowThePatchesThatSeeAnOpening) {
+  study::StudyOptions options = coarse();
+  options.closed = radiosity::Closed::yes;
+  viewer::Desk desk(options);
+  open(desk.session, std::string(RADIOSITY_SCENES) + "/opposed-squares.json");
+  viewer::update(desk);
+  const viewer::Known known = desk.session.known();
+  ASSERT_TRUE(viewer::open_patches(known));
+  EXPECT_EQ(viewer::open_patches(known)->size(), known.model.mesh->corners.size());
+  const auto& messages = desk.session.messages();
+  EXPECT_EQ(std::count_if(messages.begin(), messages.end(),
+                          [](const viewer::Message& message) { return message.is_about_openings; }),
+            1);
+  viewer::show(desk, "unseen");
+  const auto field = viewer::shown_field(known, desk.look);
+  ASSERT_TRUE(field);
+  for (radiosity::Index i = 0; i < known.model.mesh->size(); ++i) {
+    EXPECT_NEAR(field->values[i], 1 - rows_of(*known.model.transport).row(i).sum(), 1e-6);
+  }
+  // A closed scene has none, and nothing is said of them.
+  open(desk.session, kThermal);
+  EXPECT_TRUE(viewer::open_patches(desk.session.known())->empty());
+  EXPECT_FALSE(desk.session.messages().back().is_about_openings &&
+               !desk.session.messages().back().is_past);
 }
 
 // An error of another file must not look like one of the scene that is open.

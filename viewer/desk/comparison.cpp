@@ -96,6 +96,7 @@ bool is_comparable(const Look& look) {
     case Show::indirect:
       return true;
     case Show::area:
+    case Show::unseen:
     case Show::form_factors:
     case Show::arriving:
     case Show::light_path:

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -21,6 +22,7 @@ enum class Show {
   true_color,    ///< the light as the eye would see it
   quantity,      ///< a quantity of the solution
   area,          ///< of the patches
+  unseen,        ///< share of each patch's form factors that is missing to 1
   direct,        ///< irradiance straight from the emitters
   indirect,      ///< irradiance by way of reflections
   form_factors,  ///< the row of the selected patch
@@ -64,6 +66,10 @@ std::span<const ShowName> show_names();
 std::optional<ShowName> show_named(std::string_view name);
 /// The name of what a look shows.
 std::string_view show_name(const Look& look);
+
+/// The patches that see an opening although the scene is taken as closed: worth a look where the
+/// unseen share is shown. Null before there are form factors.
+const std::vector<std::int32_t>* open_patches(const Known& known);
 
 /// Whether it can be had of what is open: the eye sees nothing of a thermal scene.
 bool is_offered(const ShowName& name, const Session& session);

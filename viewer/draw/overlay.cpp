@@ -25,6 +25,9 @@ constexpr ImU32 kPanel = IM_COL32(26, 27, 31, 235);
 constexpr ImU32 kNoResult = IM_COL32(255, 190, 60, 255);
 constexpr ImU32 kResult = IM_COL32(170, 175, 180, 255);
 constexpr ImU32 kOutline = IM_COL32(255, 170, 40, 255);
+constexpr ImU32 kOpen = IM_COL32(255, 80, 60, 255);
+constexpr ImU32 kHiddenOpen = IM_COL32(255, 80, 60, 150);
+constexpr std::size_t kMostOutlines = 1000;
 constexpr ImU32 kPartner = IM_COL32(255, 255, 255, 230);
 constexpr float kLegendWidth = 160;  // at scale 1, as the others
 constexpr float kLegendMargin = 10;
@@ -102,6 +105,19 @@ void draw_partners(const Desk& desk, ImDrawList& list, float scale) {
     if (!is_free) continue;
     ranks.push_back(*center);
     draw_text(list, ImVec2(center->x - size.x / 2, center->y - size.y / 2), kPartner, rank);
+  }
+}
+
+/// Those that see an opening: bold where the camera sees them, thin where something hides them.
+void draw_open_patches(const Desk& desk, ImDrawList& list, float scale) {
+  const Known known = desk.session.known();
+  const std::vector<std::int32_t>* patches = open_patches(known);
+  if (patches == nullptr) return;
+  const std::size_t n = std::min(kMostOutlines, patches->size());
+  for (std::size_t k = 0; k < n; ++k) {
+    const Index patch = (*patches)[k];
+    const bool is_bold = is_seen(desk, patch);
+    outline(desk, list, patch, is_bold ? kOpen : kHiddenOpen, (is_bold ? 2.5F : 1) * scale);
   }
 }
 
@@ -187,7 +203,7 @@ void draw_legend(const Desk& desk, ImDrawList& list, float scale) {
 Standing shown_standing(const Desk& desk) {
   const Show show = desk.look.show;
   const IterationRecord* record = desk.session.iteration();
-  if (show == Show::area || show == Show::form_factors) return {};
+  if (show == Show::area || show == Show::unseen || show == Show::form_factors) return {};
   if (show != Show::watched && show != Show::unshot) return standing(desk.session);
   if (record == nullptr || record->frames.empty()) return {};
   const std::size_t frame = std::min(desk.look.step, record->frames.size() - 1);
@@ -247,6 +263,9 @@ std::string missing_text(const Desk& desk) {
     }
     if (show == Show::light_path) return "Working out where the light comes from ...";
   }
+  if (show == Show::unseen) {
+    return session.is_settled() ? "Form factors are not known" : "Waits for the form factors ...";
+  }
   return session.is_settled() ? "No light is known" : "Waits for the light ...";
 }
 
@@ -260,6 +279,7 @@ void draw_overlay(const Desk& desk, double scale) {
   const ImVec2 bottom_right(top_left.x + static_cast<float>(desk.region.width),
                             top_left.y + static_cast<float>(desk.region.height));
   list.PushClipRect(top_left, bottom_right);
+  if (desk.look.show == Show::unseen) draw_open_patches(desk, list, size);
   if (desk.session.selected()) {
     if (desk.look.show == Show::form_factors && desk.session.model().factors) {
       draw_partners(desk, list, size);

@@ -11,17 +11,29 @@ namespace {
 
 constexpr float kFrame = 14;  // pixels around the lines, at scale 1
 constexpr int kManyLines = 12;
+constexpr float kButtonWidth = 6;  // heights of text
 
-void draw_messages(const Session& session) {
+/// Of a message that can be shown in the picture, what shows it.
+void draw_show_button(Desk& desk, bool has_own_line) {
+  if (!has_own_line) ImGui::SameLine();
+  if (ImGui::SmallButton("Show them")) show(desk, "unseen");
+}
+
+void draw_messages(Desk& desk) {
   const Message* before = nullptr;
-  for (const Message& message : session.messages()) {
+  for (const Message& message : desk.session.messages()) {
     // What follows is about the file that is open.
     if (before != nullptr && before->is_past && !message.is_past) ImGui::Separator();
     before = &message;
     const ImVec4 plain = message.is_past ? kPastInk : kPlainInk;
     ImGui::PushStyleColor(ImGuiCol_Text, message.is_error && !message.is_past ? kErrorInk : plain);
+    // A line that can be clicked has a button at its end, one that is longer below it.
+    const bool has_button = message.is_about_openings && !message.is_past;
+    const bool is_long = ImGui::CalcTextSize(message.text.c_str()).x >
+                         ImGui::GetContentRegionAvail().x - kButtonWidth * ImGui::GetFontSize();
     ImGui::TextWrapped("%s", message.text.c_str());
     ImGui::PopStyleColor();
+    if (has_button) draw_show_button(desk, is_long);
   }
 }
 
@@ -69,9 +81,9 @@ void ConsolePanel::draw_buttons(Desk& desk) {
   ImGui::EndDisabled();
 }
 
-void ConsolePanel::draw(const Desk& desk) {
+void ConsolePanel::draw(Desk& desk) {
   ImGui::BeginChild("console", ImVec2(0, 0), true);
-  draw_messages(desk.session);
+  draw_messages(desk);
   if (length_ != desk.session.versions().messages) ImGui::SetScrollHereY(1);
   length_ = desk.session.versions().messages;
   ImGui::EndChild();

@@ -15,7 +15,7 @@ class ConsolePanel {
   /// Buttons at the right end of a line of that window.
   static void draw_buttons(Desk& desk);
   /// The messages, in the rest of it: old ones pale, of a file that is not open any more.
-  void draw(const Desk& desk);
+  void draw(Desk& desk);
 
  private:
   int length_ = 0;  // Session::Versions::messages when it was drawn last

@@ -162,6 +162,12 @@ json comparison_json(const Desk& desk) {
           {"pinned", pinned}};
 }
 
+json open_patches_json(const Session& session) {
+  const Known known = session.known();
+  const std::vector<std::int32_t>* patches = open_patches(known);
+  return patches != nullptr ? json(*patches) : json(nullptr);
+}
+
 json examples_json(const Desk& desk) {
   json examples = json::array();
   for (const Example& example : desk.examples.list()) {
@@ -234,6 +240,7 @@ json state_report(const Desk& desk) {
           {"mix", mix_json(session)},
           {"look", look_json(desk)},
           {"comparison", comparison_json(desk)},
+          {"open_patches", open_patches_json(session)},
           {"camera", camera_json(desk)},
           {"region",
            {{"left", desk.region.left},

@@ -10,6 +10,7 @@
 #include "radiosity/solve/solution.h"
 #include "radiosity/solve/solve.h"
 #include "radiosity/solve/surface_flux.h"
+#include "study/warnings.h"
 #include "viewer/work/pipeline.h"
 #include "viewer/work/preview.h"
 
@@ -188,7 +189,19 @@ void Session::take_model(Model model) {
   }
   find_row();
   if (is_relight_due_ && previewing_.is_busy()) start_preview();
-  if (model_.transport) start_light_task();
+  if (model_.transport) {
+    mark_openings();
+    start_light_task();
+  }
+}
+
+/// Finds what has been said of them.
+void Session::mark_openings() {
+  const auto warning = study::open_rows_warning(model_.transport->report());
+  if (!warning) return;
+  for (Message& message : messages_) {
+    message.is_about_openings |= !message.is_past && message.text == *warning;
+  }
 }
 
 void Session::take_light(Light light) {

@@ -28,7 +28,8 @@ namespace viewer {
 struct Message {
   bool is_error = false;
   std::string text;
-  bool is_past = false;  ///< it was told before the file that is open
+  bool is_past = false;            ///< it was told before the file that is open
+  bool is_about_openings = false;  ///< what it tells can be shown: `Show::unseen`
 };
 
 /// The scene in the window, what is computed about it in the background, and the questions that a
@@ -154,6 +155,7 @@ class Session {
   void cancel_computing();
   void take_model(Model model);
   void take_light(Light light);
+  void mark_openings();
   [[nodiscard]] bool is_large() const;
   void take_mix(LightMix mix);
   void relight();
