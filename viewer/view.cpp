@@ -13,6 +13,7 @@
 #include "viewer/desk/tour.h"
 #include "viewer/draw/backdrop.h"
 #include "viewer/draw/comparison_overlay.h"
+#include "viewer/draw/guides.h"
 #include "viewer/draw/overlay.h"
 #include "viewer/draw/painter.h"
 #include "viewer/draw/pinned_view.h"
@@ -126,6 +127,7 @@ class Application final : public ScriptHost {
     const bool is_moving = window_.is_software() && is_dirty && !desk_.screenshot;
     window_.set_antialiased(!is_frugal && !is_moving && painter_.is_exact());
     backdrop_.draw(painter_.still(), desk_.region);
+    guides_.draw(desk_, window_.scale());
     draw_overlay(desk_, window_.scale());
     draw_comparison(desk_, window_.scale());
     if (desk_.copied) window_.copy(*std::exchange(desk_.copied, std::nullopt));
@@ -207,6 +209,7 @@ class Application final : public ScriptHost {
   PinnedView pinned_view_;
   std::vector<SceneView*> views_;  // that are drawn
   Backdrop backdrop_;
+  Guides guides_;
   Painter painter_;
   Desk desk_;
   Panels panels_;

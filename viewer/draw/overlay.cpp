@@ -12,6 +12,7 @@
 #include "radiosity/scene/patch_mesh.h"
 #include "viewer/desk/pinning.h"
 #include "viewer/draw/comparison_overlay.h"
+#include "viewer/draw/projection.h"
 #include "viewer/work/standing.h"
 
 namespace viewer {
@@ -34,20 +35,6 @@ constexpr float kLegendMargin = 10;
 constexpr float kBarWidth = 18;
 constexpr float kBarHeight = 380;
 constexpr ImU32 kShadow = IM_COL32(0, 0, 0, 200);
-
-/// Where a point of the scene appears; empty if it lies behind the camera.
-std::optional<ImVec2> project(const Desk& desk, const Vec3& point) {
-  const radiosity::Camera camera = picture_camera(desk);
-  const Vec3 offset = point - camera.position;
-  const double depth = offset.dot(camera.direction);
-  if (!(depth > 0)) return std::nullopt;
-  const Vec3 right = camera.direction.cross(camera.up).normalized();
-  const Vec3 up = right.cross(camera.direction);
-  const double unit = 0.5 * desk.region.height / (depth * std::tan(camera.vertical_fov / 2));
-  return ImVec2(
-      static_cast<float>(desk.region.left + 0.5 * desk.region.width + unit * offset.dot(right)),
-      static_cast<float>(desk.region.top + 0.5 * desk.region.height - unit * offset.dot(up)));
-}
 
 void outline(const Desk& desk, ImDrawList& list, Index patch, ImU32 color, float width) {
   const radiosity::PatchMesh& mesh = *desk.session.model().mesh;

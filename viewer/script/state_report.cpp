@@ -136,6 +136,8 @@ json look_json(const Desk& desk) {
                  {"smooth", desk.look.smooth},
                  {"edges", desk.look.edges},
                  {"hide_backs", desk.look.hide_backs},
+                 {"outlines", desk.look.outlines},
+                 {"axes", desk.look.axes},
                  {"panels", desk.shows_panels},
                  {"legend", nullptr}};
   if (desk.legend) {
