@@ -15,12 +15,16 @@ void warn_of_findings(const Scene& scene, const StudyEvents& events) {
   for (const std::string& message : meshing::serious_findings(scene)) events.warn(message);
 }
 
+std::optional<std::string> open_rows_warning(const AssemblyReport& report) {
+  if (report.open_rows == 0) return std::nullopt;
+  return fmt::format(
+      "the scene is taken as closed, but {} of {} patches see an opening; "
+      "their form factors stay as they are (--closed no leaves all so)",
+      report.open_rows, report.row_sums.size());
+}
+
 void warn_of_open_rows(const AssemblyReport& report, const StudyEvents& events) {
-  if (report.open_rows == 0) return;
-  events.warn(
-      fmt::format("the scene is taken as closed, but {} of {} patches see an opening; "
-                  "their form factors stay as they are (--closed no leaves all so)",
-                  report.open_rows, report.row_sums.size()));
+  if (const auto warning = open_rows_warning(report)) events.warn(*warning);
 }
 
 void warn_of_unverified(const AssemblyReport& report, double tolerance, const StudyEvents& events) {

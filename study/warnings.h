@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "meshing/adaptive/adaptive.h"
 #include "radiosity/compressed/verified_light.h"
 #include "radiosity/operator/transport.h"
@@ -12,7 +15,9 @@ namespace study {
 /// Of serious flaws of the scene, unless it is too large to be searched.
 void warn_of_findings(const radiosity::Scene& scene, const StudyEvents& events);
 
-/// If a scene taken as closed has patches that see an opening.
+/// What to say if a scene taken as closed has patches that see an opening; else empty.
+std::optional<std::string> open_rows_warning(const radiosity::AssemblyReport& report);
+/// Says it.
 void warn_of_open_rows(const radiosity::AssemblyReport& report, const StudyEvents& events);
 
 /// If the error of a compressed operator could not be brought down to `tolerance`.

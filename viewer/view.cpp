@@ -10,9 +10,13 @@
 #include "io/picture/image_file.h"
 #include "radiosity/base/error.h"
 #include "viewer/desk/desk.h"
+#include "viewer/desk/tour.h"
 #include "viewer/draw/backdrop.h"
+#include "viewer/draw/comparison_overlay.h"
+#include "viewer/draw/guides.h"
 #include "viewer/draw/overlay.h"
 #include "viewer/draw/painter.h"
+#include "viewer/draw/pinned_view.h"
 #include "viewer/draw/window.h"
 #include "viewer/panels/input.h"
 #include "viewer/panels/panels.h"
@@ -32,6 +36,12 @@ constexpr int kFewFrames = 2;             // after news from the background
 constexpr int kScreenshotFrames = 3;      // likewise, before a picture of the window
 constexpr std::size_t kMostTimes = 4096;  // frames
 
+/// Beside the recent files; empty if there is no place for such things.
+std::filesystem::path first_visit_file() {
+  const std::filesystem::path recent = RecentFiles::default_file();
+  return recent.empty() ? recent : recent.parent_path() / "toured";
+}
+
 std::string window_title(const Session& session) {
   if (!session.is_open()) return "radiosity";
   return std::filesystem::path(session.model().path).filename().string() + " - radiosity";
@@ -46,6 +56,7 @@ class Application final : public ScriptHost {
         desk_(options.solving, options.reading),
         panels_(options.solving) {
     desk_.asked_up = options.up;
+    desk_.examples.find(options.examples);
     if (options.path) desk_.kept_files.emplace_back(*options.path);
     if (!options.script) return;
     script_.emplace(*options.script);
@@ -84,7 +95,10 @@ class Application final : public ScriptHost {
     if (opened_ != desk_.session.versions().file) {
       opened_ = desk_.session.versions().file;
       window_.set_title(window_title(desk_.session));
-      if (!is_unattended()) panels_.remember(desk_.session.model().path);
+      if (!is_unattended()) {
+        panels_.remember(desk_.session.model().path);
+        if (is_first_visit(first_visit_file())) show_tour(desk_, 0);
+      }
     }
     // The status line tells how far the work is.
     const bool is_working =
@@ -100,12 +114,23 @@ class Application final : public ScriptHost {
     input_.handle(desk_, panels_, keys);
     panels_.draw(desk_, keys, window_.width(), window_.height(), window_.scale());
     painter_.paint(desk_, view_);
-    view_.set_region(desk_.region, window_.width(), window_.height());
+    SceneView* pinned = pinned_view_.paint(desk_);
+    const double split = pinned != nullptr ? drawn_split(desk_) : 0;
+    view_.set_region(desk_.region, window_.width(), window_.height(), {.left = split});
+    views_ = {&view_};
+    if (pinned != nullptr) {
+      pinned->set_region(desk_.region, window_.width(), window_.height(), {.right = split});
+      views_.push_back(pinned);
+    }
     const bool is_frugal = window_.is_software() && !desk_.session.is_idle();
-    const bool is_moving = window_.is_software() && view_.is_dirty() && !desk_.screenshot;
+    const bool is_dirty = view_.is_dirty() || (pinned != nullptr && pinned->is_dirty());
+    const bool is_moving = window_.is_software() && is_dirty && !desk_.screenshot;
     window_.set_antialiased(!is_frugal && !is_moving && painter_.is_exact());
     backdrop_.draw(painter_.still(), desk_.region);
+    guides_.draw(desk_, window_.scale());
     draw_overlay(desk_, window_.scale());
+    draw_comparison(desk_, window_.scale());
+    if (desk_.copied) window_.copy(*std::exchange(desk_.copied, std::nullopt));
     finish_frame();
     const auto end = Clock::now();
     frame_times_.push_back(std::chrono::duration<double, std::milli>(end - last_frame_).count());
@@ -121,16 +146,16 @@ class Application final : public ScriptHost {
   void finish_frame() {
     if (!desk_.screenshot) {
       screenshot_frames_ = 0;
-      window_.end_frame(view_);
+      window_.end_frame(views_);
       return;
     }
     lively_ = kLivelyFrames;
     const bool is_ready = painter_.is_done(desk_) || !desk_.session.is_settled();
     if (++screenshot_frames_ < kScreenshotFrames || !is_ready) {
-      window_.end_frame(view_);
+      window_.end_frame(views_);
       return;
     }
-    const io::RgbPicture picture = window_.end_captured_frame(view_);
+    const io::RgbPicture picture = window_.end_captured_frame(views_);
     const std::string file = *std::exchange(desk_.screenshot, std::nullopt);
     save_screenshot(picture, file);
   }
@@ -181,7 +206,10 @@ class Application final : public ScriptHost {
   ViewOptions options_;
   Window window_;
   SceneView view_;
+  PinnedView pinned_view_;
+  std::vector<SceneView*> views_;  // that are drawn
   Backdrop backdrop_;
+  Guides guides_;
   Painter painter_;
   Desk desk_;
   Panels panels_;

@@ -20,11 +20,12 @@ struct ViewOptions {
   /// Picture of the window, written when the script has ended or, without one, when the scene is
   /// solved; the window then closes. The window is as it is, with its panels.
   std::optional<std::filesystem::path> screenshot = {};
-  int width = 0;                  ///< pixels; 0 = what suits the scale and the screen
-  int height = 0;                 ///< pixels; likewise
-  double scale = 0;               ///< of text and panels; 0 = what the screen asks for
-  std::optional<UpAxis> up = {};  ///< axis that points upwards; absent: guessed for each file
-  std::stop_token stop = {};      ///< closes the window
+  int width = 0;                        ///< pixels; 0 = what suits the scale and the screen
+  int height = 0;                       ///< pixels; likewise
+  double scale = 0;                     ///< of text and panels; 0 = what the screen asks for
+  std::optional<UpAxis> up = {};        ///< axis that points upwards; absent: guessed for each file
+  std::filesystem::path examples = {};  ///< folder of scenes to offer
+  std::stop_token stop = {};            ///< closes the window
 };
 
 /// Opens the desktop window and returns when it is closed. Throws WindowError if there is no

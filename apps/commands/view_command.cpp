@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "apps/terminal/output_files.h"
+#include "apps/terminal/program_data.h"
 #include "radiosity/base/error.h"
 #include "radiosity/base/parallel.h"
 #include "viewer/view.h"
@@ -75,6 +76,7 @@ void ViewCommand::run() const {
       .height = height_,
       .scale = scale_,
       .up = viewer::up_named(up_),
+      .examples = program_data(RADIOSITY_SCENES, "scenes"),
       .stop = interruption_.token()};
   if (script_) options.script = *script_;
   if (screenshot_) options.screenshot = *screenshot_;

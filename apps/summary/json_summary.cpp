@@ -140,7 +140,8 @@ Json surfaces(const radiosity::Scene& scene, const meshing::Inspection& inspecti
                     {"reflectance", array(material.reflectance)},
                     {"emission",
                      {{"kind", emission_name(material.emission.kind)},
-                      {"value", array(material.emission.value)}}}});
+                      {"value", array(material.emission.value)},
+                      {"factor", surface.emission_factor}}}});
   }
   return list;
 }

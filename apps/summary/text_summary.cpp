@@ -212,15 +212,18 @@ std::string scale_text(const ShownScale& shown) {
                      shown.unit, shown.scale.logarithmic ? ", logarithmic" : "");
 }
 
-std::string emission_text(const radiosity::Emission& emission, const radiosity::Bands& bands) {
+std::string emission_text(const radiosity::Emission& emission, double factor,
+                          const radiosity::Bands& bands) {
   using Kind = radiosity::Emission::Kind;
   if (emission.kind == Kind::none) return "-";
   std::string_view unit = "W/m²";
   if (emission.kind == Kind::radiance) unit = "W/(m² sr)";
   if (emission.kind == Kind::power) unit = "W";
   if (emission.kind == Kind::temperature) unit = "K";
-  return fmt::format("{} {} {}", emission_name(emission.kind), numbers(emission.value),
-                     radiosity::band_unit(unit, bands));
+  std::string light;
+  if (factor != 1) light = factor == 0 ? ", off" : fmt::format(", {:.4g} of it", factor);
+  return fmt::format("{} {} {}{}", emission_name(emission.kind), numbers(emission.value),
+                     radiosity::band_unit(unit, bands), light);
 }
 
 std::string surface_table(const radiosity::Scene& scene, const meshing::Inspection& inspection) {
@@ -232,7 +235,8 @@ std::string surface_table(const radiosity::Scene& scene, const meshing::Inspecti
     rows.push_back({one_line(surface.name) + (surface.two_sided ? " (two-sided)" : ""),
                     fmt::format("{}", inspection.surface_polygons[s]),
                     fmt::format("{:.4g}", inspection.surface_area[s]), one_line(material.name),
-                    numbers(material.reflectance), emission_text(material.emission, scene.bands)});
+                    numbers(material.reflectance),
+                    emission_text(material.emission, surface.emission_factor, scene.bands)});
   }
   return table(rows);
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <span>
 
 #include "io/picture/round_numbers.h"
 
@@ -33,6 +34,25 @@ constexpr std::array<std::array<double, 3>, 18> kViridis = {{{0.2670, 0.0049, 0.
                                                              {0.6889, 0.8654, 0.1827},
                                                              {0.8456, 0.8873, 0.0997},
                                                              {0.9932, 0.9062, 0.1439}}};
+
+// Every second of the 33 colours that ParaView has.
+constexpr std::array<std::array<double, 3>, 17> kCoolWarm = {{{0.2298, 0.2987, 0.7537},
+                                                              {0.3039, 0.4065, 0.8450},
+                                                              {0.3830, 0.5094, 0.9174},
+                                                              {0.4667, 0.6046, 0.9682},
+                                                              {0.5530, 0.6889, 0.9954},
+                                                              {0.6392, 0.7596, 0.9982},
+                                                              {0.7222, 0.8140, 0.9766},
+                                                              {0.7987, 0.8498, 0.9317},
+                                                              {0.8654, 0.8654, 0.8654},
+                                                              {0.9241, 0.8274, 0.7745},
+                                                              {0.9589, 0.7698, 0.6780},
+                                                              {0.9700, 0.6943, 0.5794},
+                                                              {0.9580, 0.6028, 0.4818},
+                                                              {0.9239, 0.4973, 0.3880},
+                                                              {0.8692, 0.3783, 0.3003},
+                                                              {0.7956, 0.2413, 0.2205},
+                                                              {0.7057, 0.0156, 0.1502}}};
 
 /// The finite values, and of them only those above 0 if `logarithmic`, sorted.
 std::vector<double> shown_values(const Eigen::VectorXd& values, bool logarithmic) {
@@ -113,13 +133,15 @@ std::vector<double> tick_values(const ColorScale& scale, int most) {
   return thinned;
 }
 
-Rgb map_color(double position) {
-  const double place = std::clamp(position, 0.0, 1.0) * (kViridis.size() - 1);
-  const auto k = std::min(static_cast<std::size_t>(place), kViridis.size() - 2);
+Rgb map_color(double position, ColorMap map) {
+  const auto colors = map == ColorMap::cool_warm ? std::span<const std::array<double, 3>>(kCoolWarm)
+                                                 : std::span<const std::array<double, 3>>(kViridis);
+  const double place = std::clamp(position, 0.0, 1.0) * static_cast<double>(colors.size() - 1);
+  const auto k = std::min(static_cast<std::size_t>(place), colors.size() - 2);
   const double t = place - static_cast<double>(k);
   Rgb color{};
   for (std::size_t c = 0; c < 3; ++c) {
-    const double value = (1 - t) * kViridis[k][c] + t * kViridis[k + 1][c];
+    const double value = (1 - t) * colors[k][c] + t * colors[k + 1][c];
     color[c] = static_cast<std::uint8_t>(std::lround(255 * value));
   }
   return color;

@@ -27,8 +27,15 @@ double position_on(const ColorScale& scale, double value);
 /// 2, 5 if logarithmic), at most `most` of them (>= 2), at least the two ends.
 std::vector<double> tick_values(const ColorScale& scale, int most);
 
-/// 8-bit sRGB of a position in [0, 1] in the colour map viridis: dark blue, green, yellow,
-/// lightness rising evenly. (Smith & van der Walt 2015, matplotlib; public domain, CC0)
-Rgb map_color(double position);
+enum class ColorMap {
+  /// Dark blue, green, yellow, lightness rising evenly. (Smith & van der Walt 2015, matplotlib;
+  /// public domain, CC0)
+  viridis,
+  /// For differences: blue, light grey in the middle, red. (Moreland 2009)
+  cool_warm
+};
+
+/// 8-bit sRGB of a position in [0, 1].
+Rgb map_color(double position, ColorMap map = ColorMap::viridis);
 
 }  // namespace io

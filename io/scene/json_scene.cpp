@@ -132,13 +132,13 @@ FileScene read_json_scene(const std::filesystem::path& path, const ReadOptions& 
   const Json json = parse_json(path);
   const JsonItem root(json, path);
   root.check_keys(keys::kScene);
-  for (const std::string_view key : {"$schema", "name", "description"}) {
-    if (const auto item = root.find(key)) (void)item->text();
-  }
+  if (const auto schema = root.find("$schema")) (void)schema->text();
   const double unit = scene_unit(root, options);
   FileScene file;
   Scene& scene = file.scene;
   scene.source = path.string();
+  if (const auto name = root.find("name")) scene.name = name->text();
+  if (const auto description = root.find("description")) scene.description = description->text();
   if (const auto bands = root.find("bands")) scene.bands = read_bands(*bands);
   if (const auto materials = root.find("materials")) {
     scene.materials = read_materials(*materials, scene.bands, path.parent_path());

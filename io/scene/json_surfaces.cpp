@@ -13,6 +13,7 @@
 #include "io/base/rounding.h"
 #include "io/mesh/mesh_file.h"
 #include "io/scene/json_transform.h"
+#include "io/scene/light_factor.h"
 #include "io/scene/read_options.h"
 #include "io/scene/scene_keys.h"
 
@@ -184,6 +185,7 @@ std::vector<std::int32_t> add_mesh_surfaces(const JsonItem& item, const Surface&
     Surface surface = mesh.surfaces[i];
     surface.name = has_several ? given.name + "/" + surface.name : given.name;
     if (item.has("two_sided")) surface.two_sided = given.two_sided;
+    surface.emission_factor = given.emission_factor;
     if (given.material < 0 && surface.material < 0) {
       item.fail(fmt::format("has no \"material\", and {} gives none to its surface \"{}\"", file,
                             mesh.surfaces[i].name));
@@ -287,9 +289,11 @@ void add_surfaces(const JsonItem& surfaces, const std::filesystem::path& folder,
     item.check_keys(keys::kSurface);
     if (const auto description = item.find("description")) (void)description->text();
     const auto two_sided = item.find("two_sided");
+    const auto light = item.find("light");
     Surface surface{.name = item.at("name").text(),
                     .material = find_material(item, scene, n_materials),
-                    .two_sided = two_sided && two_sided->boolean()};
+                    .two_sided = two_sided && two_sided->boolean(),
+                    .emission_factor = light ? read_light_factor(*light) : 1};
     if (!names.insert(surface.name).second) {
       item.fail(fmt::format("a surface named \"{}\" exists already", surface.name));
     }

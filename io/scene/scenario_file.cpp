@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <string>
 #include <string_view>
 
 #include "io/base/json_item.h"
+#include "io/scene/light_factor.h"
 
 namespace io {
 namespace {
@@ -27,20 +27,6 @@ std::string read_name(const JsonItem& item) {
   });
   if (!is_plain) item.fail("found a '/' or a control character, which file names may not have");
   return name;
-}
-
-double read_factor(const JsonItem& item) {
-  if (item.value().is_string()) {
-    const std::string word = item.text();
-    if (word == "on") return 1;
-    if (word == "off") return 0;
-    item.fail(fmt::format("found '{}', expected \"on\", \"off\" or a number", word));
-  }
-  const double factor = item.number();
-  if (!(factor >= 0 && std::isfinite(factor))) {
-    item.fail(fmt::format("found {}, expected a factor of at least 0", factor));
-  }
-  return factor;
 }
 
 double read_share(const JsonItem& item) {
@@ -71,7 +57,7 @@ Scenario read_scenario(const JsonItem& item) {
   if (const auto lights = item.find("lights")) {
     require_object(*lights);
     for (const auto& [pattern, value] : lights->value().items()) {
-      scenario.lights.push_back({pattern, read_factor(lights->at(pattern))});
+      scenario.lights.push_back({pattern, read_light_factor(lights->at(pattern))});
     }
   }
   if (const auto paints = item.find("reflectances")) {

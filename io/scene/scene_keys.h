@@ -20,9 +20,9 @@ inline constexpr auto kMaterial =
 
 inline constexpr auto kSpectrum = std::to_array<std::string_view>({"csv", "column"});
 
-inline constexpr auto kSurface =
-    std::to_array<std::string_view>({"name", "description", "material", "two_sided", "mesh",
-                                     "object", "transform", "unit", "polygons", "vertices"});
+inline constexpr auto kSurface = std::to_array<std::string_view>(
+    {"name", "description", "material", "two_sided", "light", "mesh", "object", "transform", "unit",
+     "polygons", "vertices"});
 
 inline constexpr auto kTransform =
     std::to_array<std::string_view>({"scale", "rotate", "translate", "matrix"});

@@ -101,6 +101,8 @@ Json material_json(const Material& material) {
   return json;
 }
 
+Json light_json(double factor) { return factor == 0 ? Json("off") : Json(factor); }
+
 /// The number near `guess` that `read` makes `wanted` of, if there is one.
 template <typename Read>
 std::optional<double> argument_for(double wanted, double guess, const Read& read) {
@@ -226,6 +228,9 @@ void write_surfaces(const Scene& scene, const std::vector<std::string>& material
            << "{\"name\": " << text(Json(names.add(surface.name)))
            << ", \"material\": " << text(Json(material_names[surface.material]));
     if (surface.two_sided) stream << ", \"two_sided\": true";
+    if (surface.emission_factor != 1) {
+      stream << ", \"light\": " << text(light_json(surface.emission_factor));
+    }
     stream << ",\n";
     writer.write(polygons[i]);
     stream << "}";
@@ -239,7 +244,12 @@ void write_json(const Scene& scene, std::ostream& stream) {
   for (const Material& material : scene.materials) {
     material_names.push_back(names.add(material.name));
   }
-  stream << "{\n  \"unit\": \"m\",\n  \"precision\": " << text(Json(scene.precision))
+  stream << "{\n";
+  if (!scene.name.empty()) stream << "  \"name\": " << text(Json(scene.name)) << ",\n";
+  if (!scene.description.empty()) {
+    stream << "  \"description\": " << text(Json(scene.description)) << ",\n";
+  }
+  stream << "  \"unit\": \"m\",\n  \"precision\": " << text(Json(scene.precision))
          << ",\n  \"bands\": " << text(bands_json(scene.bands)) << ",\n";
   write_materials(scene, material_names, stream);
   write_surfaces(scene, material_names, stream);

@@ -1,5 +1,7 @@
 #include "radiosity/assembly/assembly_report.h"
 
+#include <algorithm>
+
 #include "radiosity/exchange/openings.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/visibility/visibility.h"
@@ -32,11 +34,13 @@ void find_backs(const PatchMesh& mesh, const Visibility& visibility,
     missing[i] = 1 - report.covered[i] - row_sums[row] / mesh.area[i];
   }
   report.backs = shares_on_backs(mesh, visibility, missing, seed);
-  report.open_rows = 0;
+  report.open_patches.clear();
   for (const Index row : open_rows) {
     const std::int32_t i = order[row];
-    report.open_rows += report.backs[i] < missing[i] ? 1 : 0;
+    if (report.backs[i] < missing[i]) report.open_patches.push_back(i);
   }
+  std::sort(report.open_patches.begin(), report.open_patches.end());
+  report.open_rows = static_cast<std::int64_t>(report.open_patches.size());
 }
 
 }  // namespace radiosity

@@ -14,7 +14,7 @@ AssemblyReport make_report(const Census& census, const Eigen::VectorXd& row_sums
                            const std::vector<std::int32_t>& order, const std::vector<double>& areas,
                            const Eigen::VectorXd& covered);
 
-/// Adds what of the power that reaches no front meets backs, and how many of `open_rows`, of the
+/// Adds what of the power that reaches no front meets backs, and which of `open_rows`, of the
 /// rows, miss more than that. `row_sums` are Σ_j G_ij after any correction, m², by row.
 void find_backs(const PatchMesh& mesh, const Visibility& visibility,
                 const std::vector<std::int32_t>& order, const Eigen::VectorXd& row_sums,

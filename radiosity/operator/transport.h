@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "radiosity/base/geometry.h"
 #include "radiosity/operator/census.h"
@@ -18,6 +19,8 @@ struct AssemblyReport : Census {
   bool closed = false;         ///< the scene was taken as closed
   Eigen::VectorXd row_sums;    ///< Σ_j F_ij before any correction, n_patches
   std::int64_t open_rows = 0;  ///< closed scenes: rows further from 1 than errors and backs explain
+  std::vector<std::int32_t>
+      open_patches;  ///< these, increasing; of a file none, for it has no list
   /// Share of each patch that lies on a solid's face and looks into it, n_patches: nothing leaves
   /// it and nothing reaches it, so that a row of a closed scene sums to 1 less this.
   Eigen::VectorXd covered;

@@ -33,8 +33,8 @@ Eigen::VectorXd surface_exitance(const Material& material, double area, Index n_
   return Eigen::VectorXd::Zero(n_bands);
 }
 
-const Material& material_of(const Scene& scene, const PatchMesh& mesh, Index patch) {
-  return scene.materials[scene.surfaces[mesh.surface[patch]].material];
+const Surface& surface_of(const Scene& scene, const PatchMesh& mesh, Index patch) {
+  return scene.surfaces[mesh.surface[patch]];
 }
 
 }  // namespace
@@ -43,10 +43,11 @@ Eigen::MatrixXd exitance(const Scene& scene, const PatchMesh& mesh) {
   const std::vector<double> areas = surface_areas(scene, mesh);
   Eigen::MatrixXd result(mesh.size(), scene.bands.count());
   for (Index i = 0; i < mesh.size(); ++i) {
-    const Eigen::VectorXd value =
-        surface_exitance(material_of(scene, mesh, i), areas[mesh.surface[i]], scene.bands.count());
+    const Surface& surface = surface_of(scene, mesh, i);
+    const Eigen::VectorXd value = surface_exitance(scene.materials[surface.material],
+                                                   areas[mesh.surface[i]], scene.bands.count());
     assert(value.size() == result.cols());
-    result.row(i) = value.transpose();
+    result.row(i) = surface.emission_factor * value.transpose();
   }
   return result;
 }
@@ -54,7 +55,7 @@ Eigen::MatrixXd exitance(const Scene& scene, const PatchMesh& mesh) {
 Eigen::MatrixXd reflectance(const Scene& scene, const PatchMesh& mesh) {
   Eigen::MatrixXd result(mesh.size(), scene.bands.count());
   for (Index i = 0; i < mesh.size(); ++i) {
-    const Eigen::VectorXd& value = material_of(scene, mesh, i).reflectance;
+    const Eigen::VectorXd& value = scene.materials[surface_of(scene, mesh, i).material].reflectance;
     assert(value.size() == result.cols());
     result.row(i) = value.transpose();
   }

@@ -1,8 +1,5 @@
 #include "radiosity/scene/scenario.h"
 
-#include <cmath>
-#include <utility>
-
 #include "radiosity/base/error.h"
 
 namespace radiosity {
@@ -10,13 +7,6 @@ namespace {
 
 [[noreturn]] void refuse_scenario(const Scenario& scenario, const std::string& reason) {
   throw SceneError("scenario '" + scenario.name + "': " + reason);
-}
-
-Emission scaled(Emission emission, double factor) {
-  if (factor == 0) return {};
-  // M_e = ε σ T⁴
-  emission.value *= emission.kind == Emission::Kind::temperature ? std::pow(factor, 0.25) : factor;
-  return emission;
 }
 
 void paint(const Scenario& scenario, const Scenario::Paint& paint, Scene& scene) {
@@ -37,23 +27,17 @@ void paint(const Scenario& scenario, const Scenario::Paint& paint, Scene& scene)
   if (!is_found) refuse_scenario(scenario, "there is no material '" + paint.materials + "'");
 }
 
-/// Factors of what each surface emits.
-std::vector<double> light_factors(const Scene& scene, const Scenario& scenario) {
-  std::vector<double> factors(scene.surfaces.size(), 1);
-  for (const Scenario::Light& light : scenario.lights) {
-    bool is_found = false;
-    for (std::size_t s = 0; s < factors.size(); ++s) {
-      const Surface& surface = scene.surfaces[s];
-      const bool emits = scene.materials[surface.material].emission.kind != Emission::Kind::none;
-      if (!emits || !matches(light.surfaces, surface.name)) continue;
-      is_found = true;
-      factors[s] = light.factor;
-    }
-    if (!is_found) {
-      refuse_scenario(scenario, "there is no surface '" + light.surfaces + "' that emits");
-    }
+void light(const Scenario& scenario, const Scenario::Light& light, Scene& scene) {
+  bool is_found = false;
+  for (Surface& surface : scene.surfaces) {
+    const bool emits = scene.materials[surface.material].emission.kind != Emission::Kind::none;
+    if (!emits || !matches(light.surfaces, surface.name)) continue;
+    is_found = true;
+    surface.emission_factor = light.factor;
   }
-  return factors;
+  if (!is_found) {
+    refuse_scenario(scenario, "there is no surface '" + light.surfaces + "' that emits");
+  }
 }
 
 }  // namespace
@@ -83,15 +67,7 @@ bool matches(std::string_view pattern, std::string_view name) {
 Scene scene_of(const Scene& scene, const Scenario& scenario) {
   Scene result = scene;
   for (const Scenario::Paint& rule : scenario.paints) paint(scenario, rule, result);
-  const std::vector<double> factors = light_factors(result, scenario);
-  for (std::size_t s = 0; s < factors.size(); ++s) {
-    if (factors[s] == 1) continue;
-    // Others may have the same material.
-    Material material = result.materials[result.surfaces[s].material];
-    material.emission = scaled(std::move(material.emission), factors[s]);
-    result.surfaces[s].material = static_cast<int>(result.materials.size());
-    result.materials.push_back(std::move(material));
-  }
+  for (const Scenario::Light& rule : scenario.lights) light(scenario, rule, result);
   return result;
 }
 

@@ -12,10 +12,10 @@ namespace radiosity {
 /// Other light and other materials for the same surfaces. Names are patterns: * stands for any
 /// letters, ? for one. Of several that match, the last counts.
 struct Scenario {
-  /// What surfaces emit, of what the scene says.
+  /// What surfaces emit, in place of what the scene says: switched off ones can be switched on.
   struct Light {
     std::string surfaces;
-    double factor = 1;  ///< of the power, >= 0
+    double factor = 1;  ///< Surface::emission_factor, >= 0
   };
   /// What materials reflect.
   struct Paint {

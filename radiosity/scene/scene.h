@@ -56,6 +56,8 @@ struct Surface {
   std::string name;
   int material = 0;        ///< index into Scene::materials
   bool two_sided = false;  ///< each polygon then gives two patches, back to back
+  /// Of the power that its material emits by itself, what this surface does: >= 0; 0 = it is off.
+  double emission_factor = 1;
 };
 
 /// A pinhole camera.
@@ -70,7 +72,9 @@ struct Camera {
 /// counter-clockwise about the emitting side. Plain data; `io::read_scene` makes one and has
 /// checked it (finite coordinates, indices in range, 0 <= reflectance <= 1, emission >= 0).
 struct Scene {
-  std::string source;  ///< file name, for messages
+  std::string source;       ///< file name, for messages
+  std::string name;         ///< as the file has it, for people; or ""
+  std::string description;  ///< likewise
   /// The file itself and all that it refers to, read or not (pictures are not): what must not be
   /// overwritten.
   std::vector<std::filesystem::path> files;

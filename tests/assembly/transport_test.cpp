@@ -207,6 +207,8 @@ TEST(Transport, OpenSceneIsNotTakenAsClosed) {
   EXPECT_FALSE(make_dense_transport(mesh, visibility)->report().closed);
   const auto forced = make_dense_transport(mesh, visibility, {.closed = Closed::yes});
   EXPECT_EQ(forced->report().open_rows, mesh.size());
+  ASSERT_EQ(forced->report().open_patches.size(), static_cast<std::size_t>(mesh.size()));
+  for (std::int32_t i = 0; i < mesh.size(); ++i) EXPECT_EQ(forced->report().open_patches[i], i);
 }
 
 TEST(Transport, SameBitsAtAnyNumberOfThreads) {

@@ -100,4 +100,22 @@ TEST(ColorMap, GrowsLighterEvenly) {
   }
 }
 
+// Differences of either sign look alike but for their hue, and none looks like nothing.
+TEST(ColorMap, OfDifferencesIsLightestInTheMiddle) {
+  const auto color = [](double position) {
+    return io::map_color(position, io::ColorMap::cool_warm);
+  };
+  const io::Rgb middle = color(0.5);
+  EXPECT_EQ(middle[0], middle[1]);
+  EXPECT_EQ(middle[1], middle[2]);
+  for (int k = 1; k <= 10; ++k) {
+    const io::Rgb less = color(0.5 - k / 20.0);
+    const io::Rgb more = color(0.5 + k / 20.0);
+    EXPECT_GT(less[2], less[0]);
+    EXPECT_GT(more[0], more[2]);
+    EXPECT_LT(lightness(less), lightness(color(0.5 - (k - 1) / 20.0)));
+    EXPECT_LT(lightness(more), lightness(color(0.5 + (k - 1) / 20.0)));
+  }
+}
+
 }  // namespace

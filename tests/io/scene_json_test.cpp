@@ -82,6 +82,29 @@ TEST_F(SceneJson, ReadsMaterials) {
   EXPECT_EQ(exitance.materials[0].emission.kind, Emission::Kind::exitance);
 }
 
+TEST_F(SceneJson, ReadsWhatIsOffOrDimmed) {
+  (void)file("materials.mtl", kMtl);
+  (void)file("room.obj", kObj);
+  const std::string polygons = R"(, "material": "grey", "polygons": [[[0, 0, 0], [1, 0, 0], )";
+  const auto surface = [&](const std::string& name, const std::string& light) {
+    return R"({"name": ")" + name + R"(")" + light + polygons + "[0, 1, " + name + "]]]}";
+  };
+  const Scene scene =
+      read("a.json",
+           surfaces(surface("1", "") + "," + surface("2", R"(, "light": "off")") + "," +
+                    surface("3", R"(, "light": "on")") + "," + surface("4", R"(, "light": 0.25)") +
+                    "," + mesh(R"("mesh": "room.obj", "light": "off")")));
+  const std::vector<double> expected = {1, 0, 1, 0.25, 0, 0};
+  ASSERT_EQ(scene.surfaces.size(), expected.size());
+  for (std::size_t s = 0; s < expected.size(); ++s) {
+    EXPECT_EQ(scene.surfaces[s].emission_factor, expected[s]) << s;
+  }
+  for (const char* light : {R"("dark")", "-1", "true", "[1]"}) {
+    const std::string bad = surfaces(surface("1", std::string(R"(, "light": )") + light));
+    EXPECT_CONTAINS(error_of("b.json", bad), "surfaces[0].light");
+  }
+}
+
 TEST_F(SceneJson, PlacesMeshes) {
   (void)file("materials.mtl", kMtl);
   (void)file("room.obj", kObj);

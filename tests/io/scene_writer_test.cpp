@@ -26,6 +26,8 @@ void expect_same(const Vec3& a, const Vec3& b) {
 
 /// All but the polygons.
 void expect_same_frame(const Scene& read, const Scene& scene) {
+  EXPECT_EQ(read.name, scene.name);
+  EXPECT_EQ(read.description, scene.description);
   EXPECT_EQ(read.bands.kind, scene.bands.kind);
   EXPECT_EQ(read.bands.wavelengths, scene.bands.wavelengths);
   EXPECT_EQ(read.closed, scene.closed);
@@ -51,6 +53,7 @@ void expect_same_surfaces(const Scene& read, const Scene& scene) {
     EXPECT_EQ(read.surfaces[i].name, scene.surfaces[i].name);
     EXPECT_EQ(read.surfaces[i].material, scene.surfaces[i].material);
     EXPECT_EQ(read.surfaces[i].two_sided, scene.surfaces[i].two_sided);
+    EXPECT_EQ(read.surfaces[i].emission_factor, scene.surfaces[i].emission_factor);
   }
 }
 
@@ -142,6 +145,19 @@ TEST_F(SceneWriter, KeepsEmissionOfEveryKind) {
   scene.materials[0].reflectance = Eigen::Vector3d(0, 1. / 3, 1);
   scene.materials[0].emission = {Emission::Kind::radiance, Eigen::Vector3d(0, 1e-300, 1e300)};
   expect_same_frame(written_and_read(scene), scene);
+}
+
+TEST_F(SceneWriter, KeepsWhatIsOffOrDimmedAndWhatTheSceneIsCalled) {
+  for (const double factor : {0., 1., 1. / 3, 2.}) {
+    Scene scene = make_scene();
+    scene.name = "A \"room\"";
+    scene.description = "Line 1\nline 2";
+    scene.materials[0].emission = {Emission::Kind::power, Eigen::VectorXd::Constant(1, 40)};
+    scene.surfaces[0].emission_factor = factor;
+    const Scene read = written_and_read(scene);
+    expect_same_frame(read, scene);
+    expect_same_surfaces(read, scene);
+  }
 }
 
 /// To the last bit, but for some angles between 52 and 57 degrees, which no number in the file

@@ -75,6 +75,22 @@ TEST(Radiometry, TemperatureFollowsStefanBoltzmann) {
   EXPECT_NEAR(m(3, 0), 0.8 * 56703.74419, 1e-9);
 }
 
+// Of whatever kind the emission is: the factor is of the power, and nothing else changes.
+TEST(Radiometry, ASurfaceEmitsItsShareOfWhatItsMaterialDoes) {
+  for (const auto kind : {Emission::Kind::radiance, Emission::Kind::exitance, Emission::Kind::power,
+                          Emission::Kind::temperature}) {
+    Scene scene =
+        make_scene(Bands::Kind::grey, {kind, values({300})}, {kind, values({200})}, values({0.4}));
+    const Eigen::MatrixXd full = exitance(scene, make_mesh());
+    scene.surfaces[1].emission_factor = 0.25;
+    scene.surfaces[2].emission_factor = 0;
+    const Eigen::MatrixXd dimmed = exitance(scene, make_mesh());
+    EXPECT_EQ(dimmed(2, 0), 0.25 * full(2, 0));
+    EXPECT_EQ(dimmed.bottomRows(2).norm(), 0);
+    EXPECT_GT(full.bottomRows(2).norm(), 0);
+  }
+}
+
 TEST(Radiometry, ReflectanceFollowsTheMaterial) {
   const Scene scene = make_scene(Bands::Kind::rgb, {}, {}, values({0.2, 0.4, 0.6}));
   const Eigen::MatrixXd rho = reflectance(scene, make_mesh());

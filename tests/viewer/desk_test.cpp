@@ -1,6 +1,7 @@
 // What the window shows and how, without a window.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "io/scene/scene_file.h"
@@ -171,6 +172,97 @@ TEST_F(Desks, KeepThePlaceThatIsAskedWhenSolvedAgain) {
   open(desk.session, kRoom);
   viewer::update(desk);
   EXPECT_FALSE(desk.session.selected());
+}
+
+// A scene that was saved while a lamp was off is dark, and the lamp can be switched on again.
+TEST_F(Desks, SaveLampsThatCanBeSwitchedOnAgain) {
+  viewer::Desk desk(coarse());
+  open(desk.session, kBox);
+  viewer::update(desk);
+  const Eigen::MatrixXd lit = desk.session.light()->solution.radiosity;
+  desk.session.set_emitter(0, 0.6, false);
+  desk.session.set_reflectance(0, Eigen::Vector3d(0.5, 0.4, 0.3));
+  settle(desk.session);
+  const std::string file = (folder() / "dark.json").string();
+  viewer::save_scene(desk, file);
+
+  const auto scene = desk.session.model().scene;
+  const radiosity::Scene saved = io::read_scene(file);
+  EXPECT_EQ(saved.name, "Cornell box");
+  EXPECT_EQ(saved.description, scene->description);
+  ASSERT_EQ(saved.materials.size(), scene->materials.size());
+  ASSERT_EQ(saved.surfaces.size(), scene->surfaces.size());
+  EXPECT_EQ(saved.materials[0].reflectance, Eigen::Vector3d(0.5, 0.4, 0.3));
+
+  open(desk.session, file);
+  viewer::update(desk);
+  EXPECT_EQ(desk.session.light()->solution.radiosity.norm(), 0);
+  // Its exposure is found once there is light, and kept if it was known before.
+  const viewer::PaintingTask dark = {.known = desk.session.known(), .look = desk.look};
+  EXPECT_TRUE(viewer::make_painting(dark).is_spreading);
+  viewer::PaintingTask exposed = dark;
+  exposed.exposure = 0.3;
+  EXPECT_FALSE(viewer::make_painting(exposed).is_spreading);
+  ASSERT_EQ(desk.session.mix().emitters.size(), 1U);
+  EXPECT_FALSE(desk.session.mix().emitters[0].is_on);
+  desk.session.set_emitter(0, 1, true);
+  desk.session.set_reflectance(0, scene->materials[0].reflectance);
+  settle(desk.session);
+  // (The patches are those of the same polygons.)
+  const Eigen::MatrixXd again = desk.session.light()->solution.radiosity;
+  EXPECT_LE((again - lit).norm(), 1e-6 * lit.norm());
+}
+
+// Which patches a warning is about can be seen.
+TEST_F(Desks, ShowThePatchesThatSeeAnOpening) {
+  study::StudyOptions options = coarse();
+  options.closed = radiosity::Closed::yes;
+  viewer::Desk desk(options);
+  open(desk.session, std::string(RADIOSITY_SCENES) + "/opposed-squares.json");
+  viewer::update(desk);
+  const viewer::Known known = desk.session.known();
+  ASSERT_TRUE(viewer::open_patches(known));
+  EXPECT_EQ(viewer::open_patches(known)->size(), known.model.mesh->corners.size());
+  const auto& messages = desk.session.messages();
+  EXPECT_EQ(std::count_if(messages.begin(), messages.end(),
+                          [](const viewer::Message& message) { return message.is_about_openings; }),
+            1);
+  viewer::show(desk, "unseen");
+  const auto field = viewer::shown_field(known, desk.look);
+  ASSERT_TRUE(field);
+  for (radiosity::Index i = 0; i < known.model.mesh->size(); ++i) {
+    EXPECT_NEAR(field->values[i], 1 - rows_of(*known.model.transport).row(i).sum(), 1e-6);
+  }
+  // A closed scene has none, and nothing is said of them.
+  open(desk.session, kThermal);
+  EXPECT_TRUE(viewer::open_patches(desk.session.known())->empty());
+  EXPECT_FALSE(desk.session.messages().back().is_about_openings &&
+               !desk.session.messages().back().is_past);
+}
+
+// An error of another file must not look like one of the scene that is open.
+TEST_F(Desks, KnowWhichMessagesAreAboutWhatIsOpen) {
+  viewer::Desk desk(coarse());
+  const std::string missing = (folder() / "none.json").string();
+  open(desk.session, missing);
+  ASSERT_EQ(desk.session.messages().size(), 1U);
+  EXPECT_FALSE(desk.session.messages().back().is_past);
+  EXPECT_EQ(viewer::messages_text(desk.session),
+            "error: " + desk.session.messages()[0].text + "\n");
+  open(desk.session, kRoom);
+  for (const viewer::Message& message : desk.session.messages()) {
+    EXPECT_EQ(message.is_past, message.text.find("none.json") != std::string::npos);
+  }
+  // One that cannot be read takes no message of what stays open away.
+  desk.session.tell("about the room");
+  open(desk.session, missing);
+  EXPECT_FALSE(desk.session.messages()[desk.session.messages().size() - 2].is_past);
+  EXPECT_FALSE(desk.session.messages().back().is_past);
+  for (const int lines : {-3, 1, 12, 100000}) {
+    viewer::set_console_lines(desk, lines);
+    EXPECT_GE(desk.console_lines, 1);
+    EXPECT_LE(desk.console_lines, 100);
+  }
 }
 
 // What was set for one scene must not hide the next one, and heat is nothing to see.

@@ -95,6 +95,47 @@ TEST(LightMix, MixedSceneEmitsTheFactorTimesAsMuch) {
   }
 }
 
+// What is off in the file can be switched on, and is as bright as its material says.
+TEST(LightMix, LampsThatAreOffInTheFileCanBeSwitchedOn) {
+  Scene scene = furnished_room();
+  const PatchMesh mesh = meshing::make_patches(scene);
+  const Eigen::MatrixXd full = radiosity::exitance(scene, mesh);
+  const viewer::LightMix lit = viewer::make_mix(scene);
+  scene.surfaces[lit.emitters.front().surfaces[0]].emission_factor = 0;
+  scene.surfaces[lit.emitters.back().surfaces[0]].emission_factor = 0.4;
+  viewer::LightMix mix = viewer::make_mix(scene);
+  ASSERT_EQ(mix.emitters.size(), lit.emitters.size());
+  EXPECT_FALSE(mix.emitters.front().is_on);
+  EXPECT_EQ(mix.emitters.front().scale, 1);
+  EXPECT_EQ(mix.emitters.back().factor(), 0.4);
+  const Scene as_is = viewer::with_reflectance(scene, mix);
+  EXPECT_LE((viewer::mix_exitance(as_is, mesh, mix) - radiosity::exitance(scene, mesh)).norm(),
+            1e-13 * full.norm());
+  mix.emitters.front().is_on = true;
+  mix.emitters.back().scale = 1;
+  EXPECT_LE((viewer::mix_exitance(as_is, mesh, mix) - full).norm(), 1e-13 * full.norm());
+}
+
+// Lamps of one material are taken together, but for those that are on otherwise.
+TEST(LightMix, ManyLampsAreTakenTogetherIfTheyAreOnAlike) {
+  Scene scene;
+  scene.bands.kind = radiosity::Bands::Kind::grey;
+  const Eigen::VectorXd one = Eigen::VectorXd::Ones(1);
+  scene.materials = {{"lamp", 0.5 * one, {radiosity::Emission::Kind::exitance, one}}};
+  for (int s = 0; s < 60; ++s) {
+    scene.surfaces.push_back({.name = "lamp " + std::to_string(s)});
+    scene.surfaces.back().emission_factor = s < 10 ? 0 : s < 20 ? 0.5 : 1;
+  }
+  const viewer::LightMix mix = viewer::make_mix(scene);
+  ASSERT_EQ(mix.emitters.size(), 3U);
+  EXPECT_EQ(mix.emitters[0].name, "lamp (off)");
+  EXPECT_FALSE(mix.emitters[0].is_on);
+  EXPECT_EQ(mix.emitters[1].name, "lamp (50 %)");
+  EXPECT_EQ(mix.emitters[1].scale, 0.5);
+  EXPECT_EQ(mix.emitters[2].name, "lamp");
+  EXPECT_EQ(mix.emitters[2].surfaces.size(), 40U);
+}
+
 TEST(LightMix, MeanReflectanceIsMetAndNoBandExceedsOne) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> uniform(0, 1);

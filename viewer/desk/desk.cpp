@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -70,6 +71,7 @@ const char* first_quantity(Domain domain) {
 bool update(Desk& desk) {
   bool has_changed = desk.session.update();
   has_changed |= update_saving(desk);
+  has_changed |= desk.examples.update();
   const Session& session = desk.session;
   if (session.versions().file != desk.shown_file) {
     greet(desk);
@@ -78,6 +80,9 @@ bool update(Desk& desk) {
     // Divided otherwise: the question is about the same place.
     desk.session.select(same_place(*session.model().mesh, *desk.facts));
   }
+  const std::string pinned =
+      follow_model(desk.pinning, desk.look, session.model(), session.versions().model);
+  if (!pinned.empty()) desk.session.tell(pinned);
   if (desk.asks_light_path) desk.session.ask_light_path();
   const Session::Versions& now = session.versions();
   const Session::Versions& then = desk.facts_versions;
@@ -178,6 +183,19 @@ std::string hovered_text(const Desk& desk) {
   const int digits = standing(desk.session).is_rough ? kRoughDigits : kDigits;
   const std::string unit = desk.legend->unit.empty() ? "" : " " + desk.legend->unit;
   return fmt::format("{}, {}{}", surface, number_text(desk.legend->values[patch], digits), unit);
+}
+
+void set_console_lines(Desk& desk, int n_lines) {
+  constexpr int kMostLines = 60;
+  desk.console_lines = std::clamp(n_lines, 1, kMostLines);
+}
+
+std::string messages_text(const Session& session) {
+  std::string text;
+  for (const Message& message : session.messages()) {
+    text += (message.is_error ? "error: " : "") + message.text + '\n';
+  }
+  return text;
 }
 
 void check_output(const Desk& desk, const std::string& path) {

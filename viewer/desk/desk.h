@@ -8,6 +8,8 @@
 #include "radiosity/base/geometry.h"
 #include "radiosity/solve/surface_flux.h"
 #include "viewer/desk/camera_control.h"
+#include "viewer/desk/comparison.h"
+#include "viewer/desk/examples.h"
 #include "viewer/desk/legend.h"
 #include "viewer/desk/look.h"
 #include "viewer/desk/orientation.h"
@@ -26,6 +28,9 @@ enum class Domain {
 
 /// The name of what is shown of it at first.
 const char* first_quantity(Domain domain);
+
+/// Lines of the console, unless it is given more.
+inline constexpr int kConsoleLines = 3;
 
 /// Everything that the window shows. Panels, keys and scripts act on it through the functions below
 /// and through its session, so that all can do the same.
@@ -47,8 +52,12 @@ struct Desk {
   std::optional<PatchFacts> facts;             ///< of the selected patch
   std::vector<radiosity::SurfaceFlux> fluxes;  ///< of the light, where surfaces radiate by heat
   std::vector<EmitterShare> emitter_shares;    ///< of its light, once the light path is known
+  Pinning pinning = {};                        ///< light to compare with
   bool shows_panels = true;
   bool shows_help = false;
+  int console_lines = kConsoleLines;
+  std::optional<int> tour_step = {};           ///< that is shown
+  std::optional<std::string> copied = {};      ///< text that shall go to the clipboard
   bool asks_light_path = false;                ///< for each patch that is selected
   std::optional<radiosity::Index> hovered;     ///< patch under the mouse
   std::optional<int> function_key = {};        ///< the last one that was pressed, for scripts
@@ -59,7 +68,8 @@ struct Desk {
   std::optional<std::string> save_error = {};  ///< why the latest one could not be
   /// Not to be overwritten, beside what is open and what it refers to.
   std::vector<std::filesystem::path> kept_files = {};
-  Worker saver = Worker();  ///< last, so that it ends first
+  Worker saver = Worker();  ///< among the last, so that they end first
+  Examples examples = {};
 };
 
 /// Brings the session and what is told of the selected patch up to date; a file that was opened is
@@ -89,6 +99,11 @@ std::optional<radiosity::Index> patch_at(const Desk& desk, double x, double y);
 
 /// What the mouse points at: "floor, 123.4 lux"; "" if it is nothing.
 std::string hovered_text(const Desk& desk);
+
+/// Gives the console so many lines, at least one.
+void set_console_lines(Desk& desk, int n_lines);
+/// All messages, a line each, errors marked.
+std::string messages_text(const Session& session);
 
 /// Throws OutputError if a file must not be written, since what is open is read from it.
 void check_output(const Desk& desk, const std::string& path);

@@ -6,6 +6,7 @@ namespace viewer {
 struct KeyPress {
   int key = 0;  ///< as GLFW counts them; letters by what is printed on the key
   bool has_control = false;
+  bool has_shift = false;
 };
 
 }  // namespace viewer

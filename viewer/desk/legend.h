@@ -13,6 +13,7 @@ struct Legend {
   std::vector<std::string> title;
   std::string unit;  ///< "" of plain numbers
   io::ColorScale scale;
+  io::ColorMap map = io::ColorMap::viridis;
   double least = 0;  ///< of the values that are shown
   double greatest = 0;
   Eigen::VectorXd values;  ///< of the patches

@@ -23,10 +23,11 @@ const std::vector<ShowName>& names() {
       list.push_back({info.name, Show::quantity, info.quantity});
     }
     for (const ShowName& name :
-         {ShowName{"area", Show::area}, ShowName{"direct", Show::direct},
-          ShowName{"indirect", Show::indirect}, ShowName{"form-factors", Show::form_factors},
-          ShowName{"arriving", Show::arriving}, ShowName{"light-path", Show::light_path},
-          ShowName{"watched", Show::watched}, ShowName{"unshot", Show::unshot}}) {
+         {ShowName{"area", Show::area}, ShowName{"unseen", Show::unseen},
+          ShowName{"direct", Show::direct}, ShowName{"indirect", Show::indirect},
+          ShowName{"form-factors", Show::form_factors}, ShowName{"arriving", Show::arriving},
+          ShowName{"light-path", Show::light_path}, ShowName{"watched", Show::watched},
+          ShowName{"unshot", Show::unshot}}) {
       list.push_back(name);
     }
     return list;
@@ -74,6 +75,14 @@ std::optional<ShownField> direct_field(const Known& known, const Look& look) {
   return banded("indirect irradiance", unit, indirect, known, look);
 }
 
+/// What patches see of no surface, before any correction; negative where they see too much.
+std::optional<ShownField> unseen_field(const Known& known) {
+  if (!known.model.transport) return std::nullopt;
+  const radiosity::AssemblyReport& report = known.model.transport->report();
+  return ShownField{.title = {"unseen share: 1 − covered − Σ F", "before correction"},
+                    .values = 1 - report.covered.array() - report.row_sums.array()};
+}
+
 std::optional<ShownField> row_field(const Known& known) {
   if (!known.row) return std::nullopt;
   return ShownField{.title = {fmt::format("form factor from patch {}", known.row->patch)},
@@ -108,6 +117,10 @@ const IterationFrame* watched_frame(const Known& known, const Look& look) {
 }
 
 }  // namespace
+
+const std::vector<std::int32_t>* open_patches(const Known& known) {
+  return known.model.transport ? &known.model.transport->report().open_patches : nullptr;
+}
 
 std::span<const ShowName> show_names() { return names(); }
 
@@ -150,6 +163,7 @@ bool is_smooth(const Look& look) {
     case Show::indirect:
       return look.smooth;
     case Show::area:
+    case Show::unseen:
     case Show::form_factors:
     case Show::arriving:
     case Show::light_path:
@@ -176,6 +190,8 @@ std::optional<ShownField> shown_field(const Known& known, const Look& look) {
                         .unit = "m²",
                         .values = Eigen::Map<const Eigen::VectorXd>(known.model.mesh->area.data(),
                                                                     known.model.mesh->size())};
+    case Show::unseen:
+      return unseen_field(known);
     case Show::direct:
     case Show::indirect:
       return direct_field(known, look);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -21,6 +22,7 @@ enum class Show {
   true_color,    ///< the light as the eye would see it
   quantity,      ///< a quantity of the solution
   area,          ///< of the patches
+  unseen,        ///< share of each patch's form factors that is missing to 1
   direct,        ///< irradiance straight from the emitters
   indirect,      ///< irradiance by way of reflections
   form_factors,  ///< the row of the selected patch
@@ -28,6 +30,13 @@ enum class Show {
   light_path,    ///< what each patch's exitance contributes to the selected patch, by all ways
   watched,       ///< radiosity at a step of the recorded iteration, in true colour
   unshot         ///< light not passed on yet at that step
+};
+
+/// How later light is compared with light that was pinned.
+enum class Comparison {
+  none,
+  wipe,       ///< side by side, in two parts of the picture
+  difference  ///< now minus pinned
 };
 
 /// How the scene is drawn.
@@ -41,7 +50,10 @@ struct Look {
   bool smooth = true;
   bool edges = false;
   bool hide_backs = true;
+  bool outlines = true;  ///< of faces whose backs are hidden
+  bool axes = true;      ///< in a corner
   std::size_t step = 0;  ///< frame of the recorded iteration
+  Comparison comparison = Comparison::none;
 };
 
 /// What can be shown, with the name that scripts use ("true-colour", "illuminance",
@@ -57,6 +69,10 @@ std::optional<ShowName> show_named(std::string_view name);
 /// The name of what a look shows.
 std::string_view show_name(const Look& look);
 
+/// The patches that see an opening although the scene is taken as closed: worth a look where the
+/// unseen share is shown. Null before there are form factors.
+const std::vector<std::int32_t>* open_patches(const Known& known);
+
 /// Whether it can be had of what is open: the eye sees nothing of a thermal scene.
 bool is_offered(const ShowName& name, const Session& session);
 /// Whether values of neighbours may be blended: not where each is of its own patch.
@@ -69,6 +85,7 @@ struct ShownField {
   std::vector<std::string> title;  ///< lines: what, unit, band
   std::string unit = {};           ///< "" of plain numbers
   Eigen::VectorXd values;          ///< n; not finite = nothing is known
+  double least_range = 0;          ///< what is smaller is no more than rounding
 };
 
 /// The values in false colour; empty if true colour is shown or nothing is known (yet).

@@ -24,14 +24,18 @@ Painting painted_light(const PaintingTask& task, const Eigen::MatrixXd& radiosit
   painting.values = colors.cast<double>();
   painting.is_smooth = is_smooth(task.look);
   painting.is_light = true;
-  painting.is_spreading = task.known.light && task.known.light->kind == Light::Kind::preview;
+  const bool is_preview = task.known.light && task.known.light->kind == Light::Kind::preview;
+  // What exposes darkness well is no exposure for lamps that are switched on.
+  painting.is_spreading = is_preview || (!task.exposure && colors.isZero(0));
   return painting;
 }
 
 Painting painted_field(const PaintingTask& task, ShownField field) {
   Painting painting;
-  const io::ColorScale scale = shown_scale(task.look, field.values);
-  const std::string note = scale_note(task.look, scale);
+  const bool is_difference = task.subtracted != nullptr;
+  const io::ColorScale scale =
+      is_difference ? difference_scale(task.look, field) : shown_scale(task.look, field.values);
+  const std::string note = is_difference ? "" : scale_note(task.look, scale);
   if (!note.empty()) field.title.push_back(note);
   painting.values = field.values;
   painting.is_smooth = is_smooth(task.look);
@@ -40,6 +44,7 @@ Painting painted_field(const PaintingTask& task, ShownField field) {
   painting.legend = Legend{.title = std::move(field.title),
                            .unit = std::move(field.unit),
                            .scale = scale,
+                           .map = is_difference ? io::ColorMap::cool_warm : io::ColorMap::viridis,
                            .least = least,
                            .greatest = greatest,
                            .values = std::move(field.values),
@@ -78,6 +83,12 @@ Painting painted_unlit(const PaintingTask& task) {
 }  // namespace
 
 Painting make_painting(const PaintingTask& task) {
+  if (task.subtracted) {
+    if (auto field = shown_difference(task.known, task.subtracted->known, task.look)) {
+      return painted_field(task, *std::move(field));
+    }
+    return painted_unlit(task);
+  }
   if (auto field = shown_field(task.known, task.look)) {
     return painted_field(task, *std::move(field));
   }

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "io/picture/rgb_picture.h"
+#include "viewer/desk/comparison.h"
 #include "viewer/desk/legend.h"
 #include "viewer/desk/look.h"
 #include "viewer/desk/orientation.h"
@@ -18,6 +20,8 @@ struct PaintingTask {
   Look look;
   UpAxis up = UpAxis::y;
   std::optional<double> exposure = {};  ///< automatic part; absent: it shall be found
+  /// Light whose difference from what is known is to be shown, of the same patches; or null.
+  std::shared_ptr<const Pinned> subtracted = {};
 };
 
 /// What the patches look like.
@@ -26,7 +30,7 @@ struct Painting {
   bool is_smooth = false;     ///< values may be blended from patch to patch
   double exposure = 1;        ///< the automatic part
   double factor = 1;          ///< from linear sRGB to display value
-  bool is_spreading = false;  ///< true colour of a preview, which gets brighter
+  bool is_spreading = false;  ///< true colour of what gets brighter: a preview, or darkness
   bool is_light = false;      ///< true colour: `exposure` is of it
   std::optional<Legend> legend = {};
 };

@@ -6,7 +6,6 @@
 #include <limits>
 #include <optional>
 
-#include "io/picture/color_map.h"
 #include "radiosity/base/parallel.h"
 #include "radiosity/picture/pinhole.h"
 
@@ -130,8 +129,9 @@ class RayPainter {
     for (int k = 0; k < mesh_.n_corners(patch); ++k) {
       if (corners_.positions[4 * patch + k] < 0) return array(kUnknownColor);
     }
-    return array(io::map_color(blend<double>(
-        patch, place, [&](Index slot) { return static_cast<double>(corners_.positions[slot]); })));
+    const auto position = blend<double>(
+        patch, place, [&](Index slot) { return static_cast<double>(corners_.positions[slot]); });
+    return array(io::map_color(position, corners_.map));
   }
 
   const PatchMesh& mesh_;

@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "io/picture/color_map.h"
 #include "io/picture/rgb_picture.h"
 #include "radiosity/base/progress.h"
 #include "radiosity/scene/patch_mesh.h"
@@ -15,6 +16,7 @@ namespace viewer {
 struct CornerColors {
   std::vector<io::Rgb> colors;   ///< 8-bit sRGB
   std::vector<float> positions;  ///< on the colour map, in (0, 1); negative: nothing is known
+  io::ColorMap map = io::ColorMap::viridis;
 };
 
 struct RayPictureOptions {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "radiosity/scene/corner_values.h"
+#include "viewer/desk/pinning.h"
 
 namespace viewer {
 namespace {
@@ -122,8 +123,12 @@ void LargePainter::prepare(const Desk& desk) {
 void LargePainter::start_colors(Desk& desk) {
   begun_ = Clock::now();
   is_shooting_ = is_shooting(desk);
-  started_ = {.versions = desk.session.versions(), .look = desk.look};
-  PaintingTask task{.known = desk.session.known(), .look = desk.look, .up = desk.up};
+  started_ = {
+      .versions = desk.session.versions(), .look = desk.look, .subtracted = subtracted_light(desk)};
+  PaintingTask task{.known = desk.session.known(),
+                    .look = desk.look,
+                    .up = desk.up,
+                    .subtracted = started_.subtracted};
   // While light is spreading it gets brighter: the exposure follows until it is known.
   const bool is_spreading = colored_ && colored_->painting.is_spreading;
   if (!desk.is_exposure_due && !is_spreading) task.exposure = desk.exposure;
@@ -142,6 +147,7 @@ void LargePainter::start_colors(Desk& desk) {
     if (painting.legend) {
       colored->corners.positions = map_positions(painting, corners);
       colored->points.positions = prepared->coarse.values(colored->corners.positions);
+      colored->corners.map = painting.legend->map;
     } else {
       colored->corners.colors = point_colors(painting, corners);
       colored->points.colors = prepared->coarse.colors(colored->corners.colors);
@@ -163,12 +169,15 @@ void LargePainter::take_colors(Desk& desk, SceneView& view) {
   }
   desk.legend = painting.legend;
   if (painting.legend) {
-    view.set_map_positions(colored_->points.positions);
+    view.set_map_positions(colored_->points.positions, painting.legend->map);
   } else {
     view.set_colors(colored_->points.colors);
   }
   // Other light may follow the picture that is there; something else may not.
-  if (still_colors_ && still_colors_->state.look.show != colored_->state.look.show) still_.reset();
+  const bool is_other =
+      still_colors_ && (still_colors_->state.look.show != colored_->state.look.show ||
+                        still_colors_->state.subtracted != colored_->state.subtracted);
+  if (is_other) still_.reset();
 }
 
 void LargePainter::paint_still(const Desk& desk) {

@@ -10,6 +10,9 @@
 
 #include "io/picture/color_bar.h"
 #include "radiosity/scene/patch_mesh.h"
+#include "viewer/desk/pinning.h"
+#include "viewer/draw/comparison_overlay.h"
+#include "viewer/draw/projection.h"
 #include "viewer/work/standing.h"
 
 namespace viewer {
@@ -23,26 +26,15 @@ constexpr ImU32 kPanel = IM_COL32(26, 27, 31, 235);
 constexpr ImU32 kNoResult = IM_COL32(255, 190, 60, 255);
 constexpr ImU32 kResult = IM_COL32(170, 175, 180, 255);
 constexpr ImU32 kOutline = IM_COL32(255, 170, 40, 255);
+constexpr ImU32 kOpen = IM_COL32(255, 80, 60, 255);
+constexpr ImU32 kHiddenOpen = IM_COL32(255, 80, 60, 150);
+constexpr std::size_t kMostOutlines = 1000;
 constexpr ImU32 kPartner = IM_COL32(255, 255, 255, 230);
 constexpr float kLegendWidth = 160;  // at scale 1, as the others
 constexpr float kLegendMargin = 10;
 constexpr float kBarWidth = 18;
 constexpr float kBarHeight = 380;
 constexpr ImU32 kShadow = IM_COL32(0, 0, 0, 200);
-
-/// Where a point of the scene appears; empty if it lies behind the camera.
-std::optional<ImVec2> project(const Desk& desk, const Vec3& point) {
-  const radiosity::Camera camera = picture_camera(desk);
-  const Vec3 offset = point - camera.position;
-  const double depth = offset.dot(camera.direction);
-  if (!(depth > 0)) return std::nullopt;
-  const Vec3 right = camera.direction.cross(camera.up).normalized();
-  const Vec3 up = right.cross(camera.direction);
-  const double unit = 0.5 * desk.region.height / (depth * std::tan(camera.vertical_fov / 2));
-  return ImVec2(
-      static_cast<float>(desk.region.left + 0.5 * desk.region.width + unit * offset.dot(right)),
-      static_cast<float>(desk.region.top + 0.5 * desk.region.height - unit * offset.dot(up)));
-}
 
 void outline(const Desk& desk, ImDrawList& list, Index patch, ImU32 color, float width) {
   const radiosity::PatchMesh& mesh = *desk.session.model().mesh;
@@ -103,11 +95,24 @@ void draw_partners(const Desk& desk, ImDrawList& list, float scale) {
   }
 }
 
+/// Those that see an opening: bold where the camera sees them, thin where something hides them.
+void draw_open_patches(const Desk& desk, ImDrawList& list, float scale) {
+  const Known known = desk.session.known();
+  const std::vector<std::int32_t>* patches = open_patches(known);
+  if (patches == nullptr) return;
+  const std::size_t n = std::min(kMostOutlines, patches->size());
+  for (std::size_t k = 0; k < n; ++k) {
+    const Index patch = (*patches)[k];
+    const bool is_bold = is_seen(desk, patch);
+    outline(desk, list, patch, is_bold ? kOpen : kHiddenOpen, (is_bold ? 2.5F : 1) * scale);
+  }
+}
+
 void draw_bar(ImDrawList& list, const Legend& legend, ImVec2 top, ImVec2 size) {
   constexpr int kSteps = 64;
   for (int k = 0; k < kSteps; ++k) {
-    const auto color = [](int step) {
-      const io::Rgb rgb = io::map_color(1 - static_cast<double>(step) / kSteps);
+    const auto color = [&](int step) {
+      const io::Rgb rgb = io::map_color(1 - static_cast<double>(step) / kSteps, legend.map);
       return IM_COL32(rgb[0], rgb[1], rgb[2], 255);
     };
     const float y0 = top.y + size.y * static_cast<float>(k) / kSteps;
@@ -116,8 +121,8 @@ void draw_bar(ImDrawList& list, const Legend& legend, ImVec2 top, ImVec2 size) {
                                  color(k + 1), color(k + 1));
   }
   const float tip = 0.6F * size.x;
-  const auto end_color = [](double position) {
-    const io::Rgb rgb = io::map_color(position);
+  const auto end_color = [&](double position) {
+    const io::Rgb rgb = io::map_color(position, legend.map);
     return IM_COL32(rgb[0], rgb[1], rgb[2], 255);
   };
   const float right = top.x + size.x;
@@ -185,7 +190,7 @@ void draw_legend(const Desk& desk, ImDrawList& list, float scale) {
 Standing shown_standing(const Desk& desk) {
   const Show show = desk.look.show;
   const IterationRecord* record = desk.session.iteration();
-  if (show == Show::area || show == Show::form_factors) return {};
+  if (show == Show::area || show == Show::unseen || show == Show::form_factors) return {};
   if (show != Show::watched && show != Show::unshot) return standing(desk.session);
   if (record == nullptr || record->frames.empty()) return {};
   const std::size_t frame = std::min(desk.look.step, record->frames.size() - 1);
@@ -197,15 +202,21 @@ Standing shown_standing(const Desk& desk) {
 void draw_badge(const Desk& desk, ImDrawList& list, float scale) {
   Standing now = shown_standing(desk);
   if (now.text.empty()) return;
+  const Comparison comparison = shown_comparison(desk);
+  if (comparison != Comparison::none) now.text = "now: " + now.text;
   // A preview that is being shot always gets better.
   const bool is_shot = now.is_rough && !desk.session.light()->factor_error;
   if (desk.is_painting_due && !is_shot) {
     now.text += " (being painted)";
     now.is_result = false;
   }
-  const ImVec2 place(static_cast<float>(desk.region.left) + 12 * scale,
+  // Pinned light stands to the left of its line.
+  const double split = comparison == Comparison::wipe ? drawn_split(desk) : 0;
+  const auto left = static_cast<float>(split * desk.region.width);
+  const ImVec2 place(static_cast<float>(desk.region.left) + left + 12 * scale,
                      static_cast<float>(desk.region.top) + 10 * scale);
-  const float width = static_cast<float>(desk.region.width) - 24 * scale;
+  const float width = static_cast<float>(desk.region.width) - left - 24 * scale;
+  if (width < 2 * ImGui::GetFontSize()) return;
   const char* text = now.text.c_str();
   const ImVec2 extent = ImGui::CalcTextSize(text, nullptr, false, width);
   list.AddRectFilled(ImVec2(place.x - 6 * scale, place.y - 4 * scale),
@@ -219,8 +230,9 @@ void draw_badge(const Desk& desk, ImDrawList& list, float scale) {
 std::string missing_text(const Desk& desk) {
   const Session& session = desk.session;
   if (!session.is_open()) {
-    return session.status().is_busy ? "Opening ..."
-                                    : "Drop a scene or result file here, or press Ctrl+O";
+    if (session.status().is_busy) return "Opening ...";
+    // Examples say so themselves.
+    return desk.examples.list().empty() ? "Drop a scene or result file here, or press Ctrl+O" : "";
   }
   const Show show = desk.look.show;
   const bool is_painted = show == Show::true_color || show == Show::watched;
@@ -238,6 +250,9 @@ std::string missing_text(const Desk& desk) {
     }
     if (show == Show::light_path) return "Working out where the light comes from ...";
   }
+  if (show == Show::unseen) {
+    return session.is_settled() ? "Form factors are not known" : "Waits for the form factors ...";
+  }
   return session.is_settled() ? "No light is known" : "Waits for the light ...";
 }
 
@@ -251,6 +266,7 @@ void draw_overlay(const Desk& desk, double scale) {
   const ImVec2 bottom_right(top_left.x + static_cast<float>(desk.region.width),
                             top_left.y + static_cast<float>(desk.region.height));
   list.PushClipRect(top_left, bottom_right);
+  if (desk.look.show == Show::unseen) draw_open_patches(desk, list, size);
   if (desk.session.selected()) {
     if (desk.look.show == Show::form_factors && desk.session.model().factors) {
       draw_partners(desk, list, size);

@@ -1,9 +1,10 @@
 #include "viewer/draw/painted_state.h"
 
-namespace viewer {
-namespace {
+#include "viewer/desk/pinning.h"
 
-bool is_same(const Look& a, const Look& b) {
+namespace viewer {
+
+bool is_same_look(const Look& a, const Look& b) {
   const bool is_same_range =
       a.range.has_value() == b.range.has_value() &&
       (!a.range || (a.range->low == b.range->low && a.range->high == b.range->high &&
@@ -13,12 +14,11 @@ bool is_same(const Look& a, const Look& b) {
          a.step == b.step;
 }
 
-}  // namespace
-
 bool PaintedState::is_other_look(const Desk& desk) const {
   const Session::Versions& now = desk.session.versions();
   const bool is_selection_shown = is_wide(desk.look.show);  // all of them are about that patch
-  return !is_same(look, desk.look) || versions.model != now.model ||
+  return !is_same_look(look, desk.look) || versions.model != now.model ||
+         subtracted != subtracted_light(desk) ||
          (is_selection_shown && versions.selection != now.selection);
 }
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "viewer/desk/painting.h"
+#include "viewer/desk/pinning.h"
 
 namespace viewer {
 namespace {
@@ -47,7 +48,10 @@ void Painter::take_patches(Desk& desk, SceneView& view) {
 }
 
 void Painter::paint_colors(Desk& desk, SceneView& view) {
-  PaintingTask task{.known = desk.session.known(), .look = desk.look, .up = desk.up};
+  PaintingTask task{.known = desk.session.known(),
+                    .look = desk.look,
+                    .up = desk.up,
+                    .subtracted = subtracted_light(desk)};
   // While light is spreading it gets brighter: the exposure follows until it is known, and then
   // stays, so that lamps that are dimmed look dimmed.
   if (!desk.is_exposure_due && !was_spreading_) task.exposure = desk.exposure;
@@ -59,11 +63,11 @@ void Painter::paint_colors(Desk& desk, SceneView& view) {
   }
   const Eigen::MatrixXd values = points_->values(painting.values, painting.is_smooth);
   if (painting.legend) {
-    view.set_map_positions(map_positions(painting, values));
+    view.set_map_positions(map_positions(painting, values), painting.legend->map);
   } else {
     view.set_colors(point_colors(painting, values));
   }
-  painted_ = {desk.session.versions(), desk.look, painting.is_light};
+  painted_ = {desk.session.versions(), desk.look, painting.is_light, task.subtracted};
   desk.legend = std::move(painting.legend);
 }
 

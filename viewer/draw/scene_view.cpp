@@ -18,7 +18,6 @@
 #include <array>
 #include <utility>
 
-#include "io/picture/color_map.h"
 #include "viewer/desk/ray_picture.h"
 
 namespace viewer {
@@ -35,11 +34,11 @@ std::array<double, 3> shares(const io::Rgb& color) {
   return {color[0] / 255.0, color[1] / 255.0, color[2] / 255.0};
 }
 
-void fill_color_map(vtkLookupTable& table) {
+void fill_color_map(vtkLookupTable& table, io::ColorMap map) {
   table.SetNumberOfTableValues(kMapColors);
   table.SetTableRange(0, 1);
   for (int k = 0; k < kMapColors; ++k) {
-    const io::Rgb color = io::map_color(static_cast<double>(k) / (kMapColors - 1));
+    const io::Rgb color = io::map_color(static_cast<double>(k) / (kMapColors - 1), map);
     table.SetTableValue(k, color[0] / 255.0, color[1] / 255.0, color[2] / 255.0, 1);
   }
   table.SetUseBelowRangeColor(1);
@@ -72,10 +71,12 @@ struct SceneView::Parts {
   vtkNew<vtkPolyDataMapper> edge_mapper;
   vtkNew<vtkActor> edge_actor;
   vtkNew<vtkLookupTable> color_map;
+  io::ColorMap map = io::ColorMap::viridis;
   std::shared_ptr<const PatchMesh> mesh;  // whose edges may be shown, or none
   Vec3 origin = Vec3::Zero();             // of VTK's coordinates, m
   radiosity::Camera camera;
   Region region;
+  Columns columns;
   int window_width = 0;
   int window_height = 0;
   bool are_edges_stale = true;
@@ -95,7 +96,7 @@ SceneView::SceneView() : parts_(std::make_unique<Parts>()) {
   parts.back_actor->GetProperty()->SetColor(shares(kBackColor).data());
   parts.back_actor->GetProperty()->FrontfaceCullingOn();
   parts.back_actor->VisibilityOff();
-  fill_color_map(*parts.color_map);
+  fill_color_map(*parts.color_map, parts.map);
   parts.edge_mapper->SetInputData(parts.edges);
   parts.edge_mapper->ScalarVisibilityOff();
   parts.edge_actor->SetMapper(parts.edge_mapper);
@@ -155,8 +156,10 @@ void SceneView::set_colors(const std::vector<io::Rgb>& colors) {
   is_dirty_ = true;
 }
 
-void SceneView::set_map_positions(std::span<const float> positions) {
+void SceneView::set_map_positions(std::span<const float> positions, io::ColorMap map) {
   Parts& parts = *parts_;
+  if (map != parts.map) fill_color_map(*parts.color_map, map);
+  parts.map = map;
   vtkNew<vtkFloatArray> array;
   array->SetNumberOfTuples(static_cast<vtkIdType>(positions.size()));
   std::copy(positions.begin(), positions.end(), array->GetPointer(0));
@@ -196,19 +199,25 @@ void SceneView::set_camera(const radiosity::Camera& camera) {
   is_dirty_ = true;
 }
 
-void SceneView::set_region(const Region& region, int window_width, int window_height) {
+void SceneView::set_region(const Region& region, int window_width, int window_height,
+                           const Columns& columns) {
   Parts& parts = *parts_;
-  const bool is_same = parts.region == region && parts.window_width == window_width &&
-                       parts.window_height == window_height;
+  const bool is_same = parts.region == region && parts.columns == columns &&
+                       parts.window_width == window_width && parts.window_height == window_height;
   if (is_same || window_width <= 0 || window_height <= 0) return;
   parts.region = region;
+  parts.columns = columns;
   parts.window_width = window_width;
   parts.window_height = window_height;
   const double w = window_width;
   const double h = window_height;
   // VTK counts from the bottom.
-  parts.renderer->SetViewport(region.left / w, 1 - (region.top + region.height) / h,
-                              (region.left + region.width) / w, 1 - region.top / h);
+  parts.renderer->SetViewport((region.left + columns.left * region.width) / w,
+                              1 - (region.top + region.height) / h,
+                              (region.left + columns.right * region.width) / w, 1 - region.top / h);
+  // The middle of the picture stays where it is, in or beside the part that is drawn.
+  const double middle = (1 - columns.left - columns.right) / (columns.right - columns.left);
+  parts.renderer->GetActiveCamera()->SetWindowCenter(-middle, 0);
   is_dirty_ = true;
 }
 

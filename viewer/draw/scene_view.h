@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "io/picture/color_map.h"
 #include "io/picture/rgb_picture.h"
 #include "radiosity/base/geometry.h"
 #include "radiosity/scene/patch_mesh.h"
@@ -24,6 +25,13 @@ struct Triangles {
   std::span<const std::uint8_t> has_back = {};  ///< per triangle: whether its back may be shown
 };
 
+/// A part of a picture's width, in shares of it.
+struct Columns {
+  double left = 0;
+  double right = 1;
+  friend bool operator==(const Columns&, const Columns&) = default;
+};
+
 /// The patches as VTK draws them. Notes itself whether a new drawing would differ from the last.
 class SceneView {
  public:
@@ -36,13 +44,15 @@ class SceneView {
   void set_triangles(const Triangles& triangles, std::shared_ptr<const radiosity::PatchMesh> edges);
   /// 8-bit sRGB per point.
   void set_colors(const std::vector<io::Rgb>& colors);
-  /// Positions on the colour map, in [0, 1], per point; negative: nothing is known, grey.
-  void set_map_positions(std::span<const float> positions);
+  /// Positions on a colour map, in [0, 1], per point; negative: nothing is known, grey.
+  void set_map_positions(std::span<const float> positions,
+                         io::ColorMap map = io::ColorMap::viridis);
   void set_edges(bool are_shown);
   void set_backs_hidden(bool are_hidden);
   void set_camera(const radiosity::Camera& camera);
-  /// The part of the window that the scene takes, of a window of this size.
-  void set_region(const Region& region, int window_width, int window_height);
+  /// Where the scene is seen, in a window of this size, and which part of that is drawn.
+  void set_region(const Region& region, int window_width, int window_height,
+                  const Columns& columns = {});
 
   [[nodiscard]] vtkRenderer& renderer();
   [[nodiscard]] bool is_dirty() const { return is_dirty_; }

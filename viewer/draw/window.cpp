@@ -17,6 +17,7 @@
 #include <filesystem>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "viewer/draw/window_events.h"
 
@@ -133,7 +134,7 @@ struct Window::Parts {
   Library library;
   GLFWwindow* window = nullptr;
   vtkNew<vtkGenericOpenGLRenderWindow> render_window;
-  vtkRenderer* renderer = nullptr;  // the one that is in the render window
+  std::vector<vtkRenderer*> renderers;  // those that are in the render window
   std::optional<WindowEvents> events;
   double scale = 1;
   bool is_software = false;
@@ -181,7 +182,7 @@ Window::~Window() {
   ImGui_ImplOpenGL3_Shutdown();
   ImGui_ImplGlfw_Shutdown();
   ImGui::DestroyContext();
-  if (parts.renderer != nullptr) parts.render_window->RemoveRenderer(parts.renderer);
+  set_renderers({});
   parts.render_window->Finalize();
   glfwDestroyWindow(parts.window);
 }
@@ -191,6 +192,7 @@ void Window::close() { glfwSetWindowShouldClose(parts_->window, GLFW_TRUE); }
 void Window::set_title(const std::string& title) {
   glfwSetWindowTitle(parts_->window, title.c_str());
 }
+void Window::copy(const std::string& text) { glfwSetClipboardString(parts_->window, text.c_str()); }
 void Window::resize(int width, int height) {
   // X ends programs that ask for none.
   glfwSetWindowSize(parts_->window, std::max(1, width), std::max(1, height));
@@ -229,37 +231,45 @@ void Window::begin_frame() {
   ImGui::NewFrame();
 }
 
-void Window::end_frame(SceneView& view) {
-  draw(view);
+void Window::end_frame(std::span<SceneView* const> views) {
+  draw(views);
   glfwSwapBuffers(parts_->window);
 }
 
-io::RgbPicture Window::end_captured_frame(SceneView& view) {
-  draw(view);
+io::RgbPicture Window::end_captured_frame(std::span<SceneView* const> views) {
+  draw(views);
   io::RgbPicture picture = read_pixels();
   glfwSwapBuffers(parts_->window);
   return picture;
 }
 
-void Window::draw(SceneView& view) {
+void Window::set_renderers(std::span<SceneView* const> views) {
+  Parts& parts = *parts_;
+  std::vector<vtkRenderer*> wanted;
+  for (SceneView* view : views) wanted.push_back(&view->renderer());
+  if (wanted == parts.renderers) return;
+  for (vtkRenderer* renderer : parts.renderers) parts.render_window->RemoveRenderer(renderer);
+  parts.renderers = std::move(wanted);
+  for (vtkRenderer* renderer : parts.renderers) parts.render_window->AddRenderer(renderer);
+  parts.is_stale = true;
+}
+
+void Window::draw(std::span<SceneView* const> views) {
   Parts& parts = *parts_;
   ImGui::Render();
   if (parts.width <= 0 || parts.height <= 0) return;
-  if (parts.renderer != &view.renderer()) {
-    if (parts.renderer != nullptr) parts.render_window->RemoveRenderer(parts.renderer);
-    parts.renderer = &view.renderer();
-    parts.render_window->AddRenderer(parts.renderer);
-    parts.is_stale = true;
-  }
+  set_renderers(views);
   const int* size = parts.render_window->GetSize();
   if (size[0] != parts.width || size[1] != parts.height) {
     parts.render_window->SetSize(parts.width, parts.height);
     parts.is_stale = true;
   }
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
-  if (view.is_dirty() || parts.is_stale) {
+  const bool is_dirty = std::any_of(views.begin(), views.end(),
+                                    [](const SceneView* view) { return view->is_dirty(); });
+  if (is_dirty || parts.is_stale) {
     parts.render_window->Render();
-    view.set_drawn();
+    for (SceneView* view : views) view->set_drawn();
     parts.is_stale = false;
   } else {
     parts.render_window->Frame();  // VTK keeps its picture

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -56,18 +57,21 @@ class Window {
   /// Begins a frame of ImGui.
   void begin_frame();
   /// Draws the scene, if that is needed, and the panels above it, and shows them. Nothing is drawn
-  /// while the window has no size.
-  void end_frame(SceneView& view);
+  /// while the window has no size. `views` are parts of the picture side by side.
+  void end_frame(std::span<SceneView* const> views);
   /// The same, and returns what is shown: 0 x 0 pixels if the window has no size.
-  io::RgbPicture end_captured_frame(SceneView& view);
+  io::RgbPicture end_captured_frame(std::span<SceneView* const> views);
 
+  /// Puts text where other programs find it to paste.
+  void copy(const std::string& text);
   /// Files that were dropped onto the window since the last call.
   std::vector<std::string> take_dropped_files();
   /// Keys that were pressed since the last call, however short, in that order.
   std::vector<KeyPress> take_keys();
 
  private:
-  void draw(SceneView& view);
+  void draw(std::span<SceneView* const> views);
+  void set_renderers(std::span<SceneView* const> views);
   [[nodiscard]] io::RgbPicture read_pixels() const;
 
   struct Parts;

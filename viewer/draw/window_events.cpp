@@ -67,7 +67,8 @@ void WindowEvents::forward(const KeyEvent& event) {
   ImGui_ImplGlfw_KeyCallback(window_, event.key, event.scancode, event.action, event.modifiers);
   if (event.action == GLFW_RELEASE) return;
   keys_.push_back({.key = lettered_key(event.key, event.scancode),
-                   .has_control = (event.modifiers & GLFW_MOD_CONTROL) != 0});
+                   .has_control = (event.modifiers & GLFW_MOD_CONTROL) != 0,
+                   .has_shift = (event.modifiers & GLFW_MOD_SHIFT) != 0});
 }
 
 void WindowEvents::forward_keys() {

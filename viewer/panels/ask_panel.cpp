@@ -7,6 +7,7 @@
 
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/solve/quantity.h"
+#include "viewer/desk/pinning.h"
 #include "viewer/panels/inks.h"
 #include "viewer/panels/panels.h"
 #include "viewer/work/standing.h"
@@ -28,6 +29,15 @@ void row(const char* what, const std::string& value, const ImVec4& ink = kPlainI
   ImGui::PopStyleColor();
 }
 
+/// "412.3 lux, now −12 %".
+std::string pinned_lux_text(const Desk& desk, const PatchFacts& facts,
+                            const Eigen::VectorXd& irradiance) {
+  const double before = radiosity::luminous_weights(desk.session.model().bands).dot(irradiance);
+  const std::string text = number_text(before) + " lux";
+  if (!(before > 0)) return text;
+  return text + fmt::format(", now {:+.1f} %", 100 * (facts.illuminance / before - 1));
+}
+
 /// Of a preview two digits, in a colour of their own.
 void draw_light(const Desk& desk, const PatchFacts& facts) {
   const Session& session = desk.session;
@@ -42,6 +52,8 @@ void draw_light(const Desk& desk, const PatchFacts& facts) {
   const char* unknown = session.is_settled() ? "not known" : "not known yet";
   row("± (2 σ)", facts.error.size() > 0 ? numbers_text(2 * facts.error) : unknown);
   values("irradiance H", facts.irradiance);
+  const auto pinned = pinned_irradiance(desk);
+  if (pinned) row("  pinned", numbers_text(*pinned));
   if (facts.direct.size() > 0) {
     values("  direct", facts.direct);
     values("  indirect", (facts.irradiance - facts.direct).cwiseMax(0));
@@ -54,6 +66,7 @@ void draw_light(const Desk& desk, const PatchFacts& facts) {
   const std::string mark = now.is_rough ? "≈ " : "";
   const int digits = now.is_rough ? kRoughDigits : kDigits;
   value("illuminance", mark + number_text(facts.illuminance, digits) + " lux");
+  if (pinned) row("  pinned", pinned_lux_text(desk, facts, *pinned));
   value("luminance", mark + number_text(facts.luminance, digits) + " cd/m²");
 }
 
@@ -233,11 +246,14 @@ constexpr Key kKeys[] = {{"left drag", "turn the scene"},
                          {"M", "smooth or flat patches"},
                          {"N", "patch edges"},
                          {"B", "hide or show backs"},
+                         {"P", "pin this light"},
+                         {"V", "compare with it: side by side, difference"},
                          {"+ −", "exposure"},
                          {"Space", "pause, go on"},
                          {"Tab", "hide or show the panels"},
                          {"Ctrl+O", "open a file (or drop it here)"},
                          {"Ctrl+P", "save the picture"},
+                         {"Ctrl+Z, Ctrl+Shift+Z", "undo, redo (lamps, materials)"},
                          {"Enter, Esc", "in dialogs: do it, cancel"},
                          {"?", "this help"}};
 

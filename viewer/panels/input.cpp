@@ -7,6 +7,9 @@
 #include <cassert>
 #include <cmath>
 
+#include "viewer/desk/pinning.h"
+#include "viewer/desk/tour.h"
+
 namespace viewer {
 namespace {
 
@@ -16,6 +19,7 @@ constexpr double kZoomStep = 0.88;     // per notch of the wheel
 constexpr double kWalk = 0.25;         // of the scene's size per second
 constexpr double kFast = 4;            // times as fast with Shift
 constexpr double kExposureStep = 0.5;  // stops
+constexpr double kReach = 0.6;         // lines of text around the line beside pinned light
 
 /// Whether a letter is held down, as ImGui counts keys.
 bool is_down(int key) {
@@ -42,6 +46,8 @@ void press_letter(Desk& desk, int key) {
   if (key == GLFW_KEY_M) look.smooth = !look.smooth;
   if (key == GLFW_KEY_N) look.edges = !look.edges;
   if (key == GLFW_KEY_B) look.hide_backs = !look.hide_backs;
+  if (key == GLFW_KEY_P) attempt(desk, [&] { pin(desk); });
+  if (key == GLFW_KEY_V) compare_otherwise(desk);
 }
 
 }  // namespace
@@ -63,6 +69,18 @@ void Input::handle(Desk& desk, Panels& panels, std::span<const KeyPress> keys) {
   fly(desk, keys);
 }
 
+/// Moves the line beside pinned light with the mouse. Whether the mouse is about that.
+bool Input::drag_split(Desk& desk, double x, bool is_over) {
+  if (shown_comparison(desk) != Comparison::wipe) return false;
+  const double reach = kReach * ImGui::GetFontSize() / desk.region.width;
+  const bool is_near = is_over && !is_dragging_ && std::abs(x - desk.pinning.split) < reach;
+  if (is_near && ImGui::IsMouseClicked(0)) is_splitting_ = true;
+  if (!ImGui::IsMouseDown(0)) is_splitting_ = false;
+  if (is_splitting_) set_split(desk, x);
+  if (is_near || is_splitting_) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+  return is_splitting_;
+}
+
 void Input::handle_mouse(Desk& desk) {
   const ImGuiIO& io = ImGui::GetIO();
   const Region& region = desk.region;
@@ -72,6 +90,7 @@ void Input::handle_mouse(Desk& desk) {
   const bool is_over = !io.WantCaptureMouse && x >= 0 && x < 1 && y >= 0 && y < 1;
   desk.hovered = is_over && !is_dragging_ ? patch_at(desk, x, y) : std::nullopt;
   if (is_over && io.MouseWheel != 0) desk.camera.zoom(std::pow(kZoomStep, io.MouseWheel));
+  if (drag_split(desk, x, is_over)) return;
 
   const bool is_down = ImGui::IsMouseDown(0) || ImGui::IsMouseDown(1) || ImGui::IsMouseDown(2);
   const bool went_down =
@@ -103,13 +122,18 @@ void Input::press(Desk& desk, Panels& panels, const KeyPress& key) {
   if (key.has_control) {
     if (key.key == GLFW_KEY_O) panels.choose_file(desk);
     if (key.key == GLFW_KEY_P) panels.begin_save(desk, SaveDialog::Kind::picture);
+    const bool is_redo = key.key == GLFW_KEY_Y || (key.key == GLFW_KEY_Z && key.has_shift);
+    if (is_redo) desk.session.redo_mix();
+    if (key.key == GLFW_KEY_Z && !key.has_shift) desk.session.undo_mix();
     return;
   }
   press_letter(desk, key.key);
   if (key.key == GLFW_KEY_TAB) desk.shows_panels = !desk.shows_panels;
   if (key.key == GLFW_KEY_SPACE) desk.session.set_paused(!desk.session.is_paused());
   if (key.key == GLFW_KEY_ESCAPE) {
-    if (desk.shows_help) {
+    if (desk.tour_step) {
+      end_tour(desk);
+    } else if (desk.shows_help) {
       desk.shows_help = false;
     } else {
       desk.session.select(std::nullopt);

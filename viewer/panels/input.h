@@ -16,11 +16,13 @@ class Input {
 
  private:
   void handle_mouse(Desk& desk);
+  bool drag_split(Desk& desk, double x, bool is_over);
   static void press(Desk& desk, Panels& panels, const KeyPress& key);
   static void fly(Desk& desk, std::span<const KeyPress> keys);
 
-  bool is_dragging_ = false;  // a button went down over the picture
-  double dragged_ = 0;        // pixels since then
+  bool is_splitting_ = false;  // a button went down over the line beside pinned light
+  bool is_dragging_ = false;   // or over the picture
+  double dragged_ = 0;         // pixels since then
 };
 
 }  // namespace viewer

@@ -13,6 +13,7 @@ using radiosity::Index;
 /// What can be shown, in words.
 std::string caption(const ShowName& name) {
   if (name.show == Show::arriving) return "light sent to the patch";
+  if (name.show == Show::unseen) return "unseen share";
   if (name.show == Show::light_path) return "importance for the patch";
   std::string text(name.name);
   std::replace(text.begin(), text.end(), '-', ' ');

@@ -6,15 +6,12 @@
 #include <algorithm>
 #include <vector>
 
-#include "viewer/panels/inks.h"
-
 namespace viewer {
 namespace {
 
 constexpr float kLeftWidth = 270;  // at scale 1, as the others
 constexpr float kRightWidth = 330;
 constexpr float kLeastPicture = 160;
-constexpr int kConsoleLines = 3;
 
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
                                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoTitleBar |
@@ -42,14 +39,6 @@ std::string status_text(const Desk& desk) {
   return text;
 }
 
-void draw_messages(const Session& session) {
-  for (const Message& message : session.messages()) {
-    ImGui::PushStyleColor(ImGuiCol_Text, message.is_error ? kErrorInk : kPlainInk);
-    ImGui::TextWrapped("%s", message.text.c_str());
-    ImGui::PopStyleColor();
-  }
-}
-
 }  // namespace
 
 Panels::Panels(const study::StudyOptions& options)
@@ -72,8 +61,10 @@ void Panels::draw(Desk& desk, std::span<const KeyPress> keys, int width, int hei
     draw_menu(desk);
     top = ImGui::GetFrameHeight();
     const float line = ImGui::GetTextLineHeightWithSpacing();
-    const float status = (kConsoleLines + 1) * line + 14 * size;
-    if (h > top + status + kLeastPicture * size) {
+    // As much as leaves a picture.
+    const float most = h - top - kLeastPicture * size;
+    const float status = std::min(line + ConsolePanel::height(desk, scale), most);
+    if (status > 3 * line) {
       bottom = h - status;
       draw_status(desk, bottom, w, status);
     }
@@ -83,10 +74,11 @@ void Panels::draw(Desk& desk, std::span<const KeyPress> keys, int width, int hei
       left = kLeftWidth * size;
       begin_panel("Look and what if", 0, top, left, bottom - top);
       draw_scene_panel(desk);
-      draw_look_panel(desk);
+      draw_part(desk, TourTarget::look, [&] { draw_look_panel(desk); });
+      draw_compare_panel(desk);
       if (!has_right) draw_right(desk, scale);  // here, rather than nowhere
       draw_solve(desk);
-      draw_what_if_panel(desk);
+      draw_part(desk, TourTarget::what_if, [&] { draw_what_if_panel(desk); });
       ImGui::End();
     }
     if (has_right) {
@@ -96,41 +88,77 @@ void Panels::draw(Desk& desk, std::span<const KeyPress> keys, int width, int hei
       ImGui::End();
     }
   }
-  const DialogKeys dialog = dialog_keys(keys);
-  if (const auto chosen = browser_.draw(dialog, scale)) desk.session.open(*chosen);
-  save_.draw(desk, dialog, scale);
-  if (desk.shows_help) draw_help(desk, scale);
   desk.region = {.left = static_cast<int>(left),
                  .top = static_cast<int>(top),
                  .width = std::max(0, static_cast<int>(right) - static_cast<int>(left)),
                  .height = std::max(0, static_cast<int>(bottom) - static_cast<int>(top))};
+  tour_.place(TourTarget::picture, ImVec2(left, top), ImVec2(right, bottom));
+  if (bottom < h) tour_.place(TourTarget::console, ImVec2(0, bottom), ImVec2(w, h));
+  gallery_.draw(desk, scale);
+  const DialogKeys dialog = dialog_keys(keys);
+  if (const auto chosen = browser_.draw(dialog, scale)) desk.session.open(*chosen);
+  save_.draw(desk, dialog, scale);
+  if (desk.shows_help) draw_help(desk, scale);
+  tour_.draw(desk, scale);
+}
+
+template <typename Draw>
+void Panels::draw_part(const Desk& desk, TourTarget target, const Draw& draw) {
+  const float top = ImGui::GetCursorScreenPos().y;
+  tour_.scroll_to(desk, target);
+  draw();
+  // Of it what the panel shows.
+  const ImVec2 corner = ImGui::GetWindowPos();
+  const ImVec2 size = ImGui::GetWindowSize();
+  const float bottom = ImGui::GetCursorScreenPos().y;
+  tour_.place(target, ImVec2(corner.x, std::clamp(top, corner.y, corner.y + size.y)),
+              ImVec2(corner.x + size.x, std::clamp(bottom, corner.y, corner.y + size.y)));
 }
 
 void Panels::draw_right(Desk& desk, double scale) {
-  draw_ask_panel(desk);
+  draw_part(desk, TourTarget::ask, [&] { draw_ask_panel(desk); });
   if (desk.session.is_thermal()) draw_heat_panel(desk);
   watch_.draw(desk, scale);
 }
 
+void Panels::draw_file_menu(Desk& desk) {
+  if (!ImGui::BeginMenu("File")) return;
+  if (ImGui::MenuItem("Open ...", "Ctrl+O")) choose_file(desk);
+  if (ImGui::BeginMenu("Recent", !recent_.paths().empty())) {
+    const std::vector<std::string> paths = recent_.paths();
+    for (const std::string& path : paths) {
+      if (ImGui::MenuItem(path.c_str())) desk.session.open(path);
+    }
+    ImGui::EndMenu();
+  }
+  if (ImGui::BeginMenu("Examples", !desk.examples.list().empty())) {
+    for (const Example& example : desk.examples.list()) {
+      if (ImGui::MenuItem(example.name.c_str())) desk.session.open(example.path);
+    }
+    ImGui::EndMenu();
+  }
+  ImGui::Separator();
+  if (ImGui::MenuItem("Save picture ...", "Ctrl+P")) begin_save(desk, SaveDialog::Kind::picture);
+  if (ImGui::MenuItem("Save result ...", nullptr, false, desk.session.has_result())) {
+    begin_save(desk, SaveDialog::Kind::result);
+  }
+  const bool has_scene = desk.session.model().scene != nullptr;
+  if (ImGui::MenuItem("Save scene ...", nullptr, false, has_scene)) {
+    begin_save(desk, SaveDialog::Kind::scene);
+  }
+  ImGui::EndMenu();
+}
+
 void Panels::draw_menu(Desk& desk) {
   if (!ImGui::BeginMainMenuBar()) return;
-  if (ImGui::BeginMenu("File")) {
-    if (ImGui::MenuItem("Open ...", "Ctrl+O")) choose_file(desk);
-    if (ImGui::BeginMenu("Recent", !recent_.paths().empty())) {
-      const std::vector<std::string> paths = recent_.paths();
-      for (const std::string& path : paths) {
-        if (ImGui::MenuItem(path.c_str())) desk.session.open(path);
-      }
-      ImGui::EndMenu();
+  draw_file_menu(desk);
+  if (ImGui::BeginMenu("Edit")) {
+    const MixHistory& history = desk.session.mix_history();
+    if (ImGui::MenuItem("Undo change of the scene", "Ctrl+Z", false, history.can_undo())) {
+      desk.session.undo_mix();
     }
-    ImGui::Separator();
-    if (ImGui::MenuItem("Save picture ...", "Ctrl+P")) begin_save(desk, SaveDialog::Kind::picture);
-    if (ImGui::MenuItem("Save result ...", nullptr, false, desk.session.has_result())) {
-      begin_save(desk, SaveDialog::Kind::result);
-    }
-    const bool has_scene = desk.session.model().scene != nullptr;
-    if (ImGui::MenuItem("Save scene ...", nullptr, false, has_scene)) {
-      begin_save(desk, SaveDialog::Kind::scene);
+    if (ImGui::MenuItem("Redo", "Ctrl+Shift+Z", false, history.can_redo())) {
+      desk.session.redo_mix();
     }
     ImGui::EndMenu();
   }
@@ -143,10 +171,13 @@ void Panels::draw_menu(Desk& desk) {
     ImGui::MenuItem("Patch edges", "N", &desk.look.edges);
     ImGui::MenuItem("Smooth", "M", &desk.look.smooth);
     ImGui::MenuItem("Hide backs", "B", &desk.look.hide_backs);
+    ImGui::MenuItem("Outlines of hidden backs", nullptr, &desk.look.outlines, desk.look.hide_backs);
+    ImGui::MenuItem("Axes", nullptr, &desk.look.axes);
     ImGui::MenuItem("Panels", "Tab", &desk.shows_panels);
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu("Help")) {
+    if (ImGui::MenuItem("Tour")) show_tour(desk, 0);
     ImGui::MenuItem("Keys and mouse", "?", &desk.shows_help);
     ImGui::EndMenu();
   }
@@ -179,6 +210,7 @@ void Panels::draw_solve(Desk& desk) {
 
 void Panels::draw_status(Desk& desk, float top, float width, float height) {
   begin_panel("Status", 0, top, width, height);
+  ConsolePanel::draw_edge(desk);
   const Session& session = desk.session;
   if (session.status().is_busy) {
     ImGui::ProgressBar(static_cast<float>(session.job().fraction()),
@@ -190,15 +222,8 @@ void Panels::draw_status(Desk& desk, float top, float width, float height) {
     ImGui::SameLine(width * 0.6F);
     ImGui::TextDisabled("%s", hovered.c_str());
   }
-  if (!session.messages().empty()) {
-    ImGui::SameLine(width - 4 * ImGui::GetFontSize());
-    if (ImGui::SmallButton("Clear")) desk.session.clear_messages();
-  }
-  ImGui::BeginChild("console", ImVec2(0, 0), true);
-  draw_messages(session);
-  if (console_length_ != session.versions().messages) ImGui::SetScrollHereY(1);
-  console_length_ = session.versions().messages;
-  ImGui::EndChild();
+  ConsolePanel::draw_buttons(desk);
+  console_.draw(desk);
   ImGui::End();
 }
 

@@ -5,9 +5,12 @@
 
 #include "viewer/desk/desk.h"
 #include "viewer/desk/key_press.h"
+#include "viewer/panels/console_panel.h"
 #include "viewer/panels/file_browser.h"
+#include "viewer/panels/gallery.h"
 #include "viewer/panels/recent_files.h"
 #include "viewer/panels/save_dialog.h"
+#include "viewer/panels/tour_box.h"
 #include "viewer/panels/watch_panel.h"
 
 namespace viewer {
@@ -35,6 +38,10 @@ class Panels {
 
  private:
   void draw_menu(Desk& desk);
+  void draw_file_menu(Desk& desk);
+  /// Draws a part of a panel that the tour may point at.
+  template <typename Draw>
+  void draw_part(const Desk& desk, TourTarget target, const Draw& draw);
   void draw_right(Desk& desk, double scale);
   void draw_solve(Desk& desk);
   void draw_status(Desk& desk, float top, float width, float height);
@@ -43,14 +50,17 @@ class Panels {
   RecentFiles recent_;
   SaveDialog save_;
   WatchPanel watch_;
+  ConsolePanel console_;
+  Gallery gallery_;
+  TourBox tour_;
   int n_patches_;
   bool is_adaptive_;
-  int console_length_ = 0;
 };
 
 /// Parts of the panels that remember nothing.
 void draw_scene_panel(Desk& desk);
 void draw_look_panel(Desk& desk);
+void draw_compare_panel(Desk& desk);
 void draw_what_if_panel(Desk& desk);
 void draw_ask_panel(Desk& desk);
 void draw_heat_panel(const Desk& desk);

@@ -11,6 +11,9 @@
 
 #include "io/base/atomic_file.h"
 #include "radiosity/base/error.h"
+#include "viewer/script/comparison_actions.h"
+#include "viewer/script/console_actions.h"
+#include "viewer/script/help_actions.h"
 #include "viewer/script/state_report.h"
 
 namespace viewer {
@@ -30,8 +33,9 @@ Perform at_once(std::function<void(Stage&, ScriptArguments&)> work) {
 
 std::string last_error(const Session& session) {
   const auto& messages = session.messages();
-  const auto found = std::find_if(messages.rbegin(), messages.rend(),
-                                  [](const Message& message) { return message.is_error; });
+  const auto found = std::find_if(messages.rbegin(), messages.rend(), [](const Message& message) {
+    return message.is_error && !message.is_past;
+  });
   return found == messages.rend() ? "no light was found" : found->text;
 }
 
@@ -52,7 +56,7 @@ bool wait_solved(Stage& stage, ScriptArguments& arguments) {
 
 bool wait_idle(Stage& stage, ScriptArguments& arguments) {
   check_patience(stage, arguments);
-  return !stage.is_first && stage.desk.session.is_idle();
+  return !stage.is_first && stage.desk.session.is_idle() && !stage.desk.examples.is_busy();
 }
 
 /// Until a person, or what acts as one, presses a function key: all keys before it have been taken
@@ -112,6 +116,8 @@ void set_look(Stage& stage, ScriptArguments& arguments) {
   desk.look.smooth = arguments.flag_or("smooth", desk.look.smooth);
   desk.look.edges = arguments.flag_or("edges", desk.look.edges);
   desk.look.hide_backs = arguments.flag_or("hide_backs", desk.look.hide_backs);
+  desk.look.outlines = arguments.flag_or("outlines", desk.look.outlines);
+  desk.look.axes = arguments.flag_or("axes", desk.look.axes);
   desk.shows_panels = arguments.flag_or("panels", desk.shows_panels);
   desk.shows_help = arguments.flag_or("help", desk.shows_help);
 }
@@ -135,6 +141,7 @@ void set_emitter(Stage& stage, ScriptArguments& arguments) {
   Session& session = stage.desk.session;
   const std::size_t e = emitter_of(stage, arguments);
   const Emitter& emitter = session.mix().emitters[e];
+  session.begin_mix_step();
   session.set_emitter(e, arguments.number_or("scale", emitter.scale),
                       arguments.flag_or("on", emitter.is_on));
 }
@@ -143,16 +150,24 @@ void toggle_emitter(Stage& stage, ScriptArguments& arguments) {
   Session& session = stage.desk.session;
   const std::size_t e = emitter_of(stage, arguments);
   const Emitter& emitter = session.mix().emitters[e];
+  session.begin_mix_step();
   session.set_emitter(e, emitter.scale, !emitter.is_on);
 }
 
-void set_reflectance(Stage& stage, ScriptArguments& arguments) {
-  Session& session = stage.desk.session;
+std::size_t material_of(const Stage& stage, ScriptArguments& arguments) {
+  const Session& session = stage.desk.session;
   const std::string name = arguments.name("material");
   const std::size_t n_materials = session.mix().reflectance.size();
   std::size_t m = 0;
   while (m < n_materials && session.model().scene->materials[m].name != name) ++m;
   if (m == n_materials) throw std::invalid_argument("no material is called '" + name + "'");
+  return m;
+}
+
+void set_reflectance(Stage& stage, ScriptArguments& arguments) {
+  Session& session = stage.desk.session;
+  const std::size_t m = material_of(stage, arguments);
+  session.begin_mix_step();
   if (arguments.value("value").is_array()) {
     session.set_reflectance(m, arguments.numbers("value"));
     return;
@@ -160,6 +175,16 @@ void set_reflectance(Stage& stage, ScriptArguments& arguments) {
   const double mean = arguments.number("value");
   if (!(mean >= 0 && mean <= 1)) throw std::invalid_argument("'value' must be in [0, 1]");
   session.set_reflectance(m, with_mean_reflectance(session.original_mix().reflectance[m], mean));
+}
+
+void undo(Session& session) {
+  if (!session.mix_history().can_undo()) throw std::runtime_error("there is nothing to undo");
+  session.undo_mix();
+}
+
+void redo(Session& session) {
+  if (!session.mix_history().can_redo()) throw std::runtime_error("there is nothing to redo");
+  session.redo_mix();
 }
 
 void restart(Stage& stage, ScriptArguments& arguments) {
@@ -252,10 +277,8 @@ bool screenshot(Stage& stage, ScriptArguments& arguments) {
   return !stage.desk.screenshot;
 }
 
-}  // namespace
-
-const std::map<std::string, ActionKind>& action_kinds() {
-  static const std::map<std::string, ActionKind> kinds = {
+std::map<std::string, ActionKind> general_actions() {
+  return {
       {"load", {"scene", at_once(load)}},
       {"wait-solved", {"timeout", wait_solved}},
       {"wait-idle", {"timeout", wait_idle}},
@@ -277,6 +300,14 @@ const std::map<std::string, ActionKind>& action_kinds() {
       {"set-emitter", {"emitter", at_once(set_emitter)}},
       {"toggle-emitter", {"emitter", at_once(toggle_emitter)}},
       {"set-reflectance", {"material", at_once(set_reflectance)}},
+      {"reset-emitter", {"emitter", at_once([](Stage& stage, ScriptArguments& arguments) {
+                           stage.desk.session.reset_emitter(emitter_of(stage, arguments));
+                         })}},
+      {"reset-material", {"material", at_once([](Stage& stage, ScriptArguments& arguments) {
+                            stage.desk.session.reset_material(material_of(stage, arguments));
+                          })}},
+      {"undo", {"", at_once([](Stage& stage, ScriptArguments&) { undo(stage.desk.session); })}},
+      {"redo", {"", at_once([](Stage& stage, ScriptArguments&) { redo(stage.desk.session); })}},
       {"reset-scene",
        {"", at_once([](Stage& stage, ScriptArguments&) { stage.desk.session.reset_mix(); })}},
       {"restart", {"patches", at_once(restart)}},
@@ -321,6 +352,18 @@ const std::map<std::string, ActionKind>& action_kinds() {
       {"report", {"file", at_once(write_report)}},
       {"forget-frame-times",
        {"", at_once([](Stage& stage, ScriptArguments&) { stage.host.forget_frame_times(); })}}};
+}
+
+}  // namespace
+
+const std::map<std::string, ActionKind>& action_kinds() {
+  static const std::map<std::string, ActionKind> kinds = [] {
+    std::map<std::string, ActionKind> all = general_actions();
+    all.merge(comparison_actions());
+    all.merge(console_actions());
+    all.merge(help_actions());
+    return all;
+  }();
   return kinds;
 }
 

@@ -10,6 +10,7 @@
 
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/solve/solution.h"
+#include "viewer/desk/pinning.h"
 #include "viewer/work/standing.h"
 
 namespace viewer {
@@ -81,6 +82,7 @@ json patch_json(const Desk& desk) {
     result["illuminance"] = number(facts.illuminance);
     result["luminance"] = number(facts.luminance);
   }
+  if (const auto pinned = pinned_irradiance(desk)) result["pinned_irradiance"] = list(*pinned);
   result["arrivals"] = json::array();
   for (const Arrival& arrival : facts.arrivals) {
     result["arrivals"].push_back(
@@ -120,6 +122,8 @@ json mix_json(const Session& session) {
   }
   return {{"emitters", emitters},
           {"materials", materials},
+          {"can_undo", session.mix_history().can_undo()},
+          {"can_redo", session.mix_history().can_redo()},
           {"change_seconds", number(session.change_seconds())},
           {"superposed", session.can_superpose()}};
 }
@@ -132,15 +136,48 @@ json look_json(const Desk& desk) {
                  {"smooth", desk.look.smooth},
                  {"edges", desk.look.edges},
                  {"hide_backs", desk.look.hide_backs},
+                 {"outlines", desk.look.outlines},
+                 {"axes", desk.look.axes},
                  {"panels", desk.shows_panels},
                  {"legend", nullptr}};
   if (desk.legend) {
     result["legend"] = {{"title", desk.legend->title},
                         {"low", number(desk.legend->scale.low)},
                         {"high", number(desk.legend->scale.high)},
+                        {"least", number(desk.legend->least)},
+                        {"greatest", number(desk.legend->greatest)},
                         {"log", desk.legend->scale.logarithmic}};
   }
   return result;
+}
+
+json comparison_json(const Desk& desk) {
+  json pinned = nullptr;
+  if (desk.pinning.light) {
+    pinned = {{"standing", desk.pinning.light->standing},
+              {"patches", desk.pinning.light->known.model.mesh->size()},
+              {"has_same_patches", desk.pinning.has_same_patches}};
+  }
+  return {{"mode", comparison_name(desk.look.comparison)},
+          {"shown", comparison_name(shown_comparison(desk))},
+          {"split", desk.pinning.split},
+          {"pinned", pinned}};
+}
+
+json open_patches_json(const Session& session) {
+  const Known known = session.known();
+  const std::vector<std::int32_t>* patches = open_patches(known);
+  return patches != nullptr ? json(*patches) : json(nullptr);
+}
+
+json examples_json(const Desk& desk) {
+  json examples = json::array();
+  for (const Example& example : desk.examples.list()) {
+    examples.push_back({{"path", example.path},
+                        {"name", example.name},
+                        {"has_picture", example.picture != nullptr}});
+  }
+  return examples;
 }
 
 json size_json(const Session& session) {
@@ -188,7 +225,8 @@ json state_report(const Desk& desk) {
   const Session& session = desk.session;
   json messages = json::array();
   for (const Message& message : session.messages()) {
-    messages.push_back({{"error", message.is_error}, {"text", message.text}});
+    messages.push_back(
+        {{"error", message.is_error}, {"text", message.text}, {"past", message.is_past}});
   }
   return {{"path", session.model().path},
           {"patches", session.is_open() ? session.model().mesh->size() : 0},
@@ -203,6 +241,8 @@ json state_report(const Desk& desk) {
           {"selected", patch_json(desk)},
           {"mix", mix_json(session)},
           {"look", look_json(desk)},
+          {"comparison", comparison_json(desk)},
+          {"open_patches", open_patches_json(session)},
           {"camera", camera_json(desk)},
           {"region",
            {{"left", desk.region.left},
@@ -210,6 +250,9 @@ json state_report(const Desk& desk) {
             {"width", desk.region.width},
             {"height", desk.region.height}}},
           {"iteration", iteration_json(desk)},
+          {"console_lines", desk.console_lines},
+          {"tour", desk.tour_step ? json(*desk.tour_step + 1) : json(nullptr)},
+          {"examples", examples_json(desk)},
           {"messages", messages}};
 }
 

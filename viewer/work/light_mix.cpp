@@ -1,10 +1,12 @@
 #include "viewer/work/light_mix.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
 #include <charconv>
-#include <cmath>
 #include <map>
+#include <utility>
 
 #include "radiosity/scene/radiometry.h"
 
@@ -20,11 +22,27 @@ bool emits(const Material& material) {
   return material.emission.kind != Emission::Kind::none && !material.emission.value.isZero(0);
 }
 
-Emission scaled(Emission emission, double factor) {
-  if (factor == 0) return {};
-  const bool is_temperature = emission.kind == Emission::Kind::temperature;
-  emission.value *= is_temperature ? std::pow(factor, 0.25) : factor;
-  return emission;
+/// As the file has it; what is off there is at full strength when it is switched on.
+Emitter make_emitter(std::string name, std::vector<std::int32_t> surfaces, double factor) {
+  return {.name = std::move(name),
+          .surfaces = std::move(surfaces),
+          .scale = factor > 0 ? factor : 1,
+          .is_on = factor > 0};
+}
+
+/// Surfaces that are dimmed alike, by their material.
+using Group = std::pair<int, double>;
+
+/// The material, and how much is on if others of it are on otherwise.
+std::string name_of(const Group& group, const std::map<Group, std::vector<std::int32_t>>& groups,
+                    const Scene& scene) {
+  const auto& [material, factor] = group;
+  const auto n_alike = std::count_if(groups.begin(), groups.end(), [&](const auto& other) {
+    return other.first.first == group.first;
+  });
+  const std::string& name = scene.materials[material].name;
+  if (n_alike == 1 || factor == 1) return name;
+  return factor == 0 ? name + " (off)" : fmt::format("{} ({:.3g} %)", name, 100 * factor);
 }
 
 }  // namespace
@@ -46,15 +64,18 @@ LightMix make_mix(const Scene& scene) {
   }
   if (emitting.size() <= kMostEmitters) {
     for (const std::int32_t s : emitting) {
-      mix.emitters.push_back({.name = scene.surfaces[s].name, .surfaces = {s}});
+      const radiosity::Surface& surface = scene.surfaces[s];
+      mix.emitters.push_back(make_emitter(surface.name, {s}, surface.emission_factor));
     }
     return mix;
   }
-  std::map<int, std::vector<std::int32_t>> of_material;
-  for (const std::int32_t s : emitting) of_material[scene.surfaces[s].material].push_back(s);
-  for (auto& [material, surfaces] : of_material) {
-    mix.emitters.push_back(
-        {.name = scene.materials[material].name, .surfaces = std::move(surfaces)});
+  std::map<Group, std::vector<std::int32_t>> groups;
+  for (const std::int32_t s : emitting) {
+    const radiosity::Surface& surface = scene.surfaces[s];
+    groups[{surface.material, surface.emission_factor}].push_back(s);
+  }
+  for (const auto& [group, surfaces] : groups) {
+    mix.emitters.push_back(make_emitter(name_of(group, groups, scene), surfaces, group.second));
   }
   return mix;
 }
@@ -91,19 +112,15 @@ Scene with_reflectance(const Scene& scene, const LightMix& mix) {
   for (std::size_t m = 0; m < result.materials.size(); ++m) {
     result.materials[m].reflectance = mix.reflectance[m];
   }
+  for (radiosity::Surface& surface : result.surfaces) surface.emission_factor = 1;
   return result;
 }
 
 Scene mixed_scene(const Scene& scene, const LightMix& mix) {
   Scene result = with_reflectance(scene, mix);
   for (const Emitter& emitter : mix.emitters) {
-    if (emitter.factor() == 1) continue;
     for (const std::int32_t s : emitter.surfaces) {
-      Material material = result.materials[result.surfaces[s].material];
-      material.emission = scaled(material.emission, emitter.factor());
-      material.name += " of " + result.surfaces[s].name;
-      result.surfaces[s].material = static_cast<int>(result.materials.size());
-      result.materials.push_back(std::move(material));
+      result.surfaces[s].emission_factor = emitter.factor();
     }
   }
   return result;

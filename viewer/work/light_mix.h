@@ -35,7 +35,7 @@ struct LightMix {
   [[nodiscard]] bool has_reflectance_of(const LightMix& other) const;
 };
 
-/// The scene as it is in its file.
+/// The scene as it is in its file; lamps that are off there are off.
 LightMix make_mix(const radiosity::Scene& scene);
 
 /// Index of the emitter of that name, or whose index it is; empty if there is none.
@@ -45,12 +45,10 @@ std::optional<std::size_t> emitter_named(const LightMix& mix, const std::string&
 /// none exceeds 1; grey if the original is black.
 Eigen::VectorXd with_mean_reflectance(const Eigen::VectorXd& original, double mean);
 
-/// The scene with the mix's reflectances and its emitters as they are in the file.
+/// The scene with the mix's reflectances and all emitters at full strength.
 radiosity::Scene with_reflectance(const radiosity::Scene& scene, const LightMix& mix);
 
-/// The scene as the mix has it, to solve afresh or to save. Surfaces whose emission differs from
-/// that of their material get a material of their own. (A temperature grows with the fourth root of
-/// the emitter's scale.)
+/// The scene as the mix has it, to solve afresh or to save.
 radiosity::Scene mixed_scene(const radiosity::Scene& scene, const LightMix& mix);
 
 /// Rows of `exitance` (n x b) of one emitter's patches, 0 elsewhere, at full strength.

@@ -10,6 +10,7 @@
 #include "radiosity/solve/solution.h"
 #include "radiosity/solve/solve.h"
 #include "radiosity/solve/surface_flux.h"
+#include "study/warnings.h"
 #include "viewer/work/pipeline.h"
 #include "viewer/work/preview.h"
 
@@ -62,6 +63,7 @@ void Session::open(const std::string& path, const std::optional<std::string>& un
     }
     posting<OpenedFile>(context, [this, start](OpenedFile opened) {
       ++versions_.file;
+      for (Message& message : messages_) message.is_past = true;
       take_file(std::move(opened), start);
     })(std::move(file));
   });
@@ -182,11 +184,24 @@ void Session::take_model(Model model) {
   if (is_other_scene && is_other_mesh) {
     mix_ = model_.scene ? make_mix(*model_.scene) : LightMix{};
     original_mix_ = mix_;
+    mix_history_.clear();
     ++versions_.mix;
   }
   find_row();
   if (is_relight_due_ && previewing_.is_busy()) start_preview();
-  if (model_.transport) start_light_task();
+  if (model_.transport) {
+    mark_openings();
+    start_light_task();
+  }
+}
+
+/// Finds what has been said of them.
+void Session::mark_openings() {
+  const auto warning = study::open_rows_warning(model_.transport->report());
+  if (!warning) return;
+  for (Message& message : messages_) {
+    message.is_about_openings |= !message.is_past && message.text == *warning;
+  }
 }
 
 void Session::take_light(Light light) {
@@ -255,44 +270,6 @@ void Session::relight_anew() {
   if (model_.transport) start_light_task();
 }
 
-void Session::set_emitter(std::size_t emitter, double scale, bool is_on) {
-  Emitter& changed = mix_.emitters.at(emitter);
-  if (!(scale >= 0) || !std::isfinite(scale)) {
-    throw std::out_of_range(fmt::format("an emitter's scale must be at least 0, found {}", scale));
-  }
-  if (changed.scale == scale && changed.is_on == is_on) return;
-  changed.scale = scale;
-  changed.is_on = is_on;
-  relight();
-}
-
-void Session::set_reflectance(std::size_t material, const Eigen::VectorXd& reflectance) {
-  Eigen::VectorXd& changed = mix_.reflectance.at(material);
-  if (reflectance.size() != changed.size()) {
-    throw std::out_of_range(fmt::format("expected {} reflectances, one for each band, found {}",
-                                        changed.size(), reflectance.size()));
-  }
-  for (const double value : reflectance) {
-    if (!(value >= 0 && value <= 1)) {
-      throw std::out_of_range(fmt::format("a reflectance must be in [0, 1], found {}", value));
-    }
-  }
-  if (changed == reflectance) return;
-  changed = reflectance;
-  emitter_lights_.reset();
-  forget_light_path();
-  relight();
-}
-
-void Session::reset_mix() {
-  if (!mix_.has_reflectance_of(original_mix_)) {
-    emitter_lights_.reset();
-    forget_light_path();
-  }
-  mix_ = original_mix_;
-  relight();
-}
-
 bool Session::update() {
   bool has_changed = false;
   for (Worker* worker :
@@ -330,7 +307,7 @@ WorkStatus Session::status() const {
 bool Session::is_thermal() const { return model_.scene && radiosity::is_thermal(*model_.scene); }
 
 void Session::add_message(bool is_error, const std::string& text) {
-  messages_.push_back({is_error, text});
+  messages_.push_back({.is_error = is_error, .text = text});
   if (messages_.size() > kMostMessages) messages_.pop_front();
   ++versions_.messages;
 }

@@ -17,6 +17,7 @@
 #include "viewer/work/known.h"
 #include "viewer/work/light_mix.h"
 #include "viewer/work/light_path.h"
+#include "viewer/work/mix_history.h"
 #include "viewer/work/model.h"
 #include "viewer/work/pipeline.h"
 #include "viewer/work/worker.h"
@@ -27,6 +28,8 @@ namespace viewer {
 struct Message {
   bool is_error = false;
   std::string text;
+  bool is_past = false;            ///< it was told before the file that is open
+  bool is_about_openings = false;  ///< what it tells can be shown: `Show::unseen`
 };
 
 /// The scene in the window, what is computed about it in the background, and the questions that a
@@ -89,7 +92,16 @@ class Session {
   [[nodiscard]] const LightMix& original_mix() const { return original_mix_; }
   void set_emitter(std::size_t emitter, double scale, bool is_on);
   void set_reflectance(std::size_t material, const Eigen::VectorXd& reflectance);
+  /// As in the file: one of them, or all.
+  void reset_emitter(std::size_t emitter);
+  void reset_material(std::size_t material);
   void reset_mix();
+  /// Changes of one lamp or material until the next call are undone together.
+  void begin_mix_step() { mix_history_.begin_step(); }
+  [[nodiscard]] const MixHistory& mix_history() const { return mix_history_; }
+  /// Takes the latest step of changes back, or forth again; nothing if there is none.
+  void undo_mix();
+  void redo_mix();
   /// Seconds from the latest change of the mix to light that has it; 0 if there is none yet.
   [[nodiscard]] double change_seconds() const { return change_seconds_; }
   /// Whether emitters can be mixed without solving.
@@ -143,7 +155,9 @@ class Session {
   void cancel_computing();
   void take_model(Model model);
   void take_light(Light light);
+  void mark_openings();
   [[nodiscard]] bool is_large() const;
+  void take_mix(LightMix mix);
   void relight();
   void relight_anew();
   void start_light_task();
@@ -156,6 +170,7 @@ class Session {
   std::shared_ptr<const Light> light_;
   LightMix mix_;
   LightMix original_mix_;
+  MixHistory mix_history_;
   std::shared_ptr<const radiosity::Transport> rough_;    // until the model has form factors
   std::shared_ptr<const EmitterLights> emitter_lights_;  // of the mix's reflectances, or none
   std::optional<radiosity::Index> selected_;

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "radiosity/base/geometry.h"
+#include "radiosity/scene/patch_mesh.h"
+#include "viewer/desk/desk.h"
+#include "viewer/desk/outlines.h"
+
+namespace viewer {
+
+/// Draws over the picture what tells where one is: outlines of faces whose backs are not drawn, and
+/// the axes in a corner. Needs an ImGui frame.
+class Guides {
+ public:
+  /// `scale` is the size of text relative to a plain screen.
+  void draw(const Desk& desk, double scale);
+
+ private:
+  void draw_outlines(const Desk& desk, float scale);
+
+  std::shared_ptr<const radiosity::PatchMesh> mesh_;
+  std::unique_ptr<Outlines> outlines_;  // of the mesh
+  std::optional<radiosity::Vec3> eye_;  // for which the pieces were found
+  std::vector<OutlinePiece> pieces_;
+};
+
+}  // namespace viewer
