@@ -56,7 +56,7 @@ void Guides::draw_outlines(const Desk& desk, float scale) {
   const Model& model = desk.session.model();
   if (model.mesh != mesh_) {
     mesh_ = model.mesh;
-    outlines_ = std::make_unique<Outlines>(*mesh_);
+    outlines_ = std::make_unique<BackOutlines>(*mesh_);
     eye_.reset();
   }
   const radiosity::Vec3 eye = desk.camera.camera().position;

@@ -6,8 +6,8 @@
 
 #include "radiosity/base/geometry.h"
 #include "radiosity/scene/patch_mesh.h"
+#include "viewer/desk/back_outlines.h"
 #include "viewer/desk/desk.h"
-#include "viewer/desk/outlines.h"
 
 namespace viewer {
 
@@ -22,8 +22,8 @@ class Guides {
   void draw_outlines(const Desk& desk, float scale);
 
   std::shared_ptr<const radiosity::PatchMesh> mesh_;
-  std::unique_ptr<Outlines> outlines_;  // of the mesh
-  std::optional<radiosity::Vec3> eye_;  // for which the pieces were found
+  std::unique_ptr<BackOutlines> outlines_;  // of the mesh
+  std::optional<radiosity::Vec3> eye_;      // for which the pieces were found
   std::vector<OutlinePiece> pieces_;
 };
 

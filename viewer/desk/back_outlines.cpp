@@ -1,4 +1,4 @@
-#include "viewer/desk/outlines.h"
+#include "viewer/desk/back_outlines.h"
 
 #include <algorithm>
 #include <array>
@@ -77,7 +77,7 @@ class Sight {
 
 }  // namespace
 
-Outlines::Outlines(const PatchMesh& mesh) {
+BackOutlines::BackOutlines(const PatchMesh& mesh) {
   if ((mesh.n_polygons() > 0 ? mesh.n_polygons() : mesh.size()) > kMostFaces) return;
   if (mesh.n_polygons() > 0) {
     std::vector<std::int32_t> surfaces(static_cast<std::size_t>(mesh.n_polygons()), 0);
@@ -96,7 +96,7 @@ Outlines::Outlines(const PatchMesh& mesh) {
   join_edges();
 }
 
-void Outlines::add_face(std::span<const Vec3> corners, bool is_two_sided) {
+void BackOutlines::add_face(std::span<const Vec3> corners, bool is_two_sided) {
   const std::vector<Vec3> points(corners.begin(), corners.end());
   if (points.empty()) return;
   faces_.push_back({points.front(), radiosity::vector_area(points).normalized(), is_two_sided});
@@ -110,7 +110,7 @@ void Outlines::add_face(std::span<const Vec3> corners, bool is_two_sided) {
 
 /// Takes the edges of faces that meet together, leaves out those where these go on smoothly, and
 /// all but the longest of very many.
-void Outlines::join_edges() {
+void BackOutlines::join_edges() {
   std::sort(edges_.begin(), edges_.end(), [](const Edge& a, const Edge& b) {
     return is_before(a.from, b.from) || (a.from == b.from && is_before(a.to, b.to));
   });
@@ -137,7 +137,7 @@ void Outlines::join_edges() {
   edges_ = std::move(joined);
 }
 
-std::vector<OutlinePiece> Outlines::of_hidden_backs(const Vec3& eye,
+std::vector<OutlinePiece> BackOutlines::of_hidden_backs(const Vec3& eye,
                                                     const Visibility& visibility) const {
   const auto is_back = [&](std::size_t f) {
     const Face& face = faces_[f];

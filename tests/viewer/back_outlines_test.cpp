@@ -1,5 +1,5 @@
 // What tells where one is: outlines of what is not drawn, and the axes.
-#include "viewer/desk/outlines.h"
+#include "viewer/desk/back_outlines.h"
 
 #include <gtest/gtest.h>
 
@@ -27,11 +27,11 @@ double length(const std::vector<OutlinePiece>& pieces) {
 }
 
 std::vector<OutlinePiece> pieces_of(const PatchMesh& mesh, const Vec3& eye) {
-  return viewer::Outlines(mesh).of_hidden_backs(eye, radiosity::Visibility(mesh));
+  return viewer::BackOutlines(mesh).of_hidden_backs(eye, radiosity::Visibility(mesh));
 }
 
 // Two squares that face each other: from outside one has its back to the eye, from between none.
-TEST(Outlines, AreOfWhatIsSeenFromTheBack) {
+TEST(BackOutlines, AreOfWhatIsSeenFromTheBack) {
   const PatchMesh mesh = mesh_named("opposed-squares", 64);
   const radiosity::Box3 box = radiosity::bounds(mesh);
   const Vec3 middle = box.center();
@@ -52,7 +52,7 @@ TEST(Outlines, AreOfWhatIsSeenFromTheBack) {
 
 // A closed room from outside: edges between walls that face away show, those that end at a wall
 // that is drawn do not; from inside there is nothing to tell.
-TEST(Outlines, OfARoomAreBetweenTheWallsThatOneLooksThrough) {
+TEST(BackOutlines, OfARoomAreBetweenTheWallsThatOneLooksThrough) {
   const PatchMesh mesh = mesh_named("furnace-cube", 54);
   const radiosity::Box3 box = radiosity::bounds(mesh);
   const Vec3 outside = box.center() + 3 * box.sizes();
@@ -62,7 +62,7 @@ TEST(Outlines, OfARoomAreBetweenTheWallsThatOneLooksThrough) {
 }
 
 // What a front hides is left out, and no more than that.
-TEST(Outlines, AreCutWhereSomethingHidesThem) {
+TEST(BackOutlines, AreCutWhereSomethingHidesThem) {
   PatchMesh mesh;
   mesh.surface_names = {"back", "screen"};
   mesh.surface_two_sided = {false, false};

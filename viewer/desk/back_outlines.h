@@ -19,9 +19,9 @@ struct OutlinePiece {
 /// The edges of a mesh's faces: of the polygons that it was made of or, if it does not know them,
 /// of its patches. Where two faces go on smoothly there is none; of very many faces there are none
 /// at all, and of many edges the longest.
-class Outlines {
+class BackOutlines {
  public:
-  explicit Outlines(const radiosity::PatchMesh& mesh);
+  explicit BackOutlines(const radiosity::PatchMesh& mesh);
 
   /// What shows where faces are that `eye` (m) sees from the back, which are not drawn then: edges
   /// that belong to such faces alone, as far as no front hides them.
