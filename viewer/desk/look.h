@@ -50,7 +50,7 @@ struct Look {
   bool smooth = true;
   bool edges = false;
   bool hide_backs = true;
-  bool outlines = true;  ///< of faces whose backs are hidden
+  bool back_outlines = true;  ///< of faces whose backs are hidden
   bool axes = true;      ///< in a corner
   std::size_t step = 0;  ///< frame of the recorded iteration
   Comparison comparison = Comparison::none;

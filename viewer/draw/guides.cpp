@@ -79,7 +79,7 @@ void Guides::draw(const Desk& desk, double scale) {
   const ImVec2 low(static_cast<float>(desk.region.left), static_cast<float>(desk.region.top));
   list.PushClipRect(low, ImVec2(low.x + static_cast<float>(desk.region.width),
                                 low.y + static_cast<float>(desk.region.height)));
-  if (desk.look.outlines && desk.look.hide_backs) draw_outlines(desk, size);
+  if (desk.look.back_outlines && desk.look.hide_backs) draw_outlines(desk, size);
   if (desk.look.axes) draw_axes(desk, list, size);
   list.PopClipRect();
 }

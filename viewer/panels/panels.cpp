@@ -171,7 +171,7 @@ void Panels::draw_menu(Desk& desk) {
     ImGui::MenuItem("Patch edges", "N", &desk.look.edges);
     ImGui::MenuItem("Smooth", "M", &desk.look.smooth);
     ImGui::MenuItem("Hide backs", "B", &desk.look.hide_backs);
-    ImGui::MenuItem("Outlines of hidden backs", nullptr, &desk.look.outlines, desk.look.hide_backs);
+    ImGui::MenuItem("Outlines of hidden backs", nullptr, &desk.look.back_outlines, desk.look.hide_backs);
     ImGui::MenuItem("Axes", nullptr, &desk.look.axes);
     ImGui::MenuItem("Panels", "Tab", &desk.shows_panels);
     ImGui::EndMenu();

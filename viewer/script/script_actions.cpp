@@ -116,7 +116,7 @@ void set_look(Stage& stage, ScriptArguments& arguments) {
   desk.look.smooth = arguments.flag_or("smooth", desk.look.smooth);
   desk.look.edges = arguments.flag_or("edges", desk.look.edges);
   desk.look.hide_backs = arguments.flag_or("hide_backs", desk.look.hide_backs);
-  desk.look.outlines = arguments.flag_or("outlines", desk.look.outlines);
+  desk.look.back_outlines = arguments.flag_or("back_outlines", desk.look.back_outlines);
   desk.look.axes = arguments.flag_or("axes", desk.look.axes);
   desk.shows_panels = arguments.flag_or("panels", desk.shows_panels);
   desk.shows_help = arguments.flag_or("help", desk.shows_help);

@@ -136,7 +136,7 @@ json look_json(const Desk& desk) {
                  {"smooth", desk.look.smooth},
                  {"edges", desk.look.edges},
                  {"hide_backs", desk.look.hide_backs},
-                 {"outlines", desk.look.outlines},
+                 {"back_outlines", desk.look.back_outlines},
                  {"axes", desk.look.axes},
                  {"panels", desk.shows_panels},
                  {"legend", nullptr}};
