@@ -152,7 +152,7 @@ class Application final : public ScriptHost {
   /// Whether the next frame is wanted as soon as possible.
   [[nodiscard]] bool is_hurried() const {
     return is_unattended() ||
-           (window_.is_shown() && (lively_ > 0 || panels_.is_moving() || desk_.screenshot));
+           (window_.is_shown() && (lively_ > 0 || desk_.watching.is_playing || desk_.screenshot));
   }
 
   /// Seconds to wait for mouse and keyboard before the next look.

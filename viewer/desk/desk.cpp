@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <cmath>
 #include <stdexcept>
 
@@ -41,6 +42,11 @@ void greet(Desk& desk) {
   use_scene_camera(desk);
 }
 
+/// Seconds since some beginning.
+double time_now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
 /// Takes in what has become of the file that is being written. Whether it is done.
 bool update_saving(Desk& desk) {
   const bool is_done = desk.saver.deliver();
@@ -71,6 +77,11 @@ bool update(Desk& desk) {
   bool has_changed = desk.session.update();
   has_changed |= update_saving(desk);
   const Session& session = desk.session;
+  if (const IterationRecord* record = session.iteration()) {
+    has_changed |= advance(desk.watching, desk.look, *record, time_now());
+  } else if (session.is_idle()) {
+    desk.watching.is_playing = false;  // nothing will come
+  }
   if (session.versions().file != desk.shown_file) {
     greet(desk);
   } else if (desk.facts && !session.selected() &&
@@ -116,6 +127,20 @@ void show(Desk& desk, const std::string& name) {
   desk.look.range.reset();
   desk.look.logarithmic = is_wide(known->show);
   if (known->show == Show::light_path) desk.asks_light_path = true;
+}
+
+void record_iteration(Desk& desk, radiosity::Method method) {
+  desk.session.record_iteration(method);
+  if (desk.look.show != Show::unshot) show(desk, "watched");
+  desk.look.step = 0;
+  desk.watching.method = method;
+  desk.watching.is_playing = false;
+  // Its first shots, of thousands, are those to learn from.
+  desk.watching.is_logarithmic = method == radiosity::Method::southwell;
+}
+
+void play_iteration(Desk& desk, double speed) {
+  play(desk.watching, desk.look, desk.session.iteration(), speed, time_now());
 }
 
 void fit_camera(Desk& desk) {

@@ -13,6 +13,7 @@
 #include "viewer/desk/orientation.h"
 #include "viewer/desk/patch_facts.h"
 #include "viewer/desk/region.h"
+#include "viewer/desk/watching.h"
 #include "viewer/work/session.h"
 
 namespace viewer {
@@ -35,6 +36,7 @@ struct Desk {
 
   Session session;
   Look look;
+  Watching watching;
   CameraControl camera;
   UpAxis up = UpAxis::y;
   std::optional<UpAxis> asked_up = {};  ///< of all files; absent: guessed for each
@@ -69,6 +71,11 @@ bool update(Desk& desk);
 /// Shows what has that name (`show_named`), on a scale that suits it. Throws std::invalid_argument
 /// if nothing has.
 void show(Desk& desk, const std::string& name);
+
+/// Begins to record an iteration from darkness and shows its first step.
+void record_iteration(Desk& desk, radiosity::Method method);
+/// Steps through the record by itself, so many steps per second.
+void play_iteration(Desk& desk, double speed);
 
 /// Moves the camera until it sees the whole scene from outside, in its direction.
 void fit_camera(Desk& desk);

@@ -64,6 +64,9 @@ bool is_smooth(const Look& look);
 /// Whether values spread over decades, so that a linear scale shows little of them.
 bool is_wide(Show show);
 
+/// The moment of a recorded iteration that is shown; null if there is none or something else is.
+const IterationFrame* watched_frame(const IterationRecord* record, const Look& look);
+
 /// One value per patch, in a unit.
 struct ShownField {
   std::vector<std::string> title;  ///< lines: what, unit, band

@@ -23,6 +23,7 @@ constexpr ImU32 kPanel = IM_COL32(26, 27, 31, 235);
 constexpr ImU32 kNoResult = IM_COL32(255, 190, 60, 255);
 constexpr ImU32 kResult = IM_COL32(170, 175, 180, 255);
 constexpr ImU32 kOutline = IM_COL32(255, 170, 40, 255);
+constexpr ImU32 kShooter = IM_COL32(80, 220, 255, 255);
 constexpr ImU32 kPartner = IM_COL32(255, 255, 255, 230);
 constexpr float kLegendWidth = 160;  // at scale 1, as the others
 constexpr float kLegendMargin = 10;
@@ -184,13 +185,9 @@ void draw_legend(const Desk& desk, ImDrawList& list, float scale) {
 /// How far what is shown can be trusted.
 Standing shown_standing(const Desk& desk) {
   const Show show = desk.look.show;
-  const IterationRecord* record = desk.session.iteration();
   if (show == Show::area || show == Show::form_factors) return {};
   if (show != Show::watched && show != Show::unshot) return standing(desk.session);
-  if (record == nullptr || record->frames.empty()) return {};
-  const std::size_t frame = std::min(desk.look.step, record->frames.size() - 1);
-  return {.text = fmt::format("step {} of {}", record->frames[frame]->iteration,
-                              method_name(record->method))};
+  return {.text = watched_text(desk.session, desk.look)};
 }
 
 /// The same in the picture's corner.
@@ -251,6 +248,9 @@ void draw_overlay(const Desk& desk, double scale) {
   const ImVec2 bottom_right(top_left.x + static_cast<float>(desk.region.width),
                             top_left.y + static_cast<float>(desk.region.height));
   list.PushClipRect(top_left, bottom_right);
+  if (const auto shooter = shown_shooter(desk.session, desk.look)) {
+    if (is_seen(desk, *shooter)) outline(desk, list, *shooter, kShooter, 3 * size);
+  }
   if (desk.session.selected()) {
     if (desk.look.show == Show::form_factors && desk.session.model().factors) {
       draw_partners(desk, list, size);

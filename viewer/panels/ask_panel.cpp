@@ -57,6 +57,17 @@ void draw_light(const Desk& desk, const PatchFacts& facts) {
   value("luminance", mark + number_text(facts.luminance, digits) + " cd/m²");
 }
 
+/// The same at a step of a recorded iteration, and how much of the solution that is.
+void draw_step_light(const Desk& desk, const PatchFacts& facts, const StepFacts& step) {
+  row("B so far", numbers_text(step.radiosity));
+  const double whole = facts.has_light ? facts.radiosity.sum() : 0;
+  if (whole > 0 && !desk.session.is_iteration_stale()) {
+    row("of the solution", number_text(100 * step.radiosity.sum() / whole, 3) + " %");
+  }
+  row("unshot", numbers_text(step.unshot));
+  row("in", radiosity::band_unit("W/m²", desk.session.model().bands));
+}
+
 /// The radiosity over the wavelengths, of many bands.
 void draw_spectrum(const Desk& desk, const PatchFacts& facts) {
   const std::vector<double>& wavelengths = desk.session.model().bands.wavelengths;
@@ -73,9 +84,13 @@ void draw_spectrum(const Desk& desk, const PatchFacts& facts) {
 void draw_patch(const Desk& desk, const PatchFacts& facts) {
   ImGui::Text("Patch %ld", static_cast<long>(facts.patch));
   const Standing now = standing(desk.session);
+  const std::string watched = watched_text(desk.session, desk.look);
   ImGui::PushTextWrapPos(0);
-  if (facts.has_light)
+  if (!watched.empty()) {
+    ImGui::TextColored(kDoubtInk, "%s", watched.c_str());
+  } else if (facts.has_light) {
     ImGui::TextColored(now.is_result ? kPlainInk : kDoubtInk, "%s", now.text.c_str());
+  }
   ImGui::PopTextWrapPos();
   if (!ImGui::BeginTable("facts", 2, kTable)) return;
   ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch, 0.33F);
@@ -87,8 +102,14 @@ void draw_patch(const Desk& desk, const PatchFacts& facts) {
   row("area", number_text(facts.area) + " m²");
   row("centroid", fmt::format("{:.4g}  {:.4g}  {:.4g} m", facts.centroid[0], facts.centroid[1],
                               facts.centroid[2]));
-  if (facts.has_light) draw_light(desk, facts);
+  const auto step = step_facts(desk.session, desk.look);
+  if (step) {
+    draw_step_light(desk, facts, *step);
+  } else if (facts.has_light) {
+    draw_light(desk, facts);
+  }
   ImGui::EndTable();
+  if (step) return;
   draw_spectrum(desk, facts);
 }
 
@@ -252,6 +273,7 @@ void draw_ask_panel(Desk& desk) {
   const PatchFacts facts = *desk.facts;  // a partner that is clicked changes it
   draw_patch(desk, facts);
   if (facts.has_light && facts.has_factors) {
+    if (step_facts(desk.session, desk.look)) ImGui::TextDisabled("Of the solution:");
     draw_arrivals(desk, facts);
     draw_path(desk);
   }

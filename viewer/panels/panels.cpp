@@ -13,6 +13,8 @@ namespace {
 
 constexpr float kLeftWidth = 270;  // at scale 1, as the others
 constexpr float kRightWidth = 330;
+constexpr float kWatchHeight = 100;   // before it has been drawn
+constexpr float kWatchShare = 0.65F;  // of the column, at most
 constexpr float kLeastPicture = 160;
 constexpr int kConsoleLines = 3;
 
@@ -84,15 +86,24 @@ void Panels::draw(Desk& desk, std::span<const KeyPress> keys, int width, int hei
       begin_panel("Look and what if", 0, top, left, bottom - top);
       draw_scene_panel(desk);
       draw_look_panel(desk);
-      if (!has_right) draw_right(desk, scale);  // here, rather than nowhere
+      if (!has_right) {  // here, rather than nowhere
+        draw_ask(desk);
+        watch_.draw(desk, scale);
+      }
       draw_solve(desk);
       draw_what_if_panel(desk);
       ImGui::End();
     }
     if (has_right) {
       right = w - kRightWidth * size;
-      begin_panel("Ask and watch", right, top, w - right, bottom - top);
-      draw_right(desk, scale);
+      // Of its own height, so that the plot stays in sight whatever is asked.
+      const float wanted = watch_.height() > 0 ? watch_.height() : kWatchHeight * size;
+      const float watch_top = bottom - std::min(wanted, kWatchShare * (bottom - top));
+      begin_panel("Ask", right, top, w - right, watch_top - top);
+      draw_ask(desk);
+      ImGui::End();
+      begin_panel("Watch", right, watch_top, w - right, bottom - watch_top);
+      watch_.draw(desk, scale);
       ImGui::End();
     }
   }
@@ -106,10 +117,9 @@ void Panels::draw(Desk& desk, std::span<const KeyPress> keys, int width, int hei
                  .height = std::max(0, static_cast<int>(bottom) - static_cast<int>(top))};
 }
 
-void Panels::draw_right(Desk& desk, double scale) {
+void Panels::draw_ask(Desk& desk) {
   draw_ask_panel(desk);
   if (desk.session.is_thermal()) draw_heat_panel(desk);
-  watch_.draw(desk, scale);
 }
 
 void Panels::draw_menu(Desk& desk) {

@@ -30,12 +30,10 @@ class Panels {
   void begin_save(const Desk& desk, SaveDialog::Kind kind) { save_.open(desk, kind); }
   /// Whether a popup has the keyboard.
   [[nodiscard]] static bool is_popup_open();
-  /// Whether something moves by itself.
-  [[nodiscard]] bool is_moving() const { return watch_.is_playing(); }
 
  private:
   void draw_menu(Desk& desk);
-  void draw_right(Desk& desk, double scale);
+  static void draw_ask(Desk& desk);
   void draw_solve(Desk& desk);
   void draw_status(Desk& desk, float top, float width, float height);
 

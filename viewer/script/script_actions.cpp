@@ -201,16 +201,31 @@ void set_camera(Stage& stage, ScriptArguments& arguments) {
   stage.desk.camera = CameraControl(camera, stage.desk.session.model().bounds);
 }
 
-void record_iteration(Stage& stage, ScriptArguments& arguments) {
+void record(Stage& stage, ScriptArguments& arguments) {
   const std::string name = arguments.text("method");
   const auto method = radiosity::method_named(name);
   if (!method) {
     throw std::invalid_argument("no method is called '" + name +
                                 "'; there are cg, jacobi, gauss-seidel, southwell, chebyshev");
   }
-  stage.desk.session.record_iteration(*method);
-  show(stage.desk, "watched");
-  stage.desk.look.step = 0;
+  record_iteration(stage.desk, *method);
+}
+
+void set_watch(Stage& stage, ScriptArguments& arguments) {
+  Desk& desk = stage.desk;
+  const double speed = arguments.number_or("speed", desk.watching.speed);
+  if (!(speed >= kSlowest && speed <= kFastest)) {
+    throw std::invalid_argument(
+        fmt::format("'speed' must be from {} to {} steps per second", kSlowest, kFastest));
+  }
+  desk.watching.speed = speed;
+  desk.watching.is_logarithmic = arguments.flag_or("log", desk.watching.is_logarithmic);
+  if (!arguments.has("playing")) return;
+  if (arguments.flag_or("playing", false)) {
+    play_iteration(desk, speed);
+  } else {
+    desk.watching.is_playing = false;
+  }
 }
 
 void set_step(Stage& stage, ScriptArguments& arguments) {
@@ -307,8 +322,9 @@ const std::map<std::string, ActionKind>& action_kinds() {
       {"light-path", {"on", at_once([](Stage& stage, ScriptArguments& arguments) {
                         stage.desk.asks_light_path = arguments.flag_or("on", true);
                       })}},
-      {"record-iteration", {"method", at_once(record_iteration)}},
+      {"record-iteration", {"method", at_once(record)}},
       {"set-step", {"step", at_once(set_step)}},
+      {"set-watch", {"playing", at_once(set_watch)}},
       {"screenshot", {"file", screenshot}},
       {"save-result", {"file", save}},
       {"save-scene", {"file", at_once([](Stage& stage, ScriptArguments& arguments) {

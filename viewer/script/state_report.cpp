@@ -81,6 +81,9 @@ json patch_json(const Desk& desk) {
     result["illuminance"] = number(facts.illuminance);
     result["luminance"] = number(facts.luminance);
   }
+  if (const auto step = step_facts(desk.session, desk.look)) {
+    result["step"] = {{"radiosity", list(step->radiosity)}, {"unshot", list(step->unshot)}};
+  }
   result["arrivals"] = json::array();
   for (const Arrival& arrival : facts.arrivals) {
     result["arrivals"].push_back(
@@ -161,12 +164,24 @@ json iteration_json(const Desk& desk) {
   if (record == nullptr || record->frames.empty()) return nullptr;
   json frames = json::array();
   for (const auto& frame : record->frames) {
-    frames.push_back(
-        {{"iteration", frame->iteration}, {"unshot_share", number(frame->unshot_share)}});
+    frames.push_back({{"iteration", frame->iteration},
+                      {"work", number(frame->work)},
+                      {"unshot_share", number(frame->unshot_share)},
+                      {"shooter", frame->shooter ? json(*frame->shooter) : json(nullptr)}});
   }
   json bounds = json::array();
   for (const double bound : record->bounds) bounds.push_back(number(bound));
+  json compared = json::array();
+  for (const auto& other : desk.session.compared()) {
+    compared.push_back(std::string(radiosity::method_name(other->method)));
+  }
   return {{"method", std::string(radiosity::method_name(record->method))},
+          {"text", watched_text(desk.session, desk.look)},
+          {"stale", desk.session.is_iteration_stale()},
+          {"compared", compared},
+          {"playing", desk.watching.is_playing},
+          {"speed", number(desk.watching.speed)},
+          {"log", desk.watching.is_logarithmic},
           {"complete", record->is_complete},
           {"step", std::min(desk.look.step, record->frames.size() - 1)},
           {"frames", frames},
