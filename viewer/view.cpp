@@ -97,7 +97,7 @@ class Application final : public ScriptHost {
     const auto start = Clock::now();
     lively_ = std::max(0, lively_ - 1);
     const std::vector<KeyPress> keys = window_.take_keys();
-    input_.handle(desk_, panels_, keys);
+    input_.handle(desk_, panels_, keys, window_.scale());
     panels_.draw(desk_, keys, window_.width(), window_.height(), window_.scale());
     painter_.paint(desk_, view_);
     view_.set_region(desk_.region, window_.width(), window_.height());

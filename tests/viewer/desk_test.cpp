@@ -29,8 +29,9 @@ TEST(ShownScale, IsLogarithmicWhereverALogarithmIs) {
   EXPECT_TRUE(scale.logarithmic);
   EXPECT_EQ(scale.low, 2);
   EXPECT_EQ(scale.high, 180);
-  EXPECT_EQ(viewer::scale_note(look, scale), "logarithmic");
+  EXPECT_EQ(viewer::scale_note(look, scale), "logarithmic, from the least above 0");
   look.range->low = 10;
+  EXPECT_EQ(viewer::scale_note(look, scale), "logarithmic");
   EXPECT_EQ(viewer::shown_scale(look, values).low, 10);
   look.range->low = -5;
   EXPECT_EQ(viewer::shown_scale(look, Eigen::Vector2d(1e-30, 180)).low, 180 * 1e-6);
@@ -41,6 +42,42 @@ TEST(ShownScale, IsLogarithmicWhereverALogarithmIs) {
   EXPECT_NE(viewer::scale_note(look, scale), "");
   look.logarithmic = false;
   EXPECT_EQ(viewer::scale_note(look, viewer::shown_scale(look, values)), "");
+}
+
+TEST(ShownScale, FitsWhatIsChosen) {
+  const Eigen::VectorXd values = Eigen::VectorXd::LinSpaced(1001, 0, 1000);
+  viewer::Look look;
+  EXPECT_EQ(viewer::fit_text(look), "0 to 98 % of patches");
+  look.fit = {.low_percent = 20, .high_percent = 70};
+  EXPECT_EQ(viewer::shown_scale(look, values).low, 200);
+  EXPECT_EQ(viewer::shown_scale(look, values).high, 700);
+  EXPECT_EQ(viewer::fit_text(look), "20 to 70 % of patches");
+  look.map = io::ColorMap::diverging;
+  const io::ColorScale scale = viewer::shown_scale(look, values.array() - 600);
+  EXPECT_EQ(scale.low, -scale.high);
+  look.range = io::ColorScale{};
+  EXPECT_EQ(viewer::fit_text(look), "as given");
+}
+
+// An end that is dragged goes where the hand is, and never past the other one.
+TEST(ShownScale, FollowsTheHandThatDragsAnEnd) {
+  const io::ColorScale linear = {.low = 0, .high = 200};
+  EXPECT_NEAR(dragged_scale(linear, viewer::BarEnd::high, 0.5).high, 100, 1);
+  EXPECT_EQ(dragged_scale(linear, viewer::BarEnd::high, 0.5).low, 0);
+  EXPECT_NEAR(dragged_scale(linear, viewer::BarEnd::high, 1.5).high, 300, 1);
+  EXPECT_NEAR(dragged_scale(linear, viewer::BarEnd::low, 0.25).low, 50, 1);
+  const io::ColorScale logarithmic = {.low = 1, .high = 10000, .logarithmic = true};
+  EXPECT_NEAR(dragged_scale(logarithmic, viewer::BarEnd::high, 0.5).high, 100, 1);
+  EXPECT_NEAR(dragged_scale(logarithmic, viewer::BarEnd::low, 0.5).low, 100, 1);
+  for (const io::ColorScale& scale : {linear, logarithmic}) {
+    for (const double position : {-7.0, 0.0, 0.5, 1.0, 9.0}) {
+      for (const viewer::BarEnd end : {viewer::BarEnd::low, viewer::BarEnd::high}) {
+        const io::ColorScale dragged = dragged_scale(scale, end, position);
+        EXPECT_LT(dragged.low, dragged.high) << position;
+        EXPECT_TRUE(!scale.logarithmic || dragged.low > 0) << position;
+      }
+    }
+  }
 }
 
 // What belongs to its own patch must not run into the neighbours.

@@ -8,6 +8,7 @@
 #include "radiosity/base/geometry.h"
 #include "radiosity/solve/surface_flux.h"
 #include "viewer/desk/camera_control.h"
+#include "viewer/desk/isolines.h"
 #include "viewer/desk/legend.h"
 #include "viewer/desk/look.h"
 #include "viewer/desk/orientation.h"
@@ -45,6 +46,7 @@ struct Desk {
   bool is_exposure_due = true;                 ///< it shall be found anew
   bool is_painting_due = false;                ///< the colours are not yet those of what is known
   std::optional<Legend> legend;                ///< of what is shown now
+  std::vector<IsoNumber> iso_numbers;          ///< beside isolines
   Region region;                               ///< of the picture in the window
   std::optional<PatchFacts> facts;             ///< of the selected patch
   std::vector<radiosity::SurfaceFlux> fluxes;  ///< of the light, where surfaces radiate by heat

@@ -37,9 +37,13 @@ struct Look {
   std::optional<radiosity::Index> band = {};  ///< of what has bands; absent: their mean
   bool logarithmic = false;
   std::optional<io::ColorScale> range = {};  ///< absent: one that fits
-  double stops = 0;                          ///< exposure beyond the automatic one, in powers of 2
+  io::ScaleChoice fit = {};                  ///< which values a range that fits spans
+  io::ColorMap map = io::ColorMap::viridis;
+  bool isolines = false;  ///< of what is smooth
+  double stops = 0;       ///< exposure beyond the automatic one, in powers of 2
   bool smooth = true;
   bool edges = false;
+  bool outlines = true;  ///< of surfaces, under false colours
   bool hide_backs = true;
   std::size_t step = 0;  ///< frame of the recorded iteration
 };

@@ -8,6 +8,7 @@
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/scene.h"
 #include "radiosity/visibility/visibility.h"
+#include "viewer/desk/isolines.h"
 
 namespace viewer {
 
@@ -15,6 +16,8 @@ namespace viewer {
 struct CornerColors {
   std::vector<io::Rgb> colors;   ///< 8-bit sRGB
   std::vector<float> positions;  ///< on the colour map, in (0, 1); negative: nothing is known
+  io::ColorMap map = io::ColorMap::viridis;
+  std::vector<IsoLevel> levels = {};  ///< of `positions`, that isolines are drawn of
 };
 
 struct RayPictureOptions {
@@ -22,7 +25,8 @@ struct RayPictureOptions {
   int height = 0;   ///< pixels
   int samples = 1;  ///< rays in each pixel along either side
   bool hides_backs = true;
-  bool has_edges = false;  ///< of patches, where these are larger than some pixels
+  bool has_edges = false;     ///< of patches, where these are larger than some pixels
+  bool has_outlines = false;  ///< of surfaces, as `make_outlines` has them
   radiosity::Progress progress = {};
 };
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "radiosity/scene/corner_values.h"
+#include "viewer/desk/outlines.h"
 
 namespace viewer {
 namespace {
@@ -34,17 +35,23 @@ Eigen::MatrixXd repeated(const Eigen::MatrixXd& values) {
 
 struct LargePainter::Prepared {
   explicit Prepared(std::shared_ptr<const PatchMesh> patches)
-      : mesh(std::move(patches)), interpolation(*mesh), coarse(*mesh, kCoarseCells) {}
+      : mesh(std::move(patches)),
+        interpolation(*mesh),
+        coarse(*mesh, kCoarseCells),
+        outlines(make_outlines(*mesh)),
+        size(bounds(*mesh).diagonal().norm()) {}
   std::shared_ptr<const PatchMesh> mesh;
   radiosity::CornerInterpolation interpolation;
   CoarseMesh coarse;
+  std::vector<SurfaceLine> outlines;
+  double size;  // m
 };
 
 bool LargePainter::Frame::operator==(const Frame& other) const {
   return camera.position == other.camera.position && camera.direction == other.camera.direction &&
          camera.up == other.camera.up && camera.vertical_fov == other.camera.vertical_fov &&
          width == other.width && height == other.height && hides_backs == other.hides_backs &&
-         has_edges == other.has_edges;
+         has_edges == other.has_edges && has_outlines == other.has_outlines;
 }
 
 LargePainter::Frame LargePainter::frame_of(const Desk& desk) {
@@ -52,7 +59,8 @@ LargePainter::Frame LargePainter::frame_of(const Desk& desk) {
           .width = desk.region.width,
           .height = desk.region.height,
           .hides_backs = desk.look.hide_backs,
-          .has_edges = desk.look.edges};
+          .has_edges = desk.look.edges,
+          .has_outlines = desk.look.outlines};
 }
 
 bool LargePainter::update() {
@@ -79,6 +87,8 @@ void LargePainter::clear() {
   shown_.reset();
   is_view_set_ = false;
   is_color_new_ = false;
+  are_lines_due_ = false;
+  has_outlines_ = false;
 }
 
 void LargePainter::paint(Desk& desk, SceneView& view) {
@@ -97,6 +107,7 @@ void LargePainter::paint(Desk& desk, SceneView& view) {
   }
   if (is_color_new_) take_colors(desk, view);
   if (is_due(desk)) start_colors(desk);
+  paint_lines(desk, view);
   paint_still(desk);
   if (!still_) shown_ = colored_;
   desk.is_painting_due = !shown_ || shown_->state.is_stale(desk);
@@ -142,6 +153,12 @@ void LargePainter::start_colors(Desk& desk) {
     if (painting.legend) {
       colored->corners.positions = map_positions(painting, corners);
       colored->points.positions = prepared->coarse.values(colored->corners.positions);
+      colored->corners.map = painting.legend->map;
+      colored->corners.levels = wanted_levels(painting, task.look);
+      const CoarseMesh& coarse = prepared->coarse;
+      colored->isolines = painted_isolines(
+          painting, {coarse.positions(), coarse.triangles(), colored->points.positions},
+          colored->corners.levels, prepared->size);
     } else {
       colored->corners.colors = point_colors(painting, corners);
       colored->points.colors = prepared->coarse.colors(colored->corners.colors);
@@ -162,13 +179,30 @@ void LargePainter::take_colors(Desk& desk, SceneView& view) {
     desk.is_exposure_due = false;
   }
   desk.legend = painting.legend;
+  desk.iso_numbers = colored_->isolines.numbers;
   if (painting.legend) {
+    view.set_color_map(painting.legend->map);
     view.set_map_positions(colored_->points.positions);
   } else {
     view.set_colors(colored_->points.colors);
   }
+  are_lines_due_ = true;
   // Other light may follow the picture that is there; something else may not.
   if (still_colors_ && still_colors_->state.look.show != colored_->state.look.show) still_.reset();
+}
+
+/// While the camera moves, over the coarse mesh.
+void LargePainter::paint_lines(const Desk& desk, SceneView& view) {
+  const bool wants_outlines = desk.legend && desk.look.outlines;
+  if (!are_lines_due_ && has_outlines_ == wants_outlines) return;
+  are_lines_due_ = false;
+  has_outlines_ = wants_outlines;
+  std::vector<SurfaceLine> lines;
+  if (colored_) lines = colored_->isolines.lines;
+  if (has_outlines_) {
+    lines.insert(lines.end(), prepared_->outlines.begin(), prepared_->outlines.end());
+  }
+  view.set_lines(std::move(lines));
 }
 
 void LargePainter::paint_still(const Desk& desk) {
@@ -197,6 +231,7 @@ void LargePainter::paint_still(const Desk& desk) {
                               .height = frame.height,
                               .hides_backs = frame.hides_backs,
                               .has_edges = frame.has_edges,
+                              .has_outlines = frame.has_outlines && colored->painting.legend,
                               .progress = context.progress};
     for (const int samples : passes) {
       options.samples = samples;

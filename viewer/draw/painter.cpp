@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "viewer/desk/outlines.h"
 #include "viewer/desk/painting.h"
 
 namespace viewer {
@@ -10,6 +11,11 @@ namespace {
 bool is_large(const Desk& desk) {
   return desk.session.is_open() && desk.session.model().mesh->size() > kMostDrawn;
 }
+
+/// Of what is shown in false colours; the light itself shows shapes.
+bool wants_outlines(const Desk& desk) { return desk.legend && desk.look.outlines; }
+
+double size_of(const Desk& desk) { return desk.session.model().bounds.diagonal().norm(); }
 
 }  // namespace
 
@@ -21,6 +27,7 @@ void Painter::paint(Desk& desk, SceneView& view) {
     painted_.reset();
     desk.is_exposure_due = true;
     desk.legend.reset();
+    desk.iso_numbers.clear();
     large_.clear();
     if (mesh_ && !is_large(desk)) take_patches(desk, view);
   }
@@ -32,8 +39,10 @@ void Painter::paint(Desk& desk, SceneView& view) {
     return;
   }
   desk.is_painting_due = false;
-  if (!points_ || (painted_ && !painted_->is_stale(desk))) return;
-  paint_colors(desk, view);
+  if (!points_) return;
+  const bool is_stale = !painted_ || painted_->is_stale(desk);
+  if (is_stale) paint_colors(desk, view);
+  if (is_stale || has_outlines_ != wants_outlines(desk)) paint_lines(desk, view);
 }
 
 bool Painter::is_done(const Desk& desk) const {
@@ -43,7 +52,16 @@ bool Painter::is_done(const Desk& desk) const {
 void Painter::take_patches(Desk& desk, SceneView& view) {
   points_ = std::make_unique<PatchPoints>(mesh_);
   view.set_triangles({points_->positions(), points_->triangles(), points_->has_back()}, mesh_);
+  outlines_ = make_outlines(*mesh_);
+  isolines_.clear();
   desk.is_exposure_due = true;
+}
+
+void Painter::paint_lines(const Desk& desk, SceneView& view) {
+  has_outlines_ = wants_outlines(desk);
+  std::vector<SurfaceLine> lines = isolines_;
+  if (has_outlines_) lines.insert(lines.end(), outlines_.begin(), outlines_.end());
+  view.set_lines(std::move(lines));
 }
 
 void Painter::paint_colors(Desk& desk, SceneView& view) {
@@ -58,8 +76,17 @@ void Painter::paint_colors(Desk& desk, SceneView& view) {
     was_spreading_ = painting.is_spreading;
   }
   const Eigen::MatrixXd values = points_->values(painting.values, painting.is_smooth);
+  isolines_.clear();
+  desk.iso_numbers.clear();
   if (painting.legend) {
-    view.set_map_positions(map_positions(painting, values));
+    const std::vector<float> positions = map_positions(painting, values);
+    view.set_color_map(painting.legend->map);
+    view.set_map_positions(positions);
+    Isolines isolines =
+        painted_isolines(painting, {points_->positions(), points_->triangles(), positions},
+                         wanted_levels(painting, desk.look), size_of(desk));
+    isolines_ = std::move(isolines.lines);
+    desk.iso_numbers = std::move(isolines.numbers);
   } else {
     view.set_colors(point_colors(painting, values));
   }

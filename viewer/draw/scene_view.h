@@ -7,11 +7,13 @@
 #include <span>
 #include <vector>
 
+#include "io/picture/map_color.h"
 #include "io/picture/rgb_picture.h"
 #include "radiosity/base/geometry.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/scene.h"
 #include "viewer/desk/region.h"
+#include "viewer/desk/surface_line.h"
 
 class vtkRenderer;
 
@@ -38,6 +40,10 @@ class SceneView {
   void set_colors(const std::vector<io::Rgb>& colors);
   /// Positions on the colour map, in [0, 1], per point; negative: nothing is known, grey.
   void set_map_positions(std::span<const float> positions);
+  /// The colour map that these are positions on; viridis at first.
+  void set_color_map(io::ColorMap map);
+  /// Lines over the surfaces, as far as the camera sees them (`is_drawn`).
+  void set_lines(std::vector<SurfaceLine> lines);
   void set_edges(bool are_shown);
   void set_backs_hidden(bool are_hidden);
   void set_camera(const radiosity::Camera& camera);
@@ -50,7 +56,9 @@ class SceneView {
   void set_drawn() { is_dirty_ = false; }
 
  private:
+  void update_camera();
   void update_edges();
+  void update_lines();
 
   struct Parts;
   std::unique_ptr<Parts> parts_;

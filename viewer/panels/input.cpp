@@ -7,6 +7,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "viewer/draw/legend_view.h"
+
 namespace viewer {
 namespace {
 
@@ -15,6 +17,7 @@ constexpr double kClick = 4;           // pixels that a hand may move in a click
 constexpr double kZoomStep = 0.88;     // per notch of the wheel
 constexpr double kWalk = 0.25;         // of the scene's size per second
 constexpr double kFast = 4;            // times as fast with Shift
+constexpr double kBarReach = 10;       // pixels around the colour bar, at scale 1
 constexpr double kExposureStep = 0.5;  // stops
 
 /// Whether a letter is held down, as ImGui counts keys.
@@ -46,8 +49,8 @@ void press_letter(Desk& desk, int key) {
 
 }  // namespace
 
-void Input::handle(Desk& desk, Panels& panels, std::span<const KeyPress> keys) {
-  handle_mouse(desk);
+void Input::handle(Desk& desk, Panels& panels, std::span<const KeyPress> keys, double scale) {
+  handle_mouse(desk, scale);
   for (const KeyPress& key : keys) {
     const bool is_function_key = key.key >= GLFW_KEY_F1 && key.key <= GLFW_KEY_F12;
     if (is_function_key) desk.function_key = key.key - GLFW_KEY_F1 + 1;
@@ -63,13 +66,37 @@ void Input::handle(Desk& desk, Panels& panels, std::span<const KeyPress> keys) {
   fly(desk, keys);
 }
 
-void Input::handle_mouse(Desk& desk) {
+bool Input::handle_legend(Desk& desk, double scale) {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (!ImGui::IsMouseDown(0)) held_end_.reset();
+  const auto bar = legend_bar(desk, scale);
+  if (!bar || !desk.legend) return held_end_.has_value();
+  const auto around = static_cast<float>(kBarReach * scale);
+  const double position = bar->position(io.MousePos.y);
+  const double reach = around / bar->height;
+  const bool is_over =
+      !io.WantCaptureMouse && !is_dragging_ && io.MousePos.x >= bar->left - around &&
+      io.MousePos.x < bar->left + bar->width + around && position > -reach && position < 1 + reach;
+  if (is_over || held_end_) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
+  if (is_over && ImGui::IsMouseDoubleClicked(0)) {
+    desk.look.range.reset();
+    held_end_.reset();
+  } else if (is_over && ImGui::IsMouseClicked(0)) {
+    held_end_ = {position < 0.5 ? BarEnd::low : BarEnd::high, desk.legend->scale};
+  } else if (held_end_ && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0)) {
+    desk.look.range = dragged_scale(held_end_->scale, held_end_->end, position);
+  }
+  return is_over || held_end_;
+}
+
+void Input::handle_mouse(Desk& desk, double scale) {
   const ImGuiIO& io = ImGui::GetIO();
   const Region& region = desk.region;
   if (region.width <= 0 || region.height <= 0) return;
   const double x = (static_cast<double>(io.MousePos.x) - region.left) / region.width;
   const double y = (static_cast<double>(io.MousePos.y) - region.top) / region.height;
-  const bool is_over = !io.WantCaptureMouse && x >= 0 && x < 1 && y >= 0 && y < 1;
+  const bool is_at_legend = handle_legend(desk, scale);
+  const bool is_over = !io.WantCaptureMouse && !is_at_legend && x >= 0 && x < 1 && y >= 0 && y < 1;
   desk.hovered = is_over && !is_dragging_ ? patch_at(desk, x, y) : std::nullopt;
   if (is_over && io.MouseWheel != 0) desk.camera.zoom(std::pow(kZoomStep, io.MouseWheel));
 

@@ -78,6 +78,14 @@ void select_at(Stage& stage, ScriptArguments& arguments) {
   stage.desk.session.select(patch_at(stage.desk, arguments.number("x"), arguments.number("y")));
 }
 
+io::ColorScale range_of(ScriptArguments& arguments) {
+  const Eigen::VectorXd range = arguments.numbers("range");
+  if (range.size() != 2 || !(range[0] < range[1])) {
+    throw std::invalid_argument("'range' needs two numbers, the first one smaller");
+  }
+  return {.low = range[0], .high = range[1]};
+}
+
 void set_quantity(Stage& stage, ScriptArguments& arguments) {
   Look& look = stage.desk.look;
   show(stage.desk, arguments.text("quantity"));
@@ -90,12 +98,27 @@ void set_quantity(Stage& stage, ScriptArguments& arguments) {
     }
     look.band = band;
   }
-  if (!arguments.has("range")) return;
-  const Eigen::VectorXd range = arguments.numbers("range");
-  if (range.size() != 2 || !(range[0] < range[1])) {
-    throw std::invalid_argument("'range' needs two numbers, the first one smaller");
+  if (arguments.has("range")) look.range = range_of(arguments);
+}
+
+void set_legend(Stage& stage, ScriptArguments& arguments) {
+  Look& look = stage.desk.look;
+  if (arguments.has("map")) {
+    const std::string name = arguments.text("map");
+    const auto map = io::color_map_named(name);
+    if (!map) throw std::invalid_argument("no colours are called '" + name + "'");
+    look.map = *map;
   }
-  look.range = io::ColorScale{.low = range[0], .high = range[1]};
+  look.logarithmic = arguments.flag_or("log", look.logarithmic);
+  look.isolines = arguments.flag_or("isolines", look.isolines);
+  if (arguments.has("range")) look.range = range_of(arguments);
+  if (!arguments.has("fit")) return;
+  const Eigen::VectorXd fit = arguments.numbers("fit");
+  if (fit.size() != 2 || !(fit[0] >= 0 && fit[0] < fit[1] && fit[1] <= 100)) {
+    throw std::invalid_argument("'fit' needs two percentages, the first one smaller");
+  }
+  look.fit = {.low_percent = fit[0], .high_percent = fit[1]};
+  if (!arguments.has("range")) look.range.reset();
 }
 
 void set_exposure(Stage& stage, ScriptArguments& arguments) {
@@ -111,6 +134,7 @@ void set_look(Stage& stage, ScriptArguments& arguments) {
   Desk& desk = stage.desk;
   desk.look.smooth = arguments.flag_or("smooth", desk.look.smooth);
   desk.look.edges = arguments.flag_or("edges", desk.look.edges);
+  desk.look.outlines = arguments.flag_or("outlines", desk.look.outlines);
   desk.look.hide_backs = arguments.flag_or("hide_backs", desk.look.hide_backs);
   desk.shows_panels = arguments.flag_or("panels", desk.shows_panels);
   desk.shows_help = arguments.flag_or("help", desk.shows_help);
@@ -283,6 +307,7 @@ const std::map<std::string, ActionKind>& action_kinds() {
       {"select-patch", {"patch", at_once(select_patch)}},
       {"select-at", {"", at_once(select_at)}},
       {"set-quantity", {"quantity", at_once(set_quantity)}},
+      {"set-legend", {"map", at_once(set_legend)}},
       {"set-exposure", {"stops", at_once(set_exposure)}},
       {"set-look", {"", at_once(set_look)}},
       {"set-up", {"axis", at_once(set_up_axis)}},

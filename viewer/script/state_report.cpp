@@ -134,6 +134,9 @@ json look_json(const Desk& desk) {
                  {"log", desk.look.logarithmic},
                  {"smooth", desk.look.smooth},
                  {"edges", desk.look.edges},
+                 {"outlines", desk.look.outlines},
+                 {"isolines", desk.look.isolines},
+                 {"map", std::string(io::color_map_name(desk.look.map))},
                  {"hide_backs", desk.look.hide_backs},
                  {"panels", desk.shows_panels},
                  {"legend", nullptr}};
@@ -141,6 +144,11 @@ json look_json(const Desk& desk) {
     result["legend"] = {{"title", desk.legend->title},
                         {"low", number(desk.legend->scale.low)},
                         {"high", number(desk.legend->scale.high)},
+                        {"ticks", desk.legend->ticks},
+                        {"fit", desk.legend->fit},
+                        {"least", number(desk.legend->least)},
+                        {"greatest", number(desk.legend->greatest)},
+                        {"iso_numbers", desk.iso_numbers.size()},
                         {"log", desk.legend->scale.logarithmic}};
   }
   return result;
