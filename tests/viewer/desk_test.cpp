@@ -1,6 +1,7 @@
 // What the window shows and how, without a window.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "io/scene/scene_file.h"
@@ -10,6 +11,7 @@
 #include "tests/viewer/sessions.h"
 #include "viewer/desk/desk.h"
 #include "viewer/desk/painting.h"
+#include "viewer/desk/show_info.h"
 #include "viewer/desk/shown_scale.h"
 #include "viewer/work/job_progress.h"
 
@@ -95,6 +97,29 @@ TEST(Look, BlendsOnlyWhatVariesSmoothly) {
   EXPECT_TRUE(desk.look.logarithmic);
   viewer::show(desk, "illuminance");
   EXPECT_FALSE(desk.look.logarithmic);
+}
+
+// Whoever reads the list for the first time is told what each entry is.
+TEST(ShowInfo, TellsAllThatCanBeShown) {
+  const auto groups = viewer::show_groups();
+  radiosity::Bands spectral;
+  spectral.kind = radiosity::Bands::Kind::wavelengths;
+  spectral.wavelengths = {500, 600};
+  for (const viewer::ShowName& name : viewer::show_names()) {
+    SCOPED_TRACE(name.name);
+    const viewer::ShowInfo& info = viewer::show_info(name.name);
+    EXPECT_EQ(info.name, name.name);
+    EXPECT_EQ(std::count(groups.begin(), groups.end(), info.group), 1);
+    EXPECT_FALSE(info.caption.empty());
+    EXPECT_TRUE(info.definition.ends_with("."));
+    if (name.show != viewer::Show::quantity) continue;
+    EXPECT_EQ(info.unit, radiosity::quantity_info(name.quantity).unit);
+  }
+  EXPECT_EQ(caption_with_unit(viewer::show_info("illuminance"), spectral), "illuminance (lux)");
+  EXPECT_EQ(caption_with_unit(viewer::show_info("radiosity"), spectral), "radiosity (W/(m² nm))");
+  EXPECT_EQ(caption_with_unit(viewer::show_info("power"), spectral), "power (W/nm)");
+  EXPECT_EQ(caption_with_unit(viewer::show_info("area"), spectral), "area of the patches (m²)");
+  EXPECT_EQ(caption_with_unit(viewer::show_info("reflectance"), {}), "reflectance");
 }
 
 TEST(PatchFacts, NumbersAreAsAPersonWritesThem) {

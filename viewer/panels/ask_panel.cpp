@@ -100,8 +100,8 @@ void draw_patch(const Desk& desk, const PatchFacts& facts) {
   if (facts.temperature) row("temperature", number_text(*facts.temperature) + " K");
   row("polygon", std::to_string(facts.polygon));
   row("area", number_text(facts.area) + " m²");
-  row("centroid", fmt::format("{:.4g}  {:.4g}  {:.4g} m", facts.centroid[0], facts.centroid[1],
-                              facts.centroid[2]));
+  row("centroid", fmt::format("{}  {}  {} m", number_text(facts.centroid[0]),
+                              number_text(facts.centroid[1]), number_text(facts.centroid[2])));
   const auto step = step_facts(desk.session, desk.look);
   if (step) {
     draw_step_light(desk, facts, *step);

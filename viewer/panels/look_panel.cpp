@@ -1,8 +1,8 @@
 #include <imgui.h>
 
-#include <algorithm>
 #include <string>
 
+#include "viewer/desk/show_info.h"
 #include "viewer/desk/shown_scale.h"
 #include "viewer/panels/panels.h"
 
@@ -17,34 +17,44 @@ constexpr io::ScaleChoice kFits[] = {{.low_percent = 0, .high_percent = 98},
                                      {.low_percent = 1, .high_percent = 99},
                                      {.low_percent = 2, .high_percent = 98}};
 
-/// What can be shown, in words.
-std::string caption(const ShowName& name) {
-  if (name.show == Show::arriving) return "light sent to the patch";
-  if (name.show == Show::light_path) return "importance for the patch";
-  std::string text(name.name);
-  std::replace(text.begin(), text.end(), '-', ' ');
-  if (name.show != Show::quantity) return text;
-  const std::string unit(radiosity::quantity_info(name.quantity).unit);
-  return unit.empty() ? text : text + " (" + unit + ")";
-}
-
 bool is_banded(const Look& look) {
   if (look.show == Show::quantity) return !radiosity::quantity_info(look.quantity).is_photometric;
   return look.show == Show::direct || look.show == Show::indirect || look.show == Show::unshot ||
          look.show == Show::arriving || look.show == Show::light_path;
 }
 
+/// Tells the definition of what is under the mouse.
+void draw_definition(const ShowInfo& info) {
+  if (!ImGui::IsItemHovered()) return;
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(24 * ImGui::GetFontSize());
+  ImGui::TextUnformatted(info.definition.data(), info.definition.data() + info.definition.size());
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
 void choose_shown(Desk& desk) {
-  const std::string now(show_name(desk.look));
+  const radiosity::Bands& bands = desk.session.model().bands;
+  const ShowInfo& now = show_info(show_name(desk.look));
   ImGui::SetNextItemWidth(-1);
-  if (!ImGui::BeginCombo("##show", caption(*show_named(now)).c_str(),
-                         ImGuiComboFlags_HeightLarge)) {
+  const bool is_open = ImGui::BeginCombo("##show", caption_with_unit(now, bands).c_str(),
+                                         ImGuiComboFlags_HeightLargest);
+  if (!is_open) {
+    draw_definition(now);
     return;
   }
-  for (const ShowName& name : show_names()) {
-    if (!is_offered(name, desk.session)) continue;
-    if (ImGui::Selectable(caption(name).c_str(), name.name == now)) {
-      show(desk, std::string(name.name));
+  for (const std::string_view group : show_groups()) {
+    bool is_named = false;
+    for (const ShowName& name : show_names()) {
+      const ShowInfo& info = show_info(name.name);
+      if (info.group != group || !is_offered(name, desk.session)) continue;
+      if (!is_named) ImGui::TextDisabled("%s", std::string(group).c_str());
+      is_named = true;
+      const std::string label = "  " + caption_with_unit(info, bands);
+      if (ImGui::Selectable(label.c_str(), info.name == now.name)) {
+        show(desk, std::string(name.name));
+      }
+      draw_definition(info);
     }
   }
   ImGui::EndCombo();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "viewer/panels/inks.h"
+#include "viewer/work/standing.h"
 
 namespace viewer {
 namespace {
@@ -40,6 +41,9 @@ std::string status_text(const Desk& desk) {
   if (session.is_open()) text += fmt::format(" · {} patches", session.model().mesh->size());
   if (session.seconds_to_solve() > 0) {
     text += fmt::format(" · solved in {}", duration_text(session.seconds_to_solve()));
+  }
+  if (const std::string accuracy = accuracy_text(session); !accuracy.empty()) {
+    text += " · " + accuracy;
   }
   return text;
 }

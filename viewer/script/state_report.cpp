@@ -10,6 +10,7 @@
 
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/solve/solution.h"
+#include "viewer/desk/show_info.h"
 #include "viewer/work/standing.h"
 
 namespace viewer {
@@ -57,6 +58,7 @@ json light_json(const Session& session) {
       {"relative_error", light->relative_error ? number(*light->relative_error) : json(nullptr)},
       {"factor_error", light->factor_error ? number(*light->factor_error) : json(nullptr)},
       {"residual", number(solution.residual)},
+      {"accuracy", accuracy_text(session)},
       {"iterations", solution.iterations},
       {"unshot_share", number(session.unshot_share())},
       {"seconds", number(session.seconds_to_solve())},
@@ -128,7 +130,10 @@ json mix_json(const Session& session) {
 }
 
 json look_json(const Desk& desk) {
-  json result = {{"quantity", std::string(show_name(desk.look))},
+  const ShowInfo& info = show_info(show_name(desk.look));
+  json result = {{"quantity", std::string(info.name)},
+                 {"caption", caption_with_unit(info, desk.session.model().bands)},
+                 {"definition", std::string(info.definition)},
                  {"stops", number(desk.look.stops)},
                  {"exposure", number(desk.exposure * std::exp2(desk.look.stops))},
                  {"log", desk.look.logarithmic},
