@@ -235,6 +235,33 @@ TEST_F(Desks, KeepThePlaceThatIsAskedWhenSolvedAgain) {
   EXPECT_FALSE(desk.session.selected());
 }
 
+// A point is where a ray meets a surface, or the corner beside it.
+TEST_F(Desks, FindThePointUnderTheMouse) {
+  viewer::Desk desk(coarse());
+  open(desk.session, kBox);
+  viewer::update(desk);
+  desk.region = {.left = 0, .top = 0, .width = 600, .height = 600};
+  const radiosity::PatchMesh& mesh = *desk.session.model().mesh;
+  for (const double x : {0.2, 0.5, 0.81}) {
+    const Vec3 point = viewer::point_towards(desk, x, 0.7);
+    const auto patch = viewer::patch_at(desk, x, 0.7);
+    ASSERT_TRUE(patch);
+    EXPECT_LE(std::abs(mesh.normal[*patch].dot(point - mesh.centroid[*patch])), 1e-6);
+    const auto drawn = viewer::point_at(desk, x, 0.7);
+    ASSERT_TRUE(drawn);
+    EXPECT_LE((*drawn - point).norm(), 0.05);  // some pixels of a box of 0.55 m
+  }
+  viewer::save_view(desk.views, "here", desk.camera.camera());
+  const Vec3 before = desk.camera.camera().position;
+  desk.camera.zoom_to(viewer::point_towards(desk, 0.3, 0.6), 0.5);
+  EXPECT_GT((desk.camera.camera().position - before).norm(), 0.1);
+  viewer::use_view(desk, "here");
+  EXPECT_EQ(desk.camera.camera().position, before);
+  open(desk.session, kRoom);  // where nothing of it is
+  viewer::update(desk);
+  EXPECT_TRUE(desk.views.empty());
+}
+
 // What was set for one scene must not hide the next one, and heat is nothing to see.
 TEST_F(Desks, GreetEachFileAfresh) {
   viewer::Desk desk(coarse());

@@ -18,6 +18,7 @@
 namespace viewer {
 
 using radiosity::Index;
+using radiosity::Vec3;
 
 namespace {
 
@@ -34,6 +35,8 @@ void greet(Desk& desk) {
   desk.look.range.reset();
   desk.look.logarithmic = is_wide(desk.look.show);
   desk.look.band.reset();
+  desk.views.clear();
+  desk.tape = {};
   const Domain domain = domain_of(session);
   const bool is_of_iteration = desk.look.show == Show::watched || desk.look.show == Show::unshot;
   if (domain != desk.domain || is_of_iteration) show(desk, first_quantity(domain));
@@ -183,14 +186,60 @@ radiosity::Camera picture_camera(const Desk& desk) {
   return camera;
 }
 
-std::optional<Index> patch_at(const Desk& desk, double x, double y) {
-  if (!desk.session.is_open() || desk.region.height <= 0) return std::nullopt;
+namespace {
+
+/// Through a place of the picture, unit length.
+Vec3 ray_at(const Desk& desk, double x, double y) {
   const double aspect = static_cast<double>(desk.region.width) / desk.region.height;
-  const radiosity::Camera camera = picture_camera(desk);
-  const auto hit = desk.session.model().visibility->first_front_hit(
-      camera.position, ray_direction(camera, x, y, aspect));
+  return ray_direction(picture_camera(desk), x, y, aspect);
+}
+
+std::optional<radiosity::Hit> hit_at(const Desk& desk, double x, double y) {
+  if (!desk.session.is_open() || desk.region.height <= 0) return std::nullopt;
+  return desk.session.model().visibility->first_front_hit(desk.camera.camera().position,
+                                                          ray_at(desk, x, y));
+}
+
+}  // namespace
+
+std::optional<Index> patch_at(const Desk& desk, double x, double y) {
+  const auto hit = hit_at(desk, x, y);
   if (!hit) return std::nullopt;
   return hit->patch;
+}
+
+std::optional<Vec3> point_at(const Desk& desk, double x, double y) {
+  constexpr double kReach = 8;  // pixels
+  const auto hit = hit_at(desk, x, y);
+  if (!hit) return std::nullopt;
+  const radiosity::Camera camera = picture_camera(desk);
+  const Vec3 point = camera.position + hit->distance * ray_at(desk, x, y);
+  const double depth = (point - camera.position).dot(camera.direction);
+  const double pixel = 2 * depth * std::tan(camera.vertical_fov / 2) / desk.region.height;
+  const radiosity::PatchMesh& mesh = *desk.session.model().mesh;
+  Vec3 nearest = point;
+  double least = kReach * pixel;
+  for (int k = 0; k < mesh.n_corners(hit->patch); ++k) {
+    const Vec3& corner = mesh.corner(hit->patch, k);
+    const double distance = (corner - point).norm();
+    if (distance >= least) continue;
+    least = distance;
+    nearest = corner;
+  }
+  return nearest;
+}
+
+Vec3 point_towards(const Desk& desk, double x, double y) {
+  if (desk.region.height <= 0) return desk.camera.pivot();
+  const radiosity::Camera& camera = desk.camera.camera();
+  const Vec3 ray = ray_at(desk, x, y);
+  if (const auto hit = hit_at(desk, x, y)) return camera.position + hit->distance * ray;
+  const double depth = (desk.camera.pivot() - camera.position).dot(camera.direction);
+  return camera.position + depth / ray.dot(camera.direction) * ray;
+}
+
+void use_view(Desk& desk, const std::string& name) {
+  desk.camera = CameraControl(view_named(desk.views, name).camera, desk.session.model().bounds);
 }
 
 std::string hovered_text(const Desk& desk) {

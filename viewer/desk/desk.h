@@ -14,6 +14,8 @@
 #include "viewer/desk/orientation.h"
 #include "viewer/desk/patch_facts.h"
 #include "viewer/desk/region.h"
+#include "viewer/desk/saved_views.h"
+#include "viewer/desk/tape.h"
 #include "viewer/desk/watching.h"
 #include "viewer/work/session.h"
 
@@ -39,6 +41,8 @@ struct Desk {
   Look look;
   Watching watching;
   CameraControl camera;
+  std::vector<SavedView> views;  ///< kept while the file is open
+  Tape tape;
   UpAxis up = UpAxis::y;
   std::optional<UpAxis> asked_up = {};  ///< of all files; absent: guessed for each
   Domain domain = Domain::light;
@@ -95,6 +99,15 @@ radiosity::Camera picture_camera(const Desk& desk);
 /// The patch whose emitting side is seen at a point of the picture; x and y in [0, 1] from its top
 /// left.
 std::optional<radiosity::Index> patch_at(const Desk& desk, double x, double y);
+
+/// The point, m, of a surface that is seen at a place of the picture, as above. That of a corner of
+/// its patch if that is some pixels away.
+std::optional<radiosity::Vec3> point_at(const Desk& desk, double x, double y);
+/// The same, not drawn to corners; if nothing is there, as far away as the camera's pivot.
+radiosity::Vec3 point_towards(const Desk& desk, double x, double y);
+
+/// Takes the camera of a view that was kept. Throws std::invalid_argument if none is called so.
+void use_view(Desk& desk, const std::string& name);
 
 /// What the mouse points at: "floor, 123.4 lux"; "" if it is nothing.
 std::string hovered_text(const Desk& desk);

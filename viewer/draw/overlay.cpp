@@ -26,6 +26,7 @@ constexpr ImU32 kResult = IM_COL32(170, 175, 180, 255);
 constexpr ImU32 kOutline = IM_COL32(255, 170, 40, 255);
 constexpr ImU32 kShooter = IM_COL32(80, 220, 255, 255);
 constexpr ImU32 kNumberPaper = IM_COL32(20, 20, 24, 190);
+constexpr ImU32 kTape = IM_COL32(255, 225, 90, 255);
 constexpr ImU32 kPartner = IM_COL32(255, 255, 255, 230);
 constexpr ImU32 kShadow = IM_COL32(0, 0, 0, 200);
 
@@ -132,6 +133,31 @@ void draw_iso_numbers(const Desk& desk, ImDrawList& list) {
   }
 }
 
+/// The tape measure with its length.
+void draw_tape(const Desk& desk, ImDrawList& list, float scale) {
+  if (!desk.tape.from) return;
+  const auto draw_end = [&](const std::optional<ImVec2>& end) {
+    if (!end) return;
+    list.AddCircle(*end, 4 * scale, kShadow, 0, 4 * scale);
+    list.AddCircle(*end, 4 * scale, kTape, 0, 2 * scale);
+  };
+  const auto from = project(desk, *desk.tape.from);
+  draw_end(from);
+  const auto difference = desk.tape.difference();
+  if (!difference) return;
+  const auto to = project(desk, *desk.tape.to);
+  draw_end(to);
+  if (!from || !to) return;
+  list.AddLine(*from, *to, kShadow, 4 * scale);
+  list.AddLine(*from, *to, kTape, 2 * scale);
+  const std::string text = number_text(difference->norm()) + " m";
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  const ImVec2 place((from->x + to->x - size.x) / 2, (from->y + to->y) / 2 - 1.4F * size.y);
+  list.AddRectFilled(ImVec2(place.x - 3, place.y), ImVec2(place.x + size.x + 3, place.y + size.y),
+                     kNumberPaper, 2);
+  list.AddText(place, kTape, text.c_str());
+}
+
 /// How far what is shown can be trusted.
 Standing shown_standing(const Desk& desk) {
   const Show show = desk.look.show;
@@ -199,6 +225,7 @@ void draw_overlay(const Desk& desk, double scale) {
                             top_left.y + static_cast<float>(desk.region.height));
   list.PushClipRect(top_left, bottom_right);
   draw_iso_numbers(desk, list);
+  draw_tape(desk, list, size);
   if (const auto shooter = shown_shooter(desk.session, desk.look)) {
     if (is_seen(desk, *shooter)) outline(desk, list, *shooter, kShooter, 3 * size);
   }

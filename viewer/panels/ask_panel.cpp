@@ -230,18 +230,35 @@ void draw_path(Desk& desk) {
   ImGui::EndTable();
 }
 
+/// The tape measure, and what it reads.
+void draw_tape(Desk& desk) {
+  Tape& tape = desk.tape;
+  bool is_in_hand = tape.is_in_hand;
+  if (ImGui::Checkbox("tape measure", &is_in_hand)) tape = {.is_in_hand = is_in_hand};
+  if (tape.is_in_hand && !tape.to) {
+    ImGui::TextDisabled("%s", tape.from ? "click the other end" : "click two points");
+  }
+  const auto difference = tape.difference();
+  if (!difference || !ImGui::BeginTable("tape", 2, kTable)) return;
+  row("distance", number_text(difference->norm()) + " m");
+  row("dx, dy, dz", fmt::format("{}  {}  {} m", number_text(difference->x()),
+                                number_text(difference->y()), number_text(difference->z())));
+  ImGui::EndTable();
+}
+
 struct Key {
   const char* key;
   const char* effect;
 };
 
-constexpr Key kKeys[] = {{"left drag", "turn the scene"},
+constexpr Key kKeys[] = {{"left drag", "turn about the point under the mouse"},
                          {"middle drag, Shift + left drag", "shift the scene"},
                          {"right drag", "look around"},
-                         {"wheel", "nearer, further"},
+                         {"wheel", "nearer to what is under the mouse, further"},
                          {"W A S D, Q E", "walk, down and up (Shift: faster)"},
                          {"click", "ask a patch"},
-                         {"Esc", "ask no patch"},
+                         {"K", "tape measure: click two points"},
+                         {"Esc", "put it away; ask no patch"},
                          {"F", "fit the scene"},
                          {"C", "the scene's camera"},
                          {"Z", "turn: y or z is up"},
@@ -266,6 +283,7 @@ constexpr Key kKeys[] = {{"left drag", "turn the scene"},
 
 void draw_ask_panel(Desk& desk) {
   if (!ImGui::CollapsingHeader("Ask", ImGuiTreeNodeFlags_DefaultOpen)) return;
+  draw_tape(desk);
   if (!desk.facts) {
     ImGui::TextWrapped("Click a patch: its numbers, what it sees, and where its light comes from.");
     return;

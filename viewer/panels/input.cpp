@@ -45,6 +45,16 @@ void press_letter(Desk& desk, int key) {
   if (key == GLFW_KEY_M) look.smooth = !look.smooth;
   if (key == GLFW_KEY_N) look.edges = !look.edges;
   if (key == GLFW_KEY_B) look.hide_backs = !look.hide_backs;
+  if (key == GLFW_KEY_K) desk.tape = {.is_in_hand = !desk.tape.is_in_hand};
+}
+
+/// Asks the patch at a place of the picture, or lays an end of the tape measure there.
+void click(Desk& desk, double x, double y) {
+  if (!desk.tape.is_in_hand) {
+    desk.session.select(patch_at(desk, x, y));
+  } else if (const auto point = point_at(desk, x, y)) {
+    lay(desk.tape, *point);
+  }
 }
 
 }  // namespace
@@ -98,7 +108,9 @@ void Input::handle_mouse(Desk& desk, double scale) {
   const bool is_at_legend = handle_legend(desk, scale);
   const bool is_over = !io.WantCaptureMouse && !is_at_legend && x >= 0 && x < 1 && y >= 0 && y < 1;
   desk.hovered = is_over && !is_dragging_ ? patch_at(desk, x, y) : std::nullopt;
-  if (is_over && io.MouseWheel != 0) desk.camera.zoom(std::pow(kZoomStep, io.MouseWheel));
+  if (is_over && io.MouseWheel != 0) {
+    desk.camera.zoom_to(point_towards(desk, x, y), std::pow(kZoomStep, io.MouseWheel));
+  }
 
   const bool is_down = ImGui::IsMouseDown(0) || ImGui::IsMouseDown(1) || ImGui::IsMouseDown(2);
   const bool went_down =
@@ -106,9 +118,13 @@ void Input::handle_mouse(Desk& desk, double scale) {
   if (went_down) {
     is_dragging_ = is_over;
     dragged_ = 0;
+    if (is_over) {
+      grabbed_ = point_towards(desk, x, y);
+      desk.camera.focus(grabbed_);  // shifted, it stays under the mouse
+    }
   }
   if (is_dragging_ && ImGui::IsMouseReleased(0) && dragged_ < kClick && is_over) {
-    desk.session.select(patch_at(desk, x, y));
+    click(desk, x, y);
   }
   if (!is_down) is_dragging_ = false;
   if (!is_dragging_) return;
@@ -122,7 +138,7 @@ void Input::handle_mouse(Desk& desk, double scale) {
   } else if (ImGui::IsMouseDown(1)) {
     desk.camera.look_around(kTurn / 2 * right, kTurn / 2 * up);
   } else {
-    desk.camera.orbit(-kTurn * right, -kTurn * up);
+    desk.camera.orbit_about(grabbed_, -kTurn * right, -kTurn * up);
   }
 }
 
@@ -138,6 +154,8 @@ void Input::press(Desk& desk, Panels& panels, const KeyPress& key) {
   if (key.key == GLFW_KEY_ESCAPE) {
     if (desk.shows_help) {
       desk.shows_help = false;
+    } else if (desk.tape.is_in_hand) {
+      desk.tape = {};
     } else {
       desk.session.select(std::nullopt);
     }

@@ -30,8 +30,9 @@ class Input {
     io::ColorScale scale;
   };
   std::optional<HeldEnd> held_end_;
-  bool is_dragging_ = false;  // a button went down over the picture
-  double dragged_ = 0;        // pixels since then
+  radiosity::Vec3 grabbed_ = radiosity::Vec3::Zero();  // the point where that was, m
+  bool is_dragging_ = false;                           // a button went down over the picture
+  double dragged_ = 0;                                 // pixels since then
 };
 
 }  // namespace viewer

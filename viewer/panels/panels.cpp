@@ -89,6 +89,7 @@ void Panels::draw(Desk& desk, std::span<const KeyPress> keys, int width, int hei
       left = kLeftWidth * size;
       begin_panel("Look and what if", 0, top, left, bottom - top);
       draw_scene_panel(desk);
+      views_.draw(desk);
       draw_look_panel(desk);
       if (!has_right) {  // here, rather than nowhere
         draw_ask(desk);

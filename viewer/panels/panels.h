@@ -8,6 +8,7 @@
 #include "viewer/panels/file_browser.h"
 #include "viewer/panels/recent_files.h"
 #include "viewer/panels/save_dialog.h"
+#include "viewer/panels/views_panel.h"
 #include "viewer/panels/watch_panel.h"
 
 namespace viewer {
@@ -40,6 +41,7 @@ class Panels {
   FileBrowser browser_;
   RecentFiles recent_;
   SaveDialog save_;
+  ViewsPanel views_;
   WatchPanel watch_;
   int n_patches_;
   bool is_adaptive_;

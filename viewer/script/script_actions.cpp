@@ -11,6 +11,7 @@
 
 #include "io/base/atomic_file.h"
 #include "radiosity/base/error.h"
+#include "viewer/script/camera_actions.h"
 #include "viewer/script/state_report.h"
 
 namespace viewer {
@@ -19,14 +20,6 @@ namespace {
 using nlohmann::json;
 
 constexpr double kPatience = 600;  // s, that a script waits unless it says otherwise
-
-/// An action that is done at once.
-Perform at_once(std::function<void(Stage&, ScriptArguments&)> work) {
-  return [work = std::move(work)](Stage& stage, ScriptArguments& arguments) {
-    work(stage, arguments);
-    return true;
-  };
-}
 
 std::string last_error(const Session& session) {
   const auto& messages = session.messages();
@@ -140,12 +133,6 @@ void set_look(Stage& stage, ScriptArguments& arguments) {
   desk.shows_help = arguments.flag_or("help", desk.shows_help);
 }
 
-void set_up_axis(Stage& stage, ScriptArguments& arguments) {
-  const auto axis = up_named(arguments.text("axis"));
-  if (!axis) throw std::invalid_argument("'axis' must be y or z");
-  set_up(stage.desk, *axis);
-}
-
 std::size_t emitter_of(const Stage& stage, ScriptArguments& arguments) {
   const std::string name = arguments.name("emitter");
   const auto emitter = emitter_named(stage.desk.session.mix(), name);
@@ -206,23 +193,6 @@ void restart(Stage& stage, ScriptArguments& arguments) {
     throw std::invalid_argument("'max_edge' must be above 0");
   }
   stage.desk.session.restart(options);
-}
-
-void set_camera(Stage& stage, ScriptArguments& arguments) {
-  if (!stage.desk.session.is_open()) throw std::runtime_error("there is no scene");
-  radiosity::Camera camera = stage.desk.camera.camera();
-  if (arguments.has("position")) camera.position = arguments.vector("position");
-  if (arguments.has("direction")) camera.direction = arguments.vector("direction");
-  if (arguments.has("look_at")) camera.direction = arguments.vector("look_at") - camera.position;
-  if (arguments.has("up")) camera.up = arguments.vector("up");
-  const double degree = radiosity::kPi / 180;
-  camera.vertical_fov = degree * arguments.number_or("fov", camera.vertical_fov / degree);
-  const bool is_possible = camera.direction.norm() > 0 && camera.up.norm() > 0 &&
-                           camera.direction.cross(camera.up).norm() >
-                               1e-6 * camera.direction.norm() * camera.up.norm() &&
-                           camera.vertical_fov > 0 && camera.vertical_fov < radiosity::kPi;
-  if (!is_possible) throw std::invalid_argument("nothing can be seen in that direction");
-  stage.desk.camera = CameraControl(camera, stage.desk.session.model().bounds);
 }
 
 void record(Stage& stage, ScriptArguments& arguments) {
@@ -310,7 +280,6 @@ const std::map<std::string, ActionKind>& action_kinds() {
       {"set-legend", {"map", at_once(set_legend)}},
       {"set-exposure", {"stops", at_once(set_exposure)}},
       {"set-look", {"", at_once(set_look)}},
-      {"set-up", {"axis", at_once(set_up_axis)}},
       {"set-unit", {"unit", at_once([](Stage& stage, ScriptArguments& arguments) {
                       set_unit(stage.desk, arguments.text("unit"));
                     })}},
@@ -325,25 +294,6 @@ const std::map<std::string, ActionKind>& action_kinds() {
       {"resume",
        {"", at_once([](Stage& stage, ScriptArguments&) { stage.desk.session.set_paused(false); })}},
       {"stop", {"", at_once([](Stage& stage, ScriptArguments&) { stage.desk.session.stop(); })}},
-      {"camera", {"", at_once(set_camera)}},
-      {"orbit", {"", at_once([](Stage& stage, ScriptArguments& arguments) {
-                   constexpr double kDegree = radiosity::kPi / 180;
-                   stage.desk.camera.orbit(kDegree * arguments.number_or("right", 0),
-                                           kDegree * arguments.number_or("up", 0));
-                 })}},
-      {"zoom", {"factor", at_once([](Stage& stage, ScriptArguments& arguments) {
-                  const double factor = arguments.number("factor");
-                  if (!(factor > 0)) throw std::invalid_argument("'factor' must be above 0");
-                  stage.desk.camera.zoom(factor);
-                })}},
-      {"fly", {"", at_once([](Stage& stage, ScriptArguments& arguments) {
-                 stage.desk.camera.fly(arguments.number_or("forward", 0),
-                                       arguments.number_or("right", 0),
-                                       arguments.number_or("up", 0));
-               })}},
-      {"fit", {"", at_once([](Stage& stage, ScriptArguments&) { fit_camera(stage.desk); })}},
-      {"scene-camera",
-       {"", at_once([](Stage& stage, ScriptArguments&) { use_scene_camera(stage.desk); })}},
       {"light-path", {"on", at_once([](Stage& stage, ScriptArguments& arguments) {
                         stage.desk.asks_light_path = arguments.flag_or("on", true);
                       })}},
@@ -362,7 +312,12 @@ const std::map<std::string, ActionKind>& action_kinds() {
       {"report", {"file", at_once(write_report)}},
       {"forget-frame-times",
        {"", at_once([](Stage& stage, ScriptArguments&) { stage.host.forget_frame_times(); })}}};
-  return kinds;
+  static const std::map<std::string, ActionKind> all = [] {
+    std::map<std::string, ActionKind> list = kinds;
+    list.merge(camera_actions());
+    return list;
+  }();
+  return all;
 }
 
 }  // namespace viewer

@@ -172,6 +172,21 @@ json camera_json(const Desk& desk) {
           {"fov", number(camera.vertical_fov * 180 / radiosity::kPi)}};
 }
 
+json views_json(const Desk& desk) {
+  json names = json::array();
+  for (const SavedView& view : desk.views) names.push_back(view.name);
+  return names;
+}
+
+json tape_json(const Desk& desk) {
+  const auto difference = desk.tape.difference();
+  if (!difference) return nullptr;
+  return {{"from", list(*desk.tape.from)},
+          {"to", list(*desk.tape.to)},
+          {"difference", list(*difference)},
+          {"distance", number(difference->norm())}};
+}
+
 json iteration_json(const Desk& desk) {
   const IterationRecord* record = desk.session.iteration();
   if (record == nullptr || record->frames.empty()) return nullptr;
@@ -232,6 +247,8 @@ json state_report(const Desk& desk) {
           {"mix", mix_json(session)},
           {"look", look_json(desk)},
           {"camera", camera_json(desk)},
+          {"views", views_json(desk)},
+          {"tape", tape_json(desk)},
           {"region",
            {{"left", desk.region.left},
             {"top", desk.region.top},
