@@ -11,6 +11,7 @@
 #include "tests/viewer/sessions.h"
 #include "viewer/desk/desk.h"
 #include "viewer/desk/painting.h"
+#include "viewer/desk/picking.h"
 #include "viewer/desk/show_info.h"
 #include "viewer/desk/shown_scale.h"
 #include "viewer/work/job_progress.h"

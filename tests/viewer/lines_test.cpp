@@ -37,7 +37,7 @@ struct Slope {
   }
   static float value(const Vec3& point) { return static_cast<float>(0.5 + 0.4 * point.x()); }
   [[nodiscard]] viewer::BlendedTriangles field() const {
-    return {points->positions(), points->triangles(), values};
+    return {points->positions(), points->triangles(), points->surfaces(), values};
   }
 
   std::shared_ptr<const PatchMesh> mesh;
@@ -52,7 +52,7 @@ TEST(Isolines, RunWhereTheValueIs) {
   for (const int n : {3, 8}) {
     const Slope slope(n);
     const viewer::Isolines isolines =
-        make_isolines(slope.field(), std::vector{kLevel}, io::ColorMap::viridis, 0.5);
+        make_isolines(slope.field(), std::vector{kLevel}, io::ColorMap::viridis, {}, 0.5);
     EXPECT_NEAR(length_of(isolines.lines), 2, kFloat);
     for (const SurfaceLine& line : isolines.lines) {
       for (const Vec3& end : line.ends) EXPECT_NEAR(end.x(), 0.3, 10 * kFloat);
@@ -73,7 +73,7 @@ TEST(Isolines, LeaveOutWhatIsNotKnown) {
   Slope slope(4);
   std::fill(slope.values.begin(), slope.values.end(), -1.F);
   EXPECT_TRUE(
-      make_isolines(slope.field(), std::vector{kLevel}, io::ColorMap::grey, 1).lines.empty());
+      make_isolines(slope.field(), std::vector{kLevel}, io::ColorMap::grey, {}, 1).lines.empty());
 }
 
 TEST(Isolines, AreOfTheTicksWithinTheScale) {

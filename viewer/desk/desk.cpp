@@ -13,12 +13,12 @@
 #include "radiosity/base/error.h"
 #include "radiosity/picture/render.h"
 #include "radiosity/scene/patch_mesh.h"
+#include "viewer/desk/outlines.h"
 #include "viewer/work/standing.h"
 
 namespace viewer {
 
 using radiosity::Index;
-using radiosity::Vec3;
 
 namespace {
 
@@ -37,6 +37,9 @@ void greet(Desk& desk) {
   desk.look.band.reset();
   desk.views.clear();
   desk.tape = {};
+  desk.look.hidden = {};
+  desk.marked_surface.reset();
+  desk.marked_lines.clear();
   const Domain domain = domain_of(session);
   const bool is_of_iteration = desk.look.show == Show::watched || desk.look.show == Show::unshot;
   if (domain != desk.domain || is_of_iteration) show(desk, first_quantity(domain));
@@ -60,6 +63,24 @@ bool update_saving(Desk& desk) {
     return true;
   }
   return is_done;
+}
+
+/// Keeps what is marked in the list of surfaces: where the picture was clicked, and in step with
+/// other patches.
+void update_marks(Desk& desk, const Session::Versions& then) {
+  const Session& session = desk.session;
+  const auto asked = desk.facts ? std::optional(desk.facts->patch) : std::nullopt;
+  if (asked != session.selected()) {
+    desk.marked_surface.reset();
+    desk.marked_lines.clear();
+    if (const auto patch = session.selected()) {
+      desk.marked_surface = session.model().mesh->surface[*patch];
+    }
+  }
+  if (desk.marked_lines.empty() || session.versions().model == then.model) return;
+  const radiosity::PatchMesh& mesh = *session.model().mesh;
+  const auto others = HiddenSurfaces::all_but(*desk.marked_surface, mesh.surface_names.size());
+  desk.marked_lines = make_outlines(mesh, others);
 }
 
 }  // namespace
@@ -104,6 +125,7 @@ bool update(Desk& desk) {
       desk.fluxes = radiosity::surface_fluxes(*session.model().mesh, session.light()->solution);
     }
   }
+  update_marks(desk, then);
   desk.facts_versions = now;
   desk.facts.reset();
   desk.emitter_shares.clear();
@@ -162,6 +184,10 @@ void use_scene_camera(Desk& desk) {
                               model.bounds);
 }
 
+void use_view(Desk& desk, const std::string& name) {
+  desk.camera = CameraControl(view_named(desk.views, name).camera, desk.session.model().bounds);
+}
+
 void set_up(Desk& desk, UpAxis up) {
   desk.up = up;
   if (!desk.session.is_open()) return;
@@ -186,60 +212,19 @@ radiosity::Camera picture_camera(const Desk& desk) {
   return camera;
 }
 
-namespace {
-
-/// Through a place of the picture, unit length.
-Vec3 ray_at(const Desk& desk, double x, double y) {
-  const double aspect = static_cast<double>(desk.region.width) / desk.region.height;
-  return ray_direction(picture_camera(desk), x, y, aspect);
-}
-
 std::optional<radiosity::Hit> hit_at(const Desk& desk, double x, double y) {
   if (!desk.session.is_open() || desk.region.height <= 0) return std::nullopt;
-  return desk.session.model().visibility->first_front_hit(desk.camera.camera().position,
-                                                          ray_at(desk, x, y));
+  const Model& model = desk.session.model();
+  const double aspect = static_cast<double>(desk.region.width) / desk.region.height;
+  const radiosity::Camera camera = picture_camera(desk);
+  return first_seen(*model.visibility, *model.mesh, desk.look.hidden, Backs::hidden,
+                    camera.position, ray_direction(camera, x, y, aspect));
 }
-
-}  // namespace
 
 std::optional<Index> patch_at(const Desk& desk, double x, double y) {
   const auto hit = hit_at(desk, x, y);
   if (!hit) return std::nullopt;
   return hit->patch;
-}
-
-std::optional<Vec3> point_at(const Desk& desk, double x, double y) {
-  constexpr double kReach = 8;  // pixels
-  const auto hit = hit_at(desk, x, y);
-  if (!hit) return std::nullopt;
-  const radiosity::Camera camera = picture_camera(desk);
-  const Vec3 point = camera.position + hit->distance * ray_at(desk, x, y);
-  const double depth = (point - camera.position).dot(camera.direction);
-  const double pixel = 2 * depth * std::tan(camera.vertical_fov / 2) / desk.region.height;
-  const radiosity::PatchMesh& mesh = *desk.session.model().mesh;
-  Vec3 nearest = point;
-  double least = kReach * pixel;
-  for (int k = 0; k < mesh.n_corners(hit->patch); ++k) {
-    const Vec3& corner = mesh.corner(hit->patch, k);
-    const double distance = (corner - point).norm();
-    if (distance >= least) continue;
-    least = distance;
-    nearest = corner;
-  }
-  return nearest;
-}
-
-Vec3 point_towards(const Desk& desk, double x, double y) {
-  if (desk.region.height <= 0) return desk.camera.pivot();
-  const radiosity::Camera& camera = desk.camera.camera();
-  const Vec3 ray = ray_at(desk, x, y);
-  if (const auto hit = hit_at(desk, x, y)) return camera.position + hit->distance * ray;
-  const double depth = (desk.camera.pivot() - camera.position).dot(camera.direction);
-  return camera.position + depth / ray.dot(camera.direction) * ray;
-}
-
-void use_view(Desk& desk, const std::string& name) {
-  desk.camera = CameraControl(view_named(desk.views, name).camera, desk.session.model().bounds);
 }
 
 std::string hovered_text(const Desk& desk) {

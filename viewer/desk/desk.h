@@ -15,6 +15,7 @@
 #include "viewer/desk/patch_facts.h"
 #include "viewer/desk/region.h"
 #include "viewer/desk/saved_views.h"
+#include "viewer/desk/surface_totals.h"
 #include "viewer/desk/tape.h"
 #include "viewer/desk/watching.h"
 #include "viewer/work/session.h"
@@ -55,6 +56,11 @@ struct Desk {
   std::optional<PatchFacts> facts;             ///< of the selected patch
   std::vector<radiosity::SurfaceFlux> fluxes;  ///< of the light, where surfaces radiate by heat
   std::vector<EmitterShare> emitter_shares;    ///< of its light, once the light path is known
+  std::optional<std::int32_t> marked_surface;  ///< that is outlined, and stands out in the list
+  std::vector<SurfaceLine> marked_lines;       ///< its outlines
+  TotalOrder surface_order;                    ///< of the list
+  std::vector<SurfaceTotal> totals;            ///< in that order; see `sorted_totals`
+  Session::Versions totals_versions = {};      ///< at which these were found
   bool shows_panels = true;
   bool shows_help = false;
   bool asks_light_path = false;                ///< for each patch that is selected
@@ -87,6 +93,8 @@ void play_iteration(Desk& desk, double speed);
 void fit_camera(Desk& desk);
 /// The scene's camera, or one that sees the whole scene.
 void use_scene_camera(Desk& desk);
+/// That of a view that was kept. Throws std::invalid_argument if none is called so.
+void use_view(Desk& desk, const std::string& name);
 
 /// Makes an axis point upwards and looks at the scene from outside.
 void set_up(Desk& desk, UpAxis up);
@@ -96,18 +104,10 @@ void set_unit(Desk& desk, const std::string& unit);
 /// The camera as the picture has it: its angle of view holds across the narrower side.
 radiosity::Camera picture_camera(const Desk& desk);
 
-/// The patch whose emitting side is seen at a point of the picture; x and y in [0, 1] from its top
-/// left.
+/// What a point of the picture shows: a patch that is not hidden and whose emitting side is seen; x
+/// and y in [0, 1] from its top left.
+std::optional<radiosity::Hit> hit_at(const Desk& desk, double x, double y);
 std::optional<radiosity::Index> patch_at(const Desk& desk, double x, double y);
-
-/// The point, m, of a surface that is seen at a place of the picture, as above. That of a corner of
-/// its patch if that is some pixels away.
-std::optional<radiosity::Vec3> point_at(const Desk& desk, double x, double y);
-/// The same, not drawn to corners; if nothing is there, as far away as the camera's pivot.
-radiosity::Vec3 point_towards(const Desk& desk, double x, double y);
-
-/// Takes the camera of a view that was kept. Throws std::invalid_argument if none is called so.
-void use_view(Desk& desk, const std::string& name);
 
 /// What the mouse points at: "floor, 123.4 lux"; "" if it is nothing.
 std::string hovered_text(const Desk& desk);

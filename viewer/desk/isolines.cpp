@@ -60,11 +60,13 @@ io::Rgb isoline_color(double position, io::ColorMap map) {
 }
 
 Isolines make_isolines(const BlendedTriangles& field, std::span<const IsoLevel> levels,
-                       io::ColorMap map, double spacing) {
+                       io::ColorMap map, const HiddenSurfaces& hidden, double spacing) {
   Isolines result;
   for (const IsoLevel& level : levels) {
     const io::Rgb color = isoline_color(level.position, map);
-    for (const Triangle& triangle : field.triangles) {
+    for (std::size_t t = 0; t < field.triangles.size(); ++t) {
+      if (hidden.contains(field.surfaces[t])) continue;
+      const Triangle& triangle = field.triangles[t];
       const auto ends = crossing(field, triangle, level.position);
       if (!ends) continue;
       const Vec3& corner = field.points[triangle[0]];

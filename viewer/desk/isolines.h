@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "radiosity/base/geometry.h"
+#include "viewer/desk/hidden_surfaces.h"
 #include "viewer/desk/legend.h"
 #include "viewer/desk/surface_line.h"
 
@@ -27,7 +28,8 @@ io::Rgb isoline_color(double position, io::ColorMap map);
 struct BlendedTriangles {
   std::span<const radiosity::Vec3> points = {};  ///< m
   std::span<const std::array<std::int32_t, 3>> triangles =
-      {};                                 ///< counter-clockwise from the front
+      {};                                       ///< counter-clockwise from the front
+  std::span<const std::int32_t> surfaces = {};  ///< per triangle
   std::span<const float> positions = {};  ///< per point, on the colour map; negative: not known
 };
 
@@ -43,8 +45,9 @@ struct Isolines {
   std::vector<IsoNumber> numbers;  ///< apart from each other
 };
 
-/// Isolines of these levels. Numbers of one level stand `spacing` (m) apart, of two a fifth of it.
+/// Isolines of these levels on surfaces that are not hidden. Numbers of one level stand `spacing`
+/// (m) apart, of two a fifth of it.
 Isolines make_isolines(const BlendedTriangles& field, std::span<const IsoLevel> levels,
-                       io::ColorMap map, double spacing);
+                       io::ColorMap map, const HiddenSurfaces& hidden, double spacing);
 
 }  // namespace viewer

@@ -11,6 +11,7 @@
 #include "radiosity/base/geometry.h"
 #include "radiosity/scene/scene.h"
 #include "radiosity/solve/quantity.h"
+#include "viewer/desk/hidden_surfaces.h"
 #include "viewer/work/known.h"
 #include "viewer/work/session.h"
 
@@ -45,6 +46,7 @@ struct Look {
   bool edges = false;
   bool outlines = true;  ///< of surfaces, under false colours
   bool hide_backs = true;
+  HiddenSurfaces hidden = {};
   std::size_t step = 0;  ///< frame of the recorded iteration
 };
 

@@ -83,11 +83,12 @@ void add_edge(std::vector<EdgeUse>& uses, const Places& places, EdgeUse use, int
   add_edge(uses, places, {middle, use.second, use.patch}, depth + 1);
 }
 
-std::vector<EdgeUse> edge_uses(const PatchMesh& mesh, const Places& places) {
+std::vector<EdgeUse> edge_uses(const PatchMesh& mesh, const Places& places,
+                               const HiddenSurfaces& hidden) {
   std::vector<EdgeUse> uses;
   for (Index i = 0; i < mesh.size(); ++i) {
     const bool is_second_side = mesh.twin[i] >= 0 && mesh.twin[i] < i;
-    if (is_second_side) continue;
+    if (is_second_side || hidden.contains(mesh.surface[i])) continue;
     const int n = mesh.n_corners(i);
     for (int k = 0; k < n; ++k) {
       add_edge(uses, places,
@@ -130,9 +131,9 @@ void add_line(std::vector<SurfaceLine>& lines, const PatchMesh& mesh, const Plac
 
 }  // namespace
 
-std::vector<SurfaceLine> make_outlines(const PatchMesh& mesh) {
+std::vector<SurfaceLine> make_outlines(const PatchMesh& mesh, const HiddenSurfaces& hidden) {
   const Places places(mesh);
-  const std::vector<EdgeUse> uses = edge_uses(mesh, places);
+  const std::vector<EdgeUse> uses = edge_uses(mesh, places, hidden);
   std::vector<SurfaceLine> lines;
   for (std::size_t k = 0; k < uses.size();) {
     std::size_t end = k + 1;

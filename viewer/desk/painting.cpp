@@ -99,9 +99,10 @@ std::vector<IsoLevel> wanted_levels(const Painting& painting, const Look& look) 
 }
 
 Isolines painted_isolines(const Painting& painting, const BlendedTriangles& field,
-                          const std::vector<IsoLevel>& levels, double size) {
+                          const std::vector<IsoLevel>& levels, const HiddenSurfaces& hidden,
+                          double size) {
   if (levels.empty()) return {};
-  return make_isolines(field, levels, painting.legend.value().map, kNumberSpacing * size);
+  return make_isolines(field, levels, painting.legend.value().map, hidden, kNumberSpacing * size);
 }
 
 std::vector<io::Rgb> point_colors(const Painting& painting, const Eigen::MatrixXd& values) {

@@ -38,7 +38,8 @@ Painting make_painting(const PaintingTask& task);
 std::vector<IsoLevel> wanted_levels(const Painting& painting, const Look& look);
 /// Isolines of these levels in a scene of this size, m.
 Isolines painted_isolines(const Painting& painting, const BlendedTriangles& field,
-                          const std::vector<IsoLevel>& levels, double size);
+                          const std::vector<IsoLevel>& levels, const HiddenSurfaces& hidden,
+                          double size);
 
 /// 8-bit sRGB of points of a painting without legend, from their linear sRGB, m x 3.
 std::vector<io::Rgb> point_colors(const Painting& painting, const Eigen::MatrixXd& values);

@@ -96,9 +96,9 @@ class RayPainter {
   }
 
   [[nodiscard]] std::optional<Hit> hit(const Vec3& ray) const {
-    const Vec3& position = pinhole_.position();
-    return options_.hides_backs ? visibility_.first_front_hit(position, ray)
-                                : visibility_.first_hit(position, ray);
+    return first_seen(visibility_, mesh_, options_.hidden,
+                      options_.hides_backs ? Backs::hidden : Backs::shown, pinhole_.position(),
+                      ray);
   }
 
   /// At a place of the picture, pixels.

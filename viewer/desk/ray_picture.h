@@ -8,6 +8,7 @@
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/scene.h"
 #include "radiosity/visibility/visibility.h"
+#include "viewer/desk/hidden_surfaces.h"
 #include "viewer/desk/isolines.h"
 
 namespace viewer {
@@ -25,7 +26,8 @@ struct RayPictureOptions {
   int height = 0;   ///< pixels
   int samples = 1;  ///< rays in each pixel along either side
   bool hides_backs = true;
-  bool has_edges = false;     ///< of patches, where these are larger than some pixels
+  bool has_edges = false;  ///< of patches, where these are larger than some pixels
+  HiddenSurfaces hidden = {};
   bool has_outlines = false;  ///< of surfaces, as `make_outlines` has them
   radiosity::Progress progress = {};
 };

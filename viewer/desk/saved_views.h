@@ -19,7 +19,7 @@ void save_view(std::vector<SavedView>& views, const std::string& name,
                const radiosity::Camera& camera);
 /// Throws std::invalid_argument, with the names that there are, if none is called so.
 const SavedView& view_named(const std::vector<SavedView>& views, const std::string& name);
-/// Likewise.
+/// Throws likewise.
 void forget_view(std::vector<SavedView>& views, const std::string& name);
 /// "view 1", or the first such name that is free.
 std::string free_view_name(const std::vector<SavedView>& views);

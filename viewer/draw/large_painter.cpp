@@ -38,12 +38,10 @@ struct LargePainter::Prepared {
       : mesh(std::move(patches)),
         interpolation(*mesh),
         coarse(*mesh, kCoarseCells),
-        outlines(make_outlines(*mesh)),
         size(bounds(*mesh).diagonal().norm()) {}
   std::shared_ptr<const PatchMesh> mesh;
   radiosity::CornerInterpolation interpolation;
   CoarseMesh coarse;
-  std::vector<SurfaceLine> outlines;
   double size;  // m
 };
 
@@ -51,7 +49,8 @@ bool LargePainter::Frame::operator==(const Frame& other) const {
   return camera.position == other.camera.position && camera.direction == other.camera.direction &&
          camera.up == other.camera.up && camera.vertical_fov == other.camera.vertical_fov &&
          width == other.width && height == other.height && hides_backs == other.hides_backs &&
-         has_edges == other.has_edges && has_outlines == other.has_outlines;
+         has_edges == other.has_edges && has_outlines == other.has_outlines &&
+         hidden == other.hidden;
 }
 
 LargePainter::Frame LargePainter::frame_of(const Desk& desk) {
@@ -60,7 +59,8 @@ LargePainter::Frame LargePainter::frame_of(const Desk& desk) {
           .height = desk.region.height,
           .hides_backs = desk.look.hide_backs,
           .has_edges = desk.look.edges,
-          .has_outlines = desk.look.outlines};
+          .has_outlines = desk.look.outlines,
+          .hidden = desk.look.hidden};
 }
 
 bool LargePainter::update() {
@@ -100,10 +100,13 @@ void LargePainter::paint(Desk& desk, SceneView& view) {
   desk.is_painting_due = true;
   if (!prepared_) return;
   if (!is_view_set_) {
-    const CoarseMesh& coarse = prepared_->coarse;
-    view.set_triangles({coarse.positions(), coarse.triangles(), coarse.has_back()}, nullptr);
+    take_triangles(desk, view);
     is_view_set_ = true;
     start_colors(desk);
+  }
+  if (!(hidden_ == desk.look.hidden)) {
+    take_triangles(desk, view);
+    is_color_new_ = colored_ != nullptr;  // they have none yet
   }
   if (is_color_new_) take_colors(desk, view);
   if (is_due(desk)) start_colors(desk);
@@ -138,10 +141,14 @@ void LargePainter::start_colors(Desk& desk) {
   // While light is spreading it gets brighter: the exposure follows until it is known.
   const bool is_spreading = colored_ && colored_->painting.is_spreading;
   if (!desk.is_exposure_due && !is_spreading) task.exposure = desk.exposure;
-  coloring_.start([this, task = std::move(task), state = started_,
-                   prepared = prepared_](const Worker::Context& context) {
+  // They take long, and change with what is hidden only.
+  std::shared_ptr<const std::vector<SurfaceLine>> outlines;
+  if (colored_ && colored_->state.look.hidden == desk.look.hidden) outlines = colored_->outlines;
+  coloring_.start([this, task = std::move(task), state = started_, prepared = prepared_,
+                   outlines](const Worker::Context& context) {
     auto colored = std::make_shared<Colored>();
     colored->state = state;
+    colored->outlines = outlines;
     Painting& painting = colored->painting;
     painting = make_painting(task);
     context.progress.check();
@@ -157,8 +164,13 @@ void LargePainter::start_colors(Desk& desk) {
       colored->corners.levels = wanted_levels(painting, task.look);
       const CoarseMesh& coarse = prepared->coarse;
       colored->isolines = painted_isolines(
-          painting, {coarse.positions(), coarse.triangles(), colored->points.positions},
-          colored->corners.levels, prepared->size);
+          painting,
+          {coarse.positions(), coarse.triangles(), coarse.surfaces(), colored->points.positions},
+          colored->corners.levels, task.look.hidden, prepared->size);
+      if (task.look.outlines && !outlines) {
+        colored->outlines = std::make_shared<const std::vector<SurfaceLine>>(
+            make_outlines(*prepared->mesh, task.look.hidden));
+      }
     } else {
       colored->corners.colors = point_colors(painting, corners);
       colored->points.colors = prepared->coarse.colors(colored->corners.colors);
@@ -191,6 +203,14 @@ void LargePainter::take_colors(Desk& desk, SceneView& view) {
   if (still_colors_ && still_colors_->state.look.show != colored_->state.look.show) still_.reset();
 }
 
+void LargePainter::take_triangles(const Desk& desk, SceneView& view) {
+  hidden_ = desk.look.hidden;
+  const CoarseMesh& coarse = prepared_->coarse;
+  view.set_triangles(
+      {coarse.positions(), coarse.triangles(), coarse.has_back(), coarse.surfaces(), hidden_},
+      nullptr);
+}
+
 /// While the camera moves, over the coarse mesh.
 void LargePainter::paint_lines(const Desk& desk, SceneView& view) {
   const bool wants_outlines = desk.legend && desk.look.outlines;
@@ -199,8 +219,8 @@ void LargePainter::paint_lines(const Desk& desk, SceneView& view) {
   has_outlines_ = wants_outlines;
   std::vector<SurfaceLine> lines;
   if (colored_) lines = colored_->isolines.lines;
-  if (has_outlines_) {
-    lines.insert(lines.end(), prepared_->outlines.begin(), prepared_->outlines.end());
+  if (has_outlines_ && colored_ && colored_->outlines) {
+    lines.insert(lines.end(), colored_->outlines->begin(), colored_->outlines->end());
   }
   view.set_lines(std::move(lines));
 }
@@ -231,6 +251,7 @@ void LargePainter::paint_still(const Desk& desk) {
                               .height = frame.height,
                               .hides_backs = frame.hides_backs,
                               .has_edges = frame.has_edges,
+                              .hidden = frame.hidden,
                               .has_outlines = frame.has_outlines && colored->painting.legend,
                               .progress = context.progress};
     for (const int samples : passes) {

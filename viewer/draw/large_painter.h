@@ -48,6 +48,8 @@ class LargePainter {
     CornerColors corners;
     CornerColors points;  // of the coarse mesh
     Isolines isolines;    // likewise
+    /// Of what `state` does not hide; null if none were wanted.
+    std::shared_ptr<const std::vector<SurfaceLine>> outlines;
   };
   /// What a picture is of.
   struct Frame {
@@ -57,6 +59,7 @@ class LargePainter {
     bool hides_backs = true;
     bool has_edges = false;
     bool has_outlines = false;
+    HiddenSurfaces hidden;
     bool operator==(const Frame& other) const;
   };
   [[nodiscard]] static Frame frame_of(const Desk& desk);
@@ -64,6 +67,7 @@ class LargePainter {
   void start_colors(Desk& desk);
   void take_colors(Desk& desk, SceneView& view);
   [[nodiscard]] bool is_due(const Desk& desk) const;
+  void take_triangles(const Desk& desk, SceneView& view);
   void paint_lines(const Desk& desk, SceneView& view);
   void paint_still(const Desk& desk);
 
@@ -78,6 +82,7 @@ class LargePainter {
   bool is_color_new_ = false;                    // and not shown yet
   bool are_lines_due_ = false;                   // its isolines are not drawn yet
   bool has_outlines_ = false;                    // among the lines that are drawn
+  HiddenSurfaces hidden_;                        // as it is drawn
   Frame frame_;                                  // of the latest drawing
   std::shared_ptr<const Colored> still_colors_;  // of the picture that is made, or there
   std::shared_ptr<const io::RgbPicture> still_;

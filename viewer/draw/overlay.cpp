@@ -57,10 +57,17 @@ void outline(const Desk& desk, ImDrawList& list, Index patch, ImU32 color, float
   list.AddPolyline(corners.data(), n, color, ImDrawFlags_Closed, width);
 }
 
+/// What the camera sees in the direction of a point, m.
+std::optional<radiosity::Hit> first_seen_towards(const Desk& desk, const Vec3& point) {
+  const Model& model = desk.session.model();
+  const Vec3 origin = desk.camera.camera().position;
+  return first_seen(*model.visibility, *model.mesh, desk.look.hidden, Backs::hidden, origin,
+                    (point - origin).normalized());
+}
+
 /// Whether the camera sees a point of a patch.
 bool is_seen_at(const Desk& desk, Index patch, const Vec3& point) {
-  const Vec3 origin = desk.camera.camera().position;
-  const auto hit = desk.session.model().visibility->first_front_hit(origin, point - origin);
+  const auto hit = first_seen_towards(desk, point);
   return hit && hit->patch == patch;
 }
 
@@ -103,13 +110,12 @@ void draw_partners(const Desk& desk, ImDrawList& list, float scale) {
   }
 }
 
-/// Whether the camera sees a point, m, of a surface.
+/// Whether nothing lies before a point, m, of a surface or of its border.
 bool is_place_seen(const Desk& desk, const Vec3& point) {
   constexpr double kRounding = 1e-3;  // of the distance
-  const Vec3 origin = desk.camera.camera().position;
-  const Vec3 ray = point - origin;
-  const auto hit = desk.session.model().visibility->first_front_hit(origin, ray.normalized());
-  return hit && std::abs(hit->distance - ray.norm()) < kRounding * ray.norm();
+  const double distance = (point - desk.camera.camera().position).norm();
+  const auto hit = first_seen_towards(desk, point);
+  return !hit || hit->distance > (1 - kRounding) * distance;
 }
 
 /// Numbers on isolines, as far as they are seen and do not lie over each other.
@@ -130,6 +136,23 @@ void draw_iso_numbers(const Desk& desk, ImDrawList& list) {
     list.AddRectFilled(ImVec2(corner.x - 2, corner.y),
                        ImVec2(corner.x + size.x + 2, corner.y + size.y), kNumberPaper, 2);
     list.AddText(corner, kInk, text.c_str());
+  }
+}
+
+/// The outlines of the surface that is marked, as far as they are seen.
+void draw_marked(const Desk& desk, ImDrawList& list, float scale) {
+  // Each takes a ray.
+  constexpr std::size_t kMostLines = 3000;
+  const std::size_t stride = desk.marked_lines.size() / kMostLines + 1;
+  const Vec3 position = desk.camera.camera().position;
+  for (std::size_t k = 0; k < desk.marked_lines.size(); k += stride) {
+    const SurfaceLine& line = desk.marked_lines[k];
+    if (!is_drawn(line, position, Backs::hidden)) continue;
+    const auto from = project(desk, line.ends[0]);
+    const auto to = project(desk, line.ends[1]);
+    if (!from || !to || !is_place_seen(desk, 0.5 * (line.ends[0] + line.ends[1]))) continue;
+    list.AddLine(*from, *to, kShadow, 4 * scale);
+    list.AddLine(*from, *to, kOutline, 2 * scale);
   }
 }
 
@@ -224,6 +247,7 @@ void draw_overlay(const Desk& desk, double scale) {
   const ImVec2 bottom_right(top_left.x + static_cast<float>(desk.region.width),
                             top_left.y + static_cast<float>(desk.region.height));
   list.PushClipRect(top_left, bottom_right);
+  draw_marked(desk, list, size);
   draw_iso_numbers(desk, list);
   draw_tape(desk, list, size);
   if (const auto shooter = shown_shooter(desk.session, desk.look)) {

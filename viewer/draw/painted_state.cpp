@@ -10,8 +10,9 @@ bool is_same(const Look& a, const Look& b) {
                     a.range->logarithmic == b.range->logarithmic));
   return a.show == b.show && a.quantity == b.quantity && a.band == b.band && is_same_range &&
          a.fit.low_percent == b.fit.low_percent && a.fit.high_percent == b.fit.high_percent &&
-         a.map == b.map && a.isolines == b.isolines && a.logarithmic == b.logarithmic &&
-         a.stops == b.stops && a.smooth == b.smooth && a.step == b.step;
+         a.map == b.map && a.hidden == b.hidden && a.outlines == b.outlines &&
+         a.isolines == b.isolines && a.logarithmic == b.logarithmic && a.stops == b.stops &&
+         a.smooth == b.smooth && a.step == b.step;
 }
 
 }  // namespace

@@ -41,6 +41,7 @@ void Painter::paint(Desk& desk, SceneView& view) {
   desk.is_painting_due = false;
   if (!points_) return;
   const bool is_stale = !painted_ || painted_->is_stale(desk);
+  if (!(hidden_ == desk.look.hidden)) take_hidden(desk, view);
   if (is_stale) paint_colors(desk, view);
   if (is_stale || has_outlines_ != wants_outlines(desk)) paint_lines(desk, view);
 }
@@ -51,10 +52,18 @@ bool Painter::is_done(const Desk& desk) const {
 
 void Painter::take_patches(Desk& desk, SceneView& view) {
   points_ = std::make_unique<PatchPoints>(mesh_);
-  view.set_triangles({points_->positions(), points_->triangles(), points_->has_back()}, mesh_);
-  outlines_ = make_outlines(*mesh_);
-  isolines_.clear();
   desk.is_exposure_due = true;
+  take_hidden(desk, view);
+}
+
+/// The patches that are not hidden, without colours.
+void Painter::take_hidden(const Desk& desk, SceneView& view) {
+  hidden_ = desk.look.hidden;
+  view.set_triangles({points_->positions(), points_->triangles(), points_->has_back(),
+                      points_->surfaces(), hidden_},
+                     mesh_);
+  outlines_ = make_outlines(*mesh_, hidden_);
+  isolines_.clear();
 }
 
 void Painter::paint_lines(const Desk& desk, SceneView& view) {
@@ -82,9 +91,9 @@ void Painter::paint_colors(Desk& desk, SceneView& view) {
     const std::vector<float> positions = map_positions(painting, values);
     view.set_color_map(painting.legend->map);
     view.set_map_positions(positions);
-    Isolines isolines =
-        painted_isolines(painting, {points_->positions(), points_->triangles(), positions},
-                         wanted_levels(painting, desk.look), size_of(desk));
+    Isolines isolines = painted_isolines(
+        painting, {points_->positions(), points_->triangles(), points_->surfaces(), positions},
+        wanted_levels(painting, desk.look), desk.look.hidden, size_of(desk));
     isolines_ = std::move(isolines.lines);
     desk.iso_numbers = std::move(isolines.numbers);
   } else {

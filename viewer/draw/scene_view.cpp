@@ -79,6 +79,7 @@ struct SceneView::Parts {
   io::ColorMap map = io::ColorMap::viridis;
   std::vector<SurfaceLine> all_lines;
   std::shared_ptr<const PatchMesh> mesh;  // whose edges may be shown, or none
+  HiddenSurfaces hidden;                  // of which it shows none
   Vec3 origin = Vec3::Zero();             // of VTK's coordinates, m
   radiosity::Camera camera;
   Region region;
@@ -134,6 +135,7 @@ vtkRenderer& SceneView::renderer() { return *parts_->renderer; }
 void SceneView::set_triangles(const Triangles& triangles, std::shared_ptr<const PatchMesh> edges) {
   Parts& parts = *parts_;
   parts.mesh = std::move(edges);
+  parts.hidden = triangles.hidden;
   radiosity::Box3 box;
   for (const Vec3& position : triangles.positions) box.extend(position);
   parts.origin = box.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(box.center());
@@ -142,6 +144,7 @@ void SceneView::set_triangles(const Triangles& triangles, std::shared_ptr<const 
   vtkNew<vtkCellArray> backs;
   fronts->AllocateEstimate(static_cast<vtkIdType>(triangles.triangles.size()), 3);
   for (std::size_t t = 0; t < triangles.triangles.size(); ++t) {
+    if (triangles.hidden.contains(triangles.surfaces[t])) continue;
     const auto& triangle = triangles.triangles[t];
     const std::array<vtkIdType, 3> ids = {triangle[0], triangle[1], triangle[2]};
     fronts->InsertNextCell(3, ids.data());
@@ -280,6 +283,7 @@ void SceneView::update_edges() {
   }
   vtkNew<vtkCellArray> lines;
   for (Index i = 0; i < mesh.size(); ++i) {
+    if (parts.hidden.contains(mesh.surface[i])) continue;
     if (hides_backs && mesh.normal[i].dot(parts.camera.position - mesh.centroid[i]) <= 0) continue;
     const int n = mesh.n_corners(i);
     std::array<vtkIdType, 5> loop{};

@@ -12,6 +12,7 @@
 #include "radiosity/base/geometry.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/scene.h"
+#include "viewer/desk/hidden_surfaces.h"
 #include "viewer/desk/region.h"
 #include "viewer/desk/surface_line.h"
 
@@ -24,6 +25,8 @@ struct Triangles {
   std::span<const radiosity::Vec3> positions = {};              ///< of the points, m
   std::span<const std::array<std::int32_t, 3>> triangles = {};  ///< their points
   std::span<const std::uint8_t> has_back = {};  ///< per triangle: whether its back may be shown
+  std::span<const std::int32_t> surfaces = {};  ///< per triangle
+  HiddenSurfaces hidden = {};                   ///< of which none is drawn
 };
 
 /// The patches as VTK draws them. Notes itself whether a new drawing would differ from the last.

@@ -7,6 +7,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "viewer/desk/picking.h"
 #include "viewer/draw/legend_view.h"
 
 namespace viewer {

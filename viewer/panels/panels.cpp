@@ -123,6 +123,7 @@ void Panels::draw(Desk& desk, std::span<const KeyPress> keys, int width, int hei
 }
 
 void Panels::draw_ask(Desk& desk) {
+  draw_surfaces_panel(desk);
   draw_ask_panel(desk);
   if (desk.session.is_thermal()) draw_heat_panel(desk);
 }

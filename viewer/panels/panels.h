@@ -51,6 +51,7 @@ class Panels {
 /// Parts of the panels that remember nothing.
 void draw_scene_panel(Desk& desk);
 void draw_look_panel(Desk& desk);
+void draw_surfaces_panel(Desk& desk);
 void draw_what_if_panel(Desk& desk);
 void draw_ask_panel(Desk& desk);
 void draw_heat_panel(const Desk& desk);

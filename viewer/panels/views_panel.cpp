@@ -3,8 +3,6 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
-#include "viewer/panels/panels.h"
-
 namespace viewer {
 
 void ViewsPanel::draw(Desk& desk) {
@@ -28,8 +26,8 @@ void ViewsPanel::draw(Desk& desk) {
     if (ImGui::Selectable(view.name.c_str())) used = view.name;
     ImGui::PopID();
   }
-  if (!used.empty()) attempt(desk, [&] { use_view(desk, used); });
-  if (!forgotten.empty()) attempt(desk, [&] { forget_view(desk.views, forgotten); });
+  if (!used.empty()) use_view(desk, used);
+  if (!forgotten.empty()) forget_view(desk.views, forgotten);
   if (!desk.views.empty()) ImGui::TextDisabled("kept while this file is open");
 }
 

@@ -3,6 +3,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "viewer/desk/picking.h"
+
 namespace viewer {
 namespace {
 

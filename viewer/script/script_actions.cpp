@@ -13,6 +13,7 @@
 #include "radiosity/base/error.h"
 #include "viewer/script/camera_actions.h"
 #include "viewer/script/state_report.h"
+#include "viewer/script/surface_actions.h"
 
 namespace viewer {
 namespace {
@@ -315,6 +316,7 @@ const std::map<std::string, ActionKind>& action_kinds() {
   static const std::map<std::string, ActionKind> all = [] {
     std::map<std::string, ActionKind> list = kinds;
     list.merge(camera_actions());
+    list.merge(surface_actions());
     return list;
   }();
   return all;

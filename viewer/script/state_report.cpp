@@ -178,6 +178,27 @@ json views_json(const Desk& desk) {
   return names;
 }
 
+json surfaces_json(const Desk& desk) {
+  const auto optional = [](const std::optional<double>& value) {
+    return value ? number(*value) : json(nullptr);
+  };
+  std::vector<SurfaceTotal> totals = surface_totals(desk.session);
+  sort(totals, desk.surface_order);
+  json list = json::array();
+  for (const SurfaceTotal& total : totals) {
+    list.push_back({{"name", total.name},
+                    {"material", total.material},
+                    {"patches", total.n_patches},
+                    {"area", number(total.area)},
+                    {"flux", optional(total.flux)},
+                    {"irradiance", optional(total.irradiance)},
+                    {"heat", optional(total.heat)},
+                    {"shown", !desk.look.hidden.contains(total.surface)},
+                    {"marked", desk.marked_surface == total.surface}});
+  }
+  return list;
+}
+
 json tape_json(const Desk& desk) {
   const auto difference = desk.tape.difference();
   if (!difference) return nullptr;
@@ -249,6 +270,7 @@ json state_report(const Desk& desk) {
           {"camera", camera_json(desk)},
           {"views", views_json(desk)},
           {"tape", tape_json(desk)},
+          {"surfaces", surfaces_json(desk)},
           {"region",
            {{"left", desk.region.left},
             {"top", desk.region.top},
