@@ -111,7 +111,7 @@ class Application final : public ScriptHost {
     const auto start = Clock::now();
     lively_ = std::max(0, lively_ - 1);
     const std::vector<KeyPress> keys = window_.take_keys();
-    input_.handle(desk_, panels_, keys);
+    input_.handle(desk_, panels_, keys, window_.scale());
     panels_.draw(desk_, keys, window_.width(), window_.height(), window_.scale());
     painter_.paint(desk_, view_);
     SceneView* pinned = pinned_view_.paint(desk_);
@@ -177,7 +177,7 @@ class Application final : public ScriptHost {
   /// Whether the next frame is wanted as soon as possible.
   [[nodiscard]] bool is_hurried() const {
     return is_unattended() ||
-           (window_.is_shown() && (lively_ > 0 || panels_.is_moving() || desk_.screenshot));
+           (window_.is_shown() && (lively_ > 0 || desk_.watching.is_playing || desk_.screenshot));
   }
 
   /// Seconds to wait for mouse and keyboard before the next look.

@@ -32,6 +32,19 @@ std::string check_band_number(const std::string& text) {
   return fmt::format("found '{}', expected a whole number from 0 on", text);
 }
 
+std::string map_names() {
+  std::string names;
+  for (const io::ColorMap map : io::color_maps()) {
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", io::color_map_name(map));
+  }
+  return names;
+}
+
+std::string check_color_map(const std::string& text) {
+  if (io::color_map_named(text)) return "";
+  return fmt::format("found '{}', expected one of {}", text, map_names());
+}
+
 /// The lines above the bar.
 std::vector<std::string> title_of(const QuantityField& field, const Bands& bands,
                                   const FalseColorOptions& options) {
@@ -72,6 +85,15 @@ CLI::Option* add_false_color_options(CLI::App& command, FalseColorOptions& optio
       ->needs(quantity)
       ->type_name("LO,HI")
       ->group(group);
+  command
+      .add_option_function<std::string>(
+          "--colour-map,--color-map",
+          [&options](const std::string& text) { options.map = *io::color_map_named(text); },
+          "Colours: " + map_names() + "; default: viridis")
+      ->check(check_color_map)
+      ->needs(quantity)
+      ->type_name("M")
+      ->group(group);
   command.add_flag("--log", options.logarithmic, "Make the bar logarithmic")
       ->needs(quantity)
       ->group(group);
@@ -110,7 +132,8 @@ ShownQuantity shown_quantity(const QuantityField& field, const Bands& bands,
   shown.options = {.title = title_of(field, bands, options),
                    .channel = std::string(field.info.column),
                    .scale = options.range,
-                   .logarithmic = options.logarithmic};
+                   .logarithmic = options.logarithmic,
+                   .map = options.map};
   if (shown.options.scale) shown.options.scale->logarithmic = options.logarithmic;
   return shown;
 }

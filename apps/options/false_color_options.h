@@ -21,6 +21,7 @@ struct FalseColorOptions {
   std::optional<long> band;             ///< from 0; absent: the mean over the bands
   std::optional<io::ColorScale> range;  ///< absent: found from what is seen
   bool logarithmic = false;
+  io::ColorMap map = io::ColorMap::viridis;
 };
 
 /// Binds the options to the command and returns --false-colour; `options` must outlive the parsing.

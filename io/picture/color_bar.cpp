@@ -94,7 +94,7 @@ void draw_bar(RgbPicture& picture, const ColorBar& bar, const Layout& layout, in
   for (int y = layout.bar_top; y <= layout.bar_bottom; ++y) {
     const double position = static_cast<double>(layout.bar_bottom - y) /
                             std::max(1, layout.bar_bottom - layout.bar_top);
-    const Rgb color = map_color(position);
+    const Rgb color = map_color(position, bar.map);
     for (int x = 0; x < layout.bar_width; ++x) set_pixel(picture, left + x, y, color);
     set_pixel(picture, left - 1, y, kInk);
     set_pixel(picture, left + layout.bar_width, y, kInk);
@@ -103,8 +103,10 @@ void draw_bar(RgbPicture& picture, const ColorBar& bar, const Layout& layout, in
     set_pixel(picture, left + x, layout.bar_top - 1, kInk);
     set_pixel(picture, left + x, layout.bar_bottom + 1, kInk);
   }
-  if (bar.has_above) draw_arrow(picture, layout, left, layout.bar_top - 1, -1, map_color(1));
-  if (bar.has_below) draw_arrow(picture, layout, left, layout.bar_bottom + 1, 1, map_color(0));
+  if (bar.has_above)
+    draw_arrow(picture, layout, left, layout.bar_top - 1, -1, map_color(1, bar.map));
+  if (bar.has_below)
+    draw_arrow(picture, layout, left, layout.bar_bottom + 1, 1, map_color(0, bar.map));
 }
 
 /// The picture on a wider sheet of paper.

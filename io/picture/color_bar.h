@@ -11,6 +11,7 @@ namespace io {
 /// What a colour bar tells.
 struct ColorBar {
   ColorScale scale;
+  ColorMap map = ColorMap::viridis;
   std::vector<std::string> title;  ///< lines above it: name, unit...
   bool has_below = false;  ///< whether values below the scale are shown, as its lowest colour
   bool has_above = false;  ///< whether values above are; either is marked by an arrow

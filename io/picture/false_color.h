@@ -15,6 +15,8 @@ struct FalseColorOptions {
   std::string channel = "Y";             ///< name of an .exr's only channel
   std::optional<ColorScale> scale = {};  ///< absent: the one that fits what is seen
   bool logarithmic = false;              ///< of the scale that is found
+  /// A diverging one makes the scale that is found symmetric about 0, if values are below.
+  ColorMap map = ColorMap::viridis;
 };
 
 /// Writes a picture of one band: a .png in false colours with a labelled bar added at its right

@@ -49,6 +49,38 @@ TEST(ColorScale, HasASpanWhateverTheValues) {
   EXPECT_NEAR(wide.low, 1e-6, 1e-15);
 }
 
+TEST(ColorScale, SpansTheRanksThatAreChosen) {
+  const Eigen::VectorXd values = Eigen::VectorXd::LinSpaced(1001, 0, 1000);
+  const ColorScale all = io::fitting_scale(values, false, {.low_percent = 0, .high_percent = 100});
+  EXPECT_EQ(all.low, 0);
+  EXPECT_EQ(all.high, 1000);
+  const ColorScale inner =
+      io::fitting_scale(values, false, {.low_percent = 20, .high_percent = 70});
+  EXPECT_DOUBLE_EQ(inner.low, 200);
+  EXPECT_DOUBLE_EQ(inner.high, 700);
+  const ColorScale logarithmic =
+      io::fitting_scale(values, true, {.low_percent = 10, .high_percent = 100});
+  EXPECT_DOUBLE_EQ(logarithmic.low, 100);
+}
+
+TEST(ColorScale, IsSymmetricIfThatIsChosenAndAnyIsBelowZero) {
+  const io::ScaleChoice choice = {.high_percent = 100, .is_symmetric = true};
+  const ColorScale scale = io::fitting_scale(Eigen::Vector3d(-3, 1, 9.5), false, choice);
+  EXPECT_EQ(scale.low, -scale.high);
+  EXPECT_GE(scale.high, 9.5);
+  EXPECT_EQ(io::fitting_scale(Eigen::Vector3d(0, 1, 9.5), false, choice).low, 0);
+}
+
+TEST(ColorScale, ValuesAreWhereTheirPositionsAre) {
+  for (const ColorScale& scale : {ColorScale{-3, 17}, {0.01, 100, true}}) {
+    for (const double position : {0.0, 0.25, 1.0}) {
+      EXPECT_NEAR(io::position_on(scale, io::value_at(scale, position)), position, 1e-12);
+    }
+    EXPECT_GT(io::value_at(scale, 1.5), scale.high);
+    EXPECT_LT(io::value_at(scale, -0.5), scale.low);
+  }
+}
+
 TEST(ColorScale, PositionsRunFromZeroToOne) {
   EXPECT_EQ(io::position_on({10, 30}, 20), 0.5);
   EXPECT_EQ(io::position_on({10, 30}, 5), 0);
@@ -84,6 +116,30 @@ double lightness(const std::array<std::uint8_t, 3>& color) {
   const double y =
       0.2126 * linear(color[0]) + 0.7152 * linear(color[1]) + 0.0722 * linear(color[2]);
   return y > 0.008856 ? 1.16 * std::cbrt(y) - 0.16 : 9.033 * y;
+}
+
+TEST(ColorMap, IsFoundByItsName) {
+  for (const io::ColorMap map : io::color_maps()) {
+    EXPECT_EQ(io::color_map_named(io::color_map_name(map)), map);
+  }
+  EXPECT_EQ(io::color_map_named("gray"), io::ColorMap::grey);
+  EXPECT_FALSE(io::color_map_named("jet"));
+}
+
+// What is larger is lighter; of a diverging one what is further from the middle is darker.
+TEST(ColorMap, TellsNumbersByLightness) {
+  const auto at = [](io::ColorMap map, int k) { return lightness(io::map_color(k / 20.0, map)); };
+  for (const io::ColorMap map : io::color_maps()) {
+    SCOPED_TRACE(io::color_map_name(map));
+    const int middle = map == io::ColorMap::diverging ? 10 : 20;
+    for (int k = 1; k <= 20; ++k) {
+      const double rise = at(map, k) - at(map, k - 1);
+      EXPECT_GT(k <= middle ? rise : -rise, 0) << k;
+    }
+  }
+  const io::Rgb middle = io::map_color(0.5, io::ColorMap::diverging);
+  EXPECT_EQ(middle[0], middle[1]);
+  EXPECT_EQ(middle[1], middle[2]);
 }
 
 TEST(ColorMap, GrowsLighterEvenly) {

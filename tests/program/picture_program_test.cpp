@@ -182,6 +182,15 @@ TEST_F(Pictures, InFalseColorsTellTheirScale) {
   EXPECT_NE(text.out.find("radiance from 0.5 to 4 W/(m² sr), logarithmic"), std::string::npos)
       << text.out;
   EXPECT_EQ(render(scene, {"--false-colour", "error"}, "a.exr").exit_code, 0);
+
+  const std::string viridis = contents(result("a.png"));
+  EXPECT_EQ(render(scene, {"--false-colour", "irradiance", "--colour-map", "inferno"}).exit_code,
+            0);
+  EXPECT_NE(contents(result("a.png")), viridis);
+  const Outcome unknown = render(scene, {"--false-colour", "irradiance", "--color-map", "jet"});
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_NE(unknown.err.find("viridis, inferno, cividis, grey, diverging"), std::string::npos)
+      << unknown.err;
 }
 
 TEST_F(Pictures, CanBeGathered) {

@@ -11,6 +11,8 @@
 #include "tests/viewer/sessions.h"
 #include "viewer/desk/desk.h"
 #include "viewer/desk/painting.h"
+#include "viewer/desk/picking.h"
+#include "viewer/desk/show_info.h"
 #include "viewer/desk/shown_scale.h"
 #include "viewer/work/job_progress.h"
 
@@ -30,8 +32,9 @@ TEST(ShownScale, IsLogarithmicWhereverALogarithmIs) {
   EXPECT_TRUE(scale.logarithmic);
   EXPECT_EQ(scale.low, 2);
   EXPECT_EQ(scale.high, 180);
-  EXPECT_EQ(viewer::scale_note(look, scale), "logarithmic");
+  EXPECT_EQ(viewer::scale_note(look, scale), "logarithmic, from the least above 0");
   look.range->low = 10;
+  EXPECT_EQ(viewer::scale_note(look, scale), "logarithmic");
   EXPECT_EQ(viewer::shown_scale(look, values).low, 10);
   look.range->low = -5;
   EXPECT_EQ(viewer::shown_scale(look, Eigen::Vector2d(1e-30, 180)).low, 180 * 1e-6);
@@ -42,6 +45,42 @@ TEST(ShownScale, IsLogarithmicWhereverALogarithmIs) {
   EXPECT_NE(viewer::scale_note(look, scale), "");
   look.logarithmic = false;
   EXPECT_EQ(viewer::scale_note(look, viewer::shown_scale(look, values)), "");
+}
+
+TEST(ShownScale, FitsWhatIsChosen) {
+  const Eigen::VectorXd values = Eigen::VectorXd::LinSpaced(1001, 0, 1000);
+  viewer::Look look;
+  EXPECT_EQ(viewer::fit_text(look), "0 to 98 % of patches");
+  look.fit = {.low_percent = 20, .high_percent = 70};
+  EXPECT_EQ(viewer::shown_scale(look, values).low, 200);
+  EXPECT_EQ(viewer::shown_scale(look, values).high, 700);
+  EXPECT_EQ(viewer::fit_text(look), "20 to 70 % of patches");
+  look.map = io::ColorMap::diverging;
+  const io::ColorScale scale = viewer::shown_scale(look, values.array() - 600);
+  EXPECT_EQ(scale.low, -scale.high);
+  look.range = io::ColorScale{};
+  EXPECT_EQ(viewer::fit_text(look), "as given");
+}
+
+// An end that is dragged goes where the hand is, and never past the other one.
+TEST(ShownScale, FollowsTheHandThatDragsAnEnd) {
+  const io::ColorScale linear = {.low = 0, .high = 200};
+  EXPECT_NEAR(dragged_scale(linear, viewer::BarEnd::high, 0.5).high, 100, 1);
+  EXPECT_EQ(dragged_scale(linear, viewer::BarEnd::high, 0.5).low, 0);
+  EXPECT_NEAR(dragged_scale(linear, viewer::BarEnd::high, 1.5).high, 300, 1);
+  EXPECT_NEAR(dragged_scale(linear, viewer::BarEnd::low, 0.25).low, 50, 1);
+  const io::ColorScale logarithmic = {.low = 1, .high = 10000, .logarithmic = true};
+  EXPECT_NEAR(dragged_scale(logarithmic, viewer::BarEnd::high, 0.5).high, 100, 1);
+  EXPECT_NEAR(dragged_scale(logarithmic, viewer::BarEnd::low, 0.5).low, 100, 1);
+  for (const io::ColorScale& scale : {linear, logarithmic}) {
+    for (const double position : {-7.0, 0.0, 0.5, 1.0, 9.0}) {
+      for (const viewer::BarEnd end : {viewer::BarEnd::low, viewer::BarEnd::high}) {
+        const io::ColorScale dragged = dragged_scale(scale, end, position);
+        EXPECT_LT(dragged.low, dragged.high) << position;
+        EXPECT_TRUE(!scale.logarithmic || dragged.low > 0) << position;
+      }
+    }
+  }
 }
 
 // What belongs to its own patch must not run into the neighbours.
@@ -59,6 +98,29 @@ TEST(Look, BlendsOnlyWhatVariesSmoothly) {
   EXPECT_TRUE(desk.look.logarithmic);
   viewer::show(desk, "illuminance");
   EXPECT_FALSE(desk.look.logarithmic);
+}
+
+// Whoever reads the list for the first time is told what each entry is.
+TEST(ShowInfo, TellsAllThatCanBeShown) {
+  const auto groups = viewer::show_groups();
+  radiosity::Bands spectral;
+  spectral.kind = radiosity::Bands::Kind::wavelengths;
+  spectral.wavelengths = {500, 600};
+  for (const viewer::ShowName& name : viewer::show_names()) {
+    SCOPED_TRACE(name.name);
+    const viewer::ShowInfo& info = viewer::show_info(name.name);
+    EXPECT_EQ(info.name, name.name);
+    EXPECT_EQ(std::count(groups.begin(), groups.end(), info.group), 1);
+    EXPECT_FALSE(info.caption.empty());
+    EXPECT_TRUE(info.definition.ends_with("."));
+    if (name.show != viewer::Show::quantity) continue;
+    EXPECT_EQ(info.unit, radiosity::quantity_info(name.quantity).unit);
+  }
+  EXPECT_EQ(caption_with_unit(viewer::show_info("illuminance"), spectral), "illuminance (lux)");
+  EXPECT_EQ(caption_with_unit(viewer::show_info("radiosity"), spectral), "radiosity (W/(m² nm))");
+  EXPECT_EQ(caption_with_unit(viewer::show_info("power"), spectral), "power (W/nm)");
+  EXPECT_EQ(caption_with_unit(viewer::show_info("area"), spectral), "area of the patches (m²)");
+  EXPECT_EQ(caption_with_unit(viewer::show_info("reflectance"), {}), "reflectance");
 }
 
 TEST(PatchFacts, NumbersAreAsAPersonWritesThem) {
@@ -263,6 +325,33 @@ TEST_F(Desks, KnowWhichMessagesAreAboutWhatIsOpen) {
     EXPECT_GE(desk.console_lines, 1);
     EXPECT_LE(desk.console_lines, 100);
   }
+}
+
+// A point is where a ray meets a surface, or the corner beside it.
+TEST_F(Desks, FindThePointUnderTheMouse) {
+  viewer::Desk desk(coarse());
+  open(desk.session, kBox);
+  viewer::update(desk);
+  desk.region = {.left = 0, .top = 0, .width = 600, .height = 600};
+  const radiosity::PatchMesh& mesh = *desk.session.model().mesh;
+  for (const double x : {0.2, 0.5, 0.81}) {
+    const Vec3 point = viewer::point_towards(desk, x, 0.7);
+    const auto patch = viewer::patch_at(desk, x, 0.7);
+    ASSERT_TRUE(patch);
+    EXPECT_LE(std::abs(mesh.normal[*patch].dot(point - mesh.centroid[*patch])), 1e-6);
+    const auto drawn = viewer::point_at(desk, x, 0.7);
+    ASSERT_TRUE(drawn);
+    EXPECT_LE((*drawn - point).norm(), 0.05);  // some pixels of a box of 0.55 m
+  }
+  viewer::save_view(desk.views, "here", desk.camera.camera());
+  const Vec3 before = desk.camera.camera().position;
+  desk.camera.zoom_to(viewer::point_towards(desk, 0.3, 0.6), 0.5);
+  EXPECT_GT((desk.camera.camera().position - before).norm(), 0.1);
+  viewer::use_view(desk, "here");
+  EXPECT_EQ(desk.camera.camera().position, before);
+  open(desk.session, kRoom);  // where nothing of it is
+  viewer::update(desk);
+  EXPECT_TRUE(desk.views.empty());
 }
 
 // What was set for one scene must not hide the next one, and heat is nothing to see.

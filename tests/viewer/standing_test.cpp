@@ -98,8 +98,11 @@ TEST(Session, TellsHowFarItCanBeTrusted) {
         std::max(expected, 2 * error / std::sqrt(area.dot(solution.radiosity.col(b).cwiseAbs2())));
   }
   EXPECT_NEAR(session.light()->relative_error.value(), expected, 1e-12);
+  const std::string accuracy = viewer::accuracy_text(session);
+  EXPECT_NE(accuracy.find("% reached (2 σ), 1 % asked"), std::string::npos) << accuracy;
   session.set_reflectance(1, Eigen::Vector3d::Constant(0.2));
   EXPECT_FALSE(viewer::standing(session).is_result);
+  EXPECT_EQ(viewer::accuracy_text(session), "");
 }
 
 // While a compressed operator is being made, a rough one shows the light, says how rough it is, and

@@ -23,19 +23,26 @@ Vec3 CameraControl::right_direction() const {
   return right.norm() > 0 ? Vec3(right.normalized()) : camera_.direction.unitOrthogonal();
 }
 
-void CameraControl::turn(double right, double up) {
+Eigen::Matrix3d CameraControl::turn(double right, double up) {
   constexpr double kClosest = 0.01;  // to the up direction, radian
   const double angle = std::acos(std::clamp(camera_.direction.dot(camera_.up), -1.0, 1.0));
   const double raised = std::clamp(angle - up, kClosest, radiosity::kPi - kClosest);
-  camera_.direction = Eigen::AngleAxisd(angle - raised, right_direction()) * camera_.direction;
-  camera_.direction = Eigen::AngleAxisd(-right, camera_.up) * camera_.direction;
-  camera_.direction.normalize();
+  const Eigen::Matrix3d rotation =
+      (Eigen::AngleAxisd(-right, camera_.up) * Eigen::AngleAxisd(angle - raised, right_direction()))
+          .toRotationMatrix();
+  camera_.direction = (rotation * camera_.direction).normalized();
+  return rotation;
 }
 
 void CameraControl::orbit(double right, double up) {
   const Vec3 center = pivot();
   turn(right, up);
   camera_.position = center - distance_ * camera_.direction;
+}
+
+void CameraControl::orbit_about(const Vec3& center, double right, double up) {
+  const Vec3 offset = camera_.position - center;
+  camera_.position = center + turn(right, up) * offset;
 }
 
 void CameraControl::look_around(double right, double up) { turn(right, up); }
@@ -51,6 +58,14 @@ void CameraControl::zoom(double factor) {
   const Vec3 center = pivot();
   distance_ = std::max(least_distance_, distance_ * factor);
   camera_.position = center - distance_ * camera_.direction;
+}
+
+void CameraControl::zoom_to(const Vec3& point, double factor) {
+  const Vec3 offset = camera_.position - point;
+  const double distance = std::max(offset.norm(), least_distance_);
+  const double shrink = std::max(factor, least_distance_ / distance);
+  camera_.position = point + shrink * offset;
+  distance_ = std::max(least_distance_, shrink * distance_);
 }
 
 void CameraControl::fly(double forward, double right, double up) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Eigen/Core>
+
 #include "radiosity/base/geometry.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/scene.h"
@@ -23,19 +25,25 @@ class CameraControl {
 
   /// Turns the camera about the pivot; stops short of looking along `up`.
   void orbit(double right, double up);
+  /// The same about any point, which stays at its place in the picture.
+  void orbit_about(const radiosity::Vec3& center, double right, double up);
   /// Turns the camera where it stands.
   void look_around(double right, double up);
   /// Moves the camera in the picture's plane, so that the pivot follows the mouse.
   void pan(double right, double up);
   /// Goes towards the pivot: to `factor` (> 0) times the distance.
   void zoom(double factor);
+  /// Goes towards a point, which stays at its place in the picture: to `factor` (> 0) times the
+  /// distance.
+  void zoom_to(const radiosity::Vec3& point, double factor);
   /// Moves the camera by metres along its own directions.
   void fly(double forward, double right, double up);
   /// Makes a point of the scene the pivot.
   void focus(const radiosity::Vec3& point);
 
  private:
-  void turn(double right, double up);
+  /// Returns the rotation.
+  Eigen::Matrix3d turn(double right, double up);
   [[nodiscard]] radiosity::Vec3 right_direction() const;
 
   radiosity::Camera camera_;

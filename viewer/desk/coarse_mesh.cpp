@@ -190,6 +190,7 @@ void CoarseMesh::add_triangles(const PatchMesh& mesh) {
       if (across.dot(mesh.normal[i]) <= 0) continue;
       triangles_.push_back({corners[0], corners[k - 1], corners[k]});
       has_back_.push_back(mesh.twin[i] < 0 ? 1 : 0);
+      surfaces_.push_back(mesh.surface[i]);
     }
   }
 }

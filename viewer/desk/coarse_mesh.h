@@ -28,6 +28,9 @@ class CoarseMesh {
   /// Per triangle: whether its back is shown, as no patch lies there; 0 or 1.
   [[nodiscard]] const std::vector<std::uint8_t>& has_back() const { return has_back_; }
 
+  /// Per triangle.
+  [[nodiscard]] const std::vector<std::int32_t>& surfaces() const { return surfaces_; }
+
   /// The points' colours from those at the patches' corners (slot 4 i + k is corner k of patch i):
   /// the means of the corners that a point stands for.
   [[nodiscard]] std::vector<io::Rgb> colors(std::span<const io::Rgb> corners) const;
@@ -40,6 +43,7 @@ class CoarseMesh {
   std::vector<radiosity::Vec3> positions_;
   std::vector<std::array<std::int32_t, 3>> triangles_;
   std::vector<std::uint8_t> has_back_;
+  std::vector<std::int32_t> surfaces_;
   std::vector<std::int32_t> point_of_;  // per slot, or -1
 };
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <stdexcept>
 
@@ -13,6 +14,7 @@
 #include "radiosity/base/error.h"
 #include "radiosity/picture/render.h"
 #include "radiosity/scene/patch_mesh.h"
+#include "viewer/desk/outlines.h"
 #include "viewer/work/standing.h"
 
 namespace viewer {
@@ -34,12 +36,22 @@ void greet(Desk& desk) {
   desk.look.range.reset();
   desk.look.logarithmic = is_wide(desk.look.show);
   desk.look.band.reset();
+  desk.views.clear();
+  desk.tape = {};
+  desk.look.hidden = {};
+  desk.marked_surface.reset();
+  desk.marked_lines.clear();
   const Domain domain = domain_of(session);
   const bool is_of_iteration = desk.look.show == Show::watched || desk.look.show == Show::unshot;
   if (domain != desk.domain || is_of_iteration) show(desk, first_quantity(domain));
   desk.domain = domain;
   desk.up = desk.asked_up.value_or(guessed_up(*session.model().mesh, session.model().camera));
   use_scene_camera(desk);
+}
+
+/// Seconds since some beginning.
+double time_now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 /// Takes in what has become of the file that is being written. Whether it is done.
@@ -52,6 +64,24 @@ bool update_saving(Desk& desk) {
     return true;
   }
   return is_done;
+}
+
+/// Keeps what is marked in the list of surfaces: where the picture was clicked, and in step with
+/// other patches.
+void update_marks(Desk& desk, const Session::Versions& then) {
+  const Session& session = desk.session;
+  const auto asked = desk.facts ? std::optional(desk.facts->patch) : std::nullopt;
+  if (asked != session.selected()) {
+    desk.marked_surface.reset();
+    desk.marked_lines.clear();
+    if (const auto patch = session.selected()) {
+      desk.marked_surface = session.model().mesh->surface[*patch];
+    }
+  }
+  if (desk.marked_lines.empty() || session.versions().model == then.model) return;
+  const radiosity::PatchMesh& mesh = *session.model().mesh;
+  const auto others = HiddenSurfaces::all_but(*desk.marked_surface, mesh.surface_names.size());
+  desk.marked_lines = make_outlines(mesh, others);
 }
 
 }  // namespace
@@ -73,6 +103,11 @@ bool update(Desk& desk) {
   has_changed |= update_saving(desk);
   has_changed |= desk.examples.update();
   const Session& session = desk.session;
+  if (const IterationRecord* record = session.iteration()) {
+    has_changed |= advance(desk.watching, desk.look, *record, time_now());
+  } else if (session.is_idle()) {
+    desk.watching.is_playing = false;  // nothing will come
+  }
   if (session.versions().file != desk.shown_file) {
     greet(desk);
   } else if (desk.facts && !session.selected() &&
@@ -95,6 +130,7 @@ bool update(Desk& desk) {
       desk.fluxes = radiosity::surface_fluxes(*session.model().mesh, session.light()->solution);
     }
   }
+  update_marks(desk, then);
   desk.facts_versions = now;
   desk.facts.reset();
   desk.emitter_shares.clear();
@@ -123,6 +159,20 @@ void show(Desk& desk, const std::string& name) {
   if (known->show == Show::light_path) desk.asks_light_path = true;
 }
 
+void record_iteration(Desk& desk, radiosity::Method method) {
+  desk.session.record_iteration(method);
+  if (desk.look.show != Show::unshot) show(desk, "watched");
+  desk.look.step = 0;
+  desk.watching.method = method;
+  desk.watching.is_playing = false;
+  // Its first shots, of thousands, are those to learn from.
+  desk.watching.is_logarithmic = method == radiosity::Method::southwell;
+}
+
+void play_iteration(Desk& desk, double speed) {
+  play(desk.watching, desk.look, desk.session.iteration(), speed, time_now());
+}
+
 void fit_camera(Desk& desk) {
   if (!desk.session.is_open()) return;
   const radiosity::PatchMesh& mesh = *desk.session.model().mesh;
@@ -137,6 +187,10 @@ void use_scene_camera(Desk& desk) {
   const bool has_camera = model.camera && guessed_up(*model.mesh, model.camera) == desk.up;
   desk.camera = CameraControl(has_camera ? *model.camera : outside_camera(*model.mesh, desk.up),
                               model.bounds);
+}
+
+void use_view(Desk& desk, const std::string& name) {
+  desk.camera = CameraControl(view_named(desk.views, name).camera, desk.session.model().bounds);
 }
 
 void set_up(Desk& desk, UpAxis up) {
@@ -163,12 +217,17 @@ radiosity::Camera picture_camera(const Desk& desk) {
   return camera;
 }
 
-std::optional<Index> patch_at(const Desk& desk, double x, double y) {
+std::optional<radiosity::Hit> hit_at(const Desk& desk, double x, double y) {
   if (!desk.session.is_open() || desk.region.height <= 0) return std::nullopt;
+  const Model& model = desk.session.model();
   const double aspect = static_cast<double>(desk.region.width) / desk.region.height;
   const radiosity::Camera camera = picture_camera(desk);
-  const auto hit = desk.session.model().visibility->first_front_hit(
-      camera.position, ray_direction(camera, x, y, aspect));
+  return first_seen(*model.visibility, *model.mesh, desk.look.hidden, Backs::hidden,
+                    camera.position, ray_direction(camera, x, y, aspect));
+}
+
+std::optional<Index> patch_at(const Desk& desk, double x, double y) {
+  const auto hit = hit_at(desk, x, y);
   if (!hit) return std::nullopt;
   return hit->patch;
 }

@@ -10,11 +10,16 @@
 #include "viewer/desk/camera_control.h"
 #include "viewer/desk/comparison.h"
 #include "viewer/desk/examples.h"
+#include "viewer/desk/isolines.h"
 #include "viewer/desk/legend.h"
 #include "viewer/desk/look.h"
 #include "viewer/desk/orientation.h"
 #include "viewer/desk/patch_facts.h"
 #include "viewer/desk/region.h"
+#include "viewer/desk/saved_views.h"
+#include "viewer/desk/surface_totals.h"
+#include "viewer/desk/tape.h"
+#include "viewer/desk/watching.h"
 #include "viewer/work/session.h"
 
 namespace viewer {
@@ -40,7 +45,10 @@ struct Desk {
 
   Session session;
   Look look;
+  Watching watching;
   CameraControl camera;
+  std::vector<SavedView> views;  ///< kept while the file is open
+  Tape tape;
   UpAxis up = UpAxis::y;
   std::optional<UpAxis> asked_up = {};  ///< of all files; absent: guessed for each
   Domain domain = Domain::light;
@@ -48,11 +56,17 @@ struct Desk {
   bool is_exposure_due = true;                 ///< it shall be found anew
   bool is_painting_due = false;                ///< the colours are not yet those of what is known
   std::optional<Legend> legend;                ///< of what is shown now
+  std::vector<IsoNumber> iso_numbers;          ///< beside isolines
   Region region;                               ///< of the picture in the window
   std::optional<PatchFacts> facts;             ///< of the selected patch
   std::vector<radiosity::SurfaceFlux> fluxes;  ///< of the light, where surfaces radiate by heat
   std::vector<EmitterShare> emitter_shares;    ///< of its light, once the light path is known
   Pinning pinning = {};                        ///< light to compare with
+  std::optional<std::int32_t> marked_surface;  ///< that is outlined, and stands out in the list
+  std::vector<SurfaceLine> marked_lines;       ///< its outlines
+  TotalOrder surface_order;                    ///< of the list
+  std::vector<SurfaceTotal> totals;            ///< in that order; see `sorted_totals`
+  Session::Versions totals_versions = {};      ///< at which these were found
   bool shows_panels = true;
   bool shows_help = false;
   int console_lines = kConsoleLines;
@@ -80,10 +94,17 @@ bool update(Desk& desk);
 /// if nothing has.
 void show(Desk& desk, const std::string& name);
 
+/// Begins to record an iteration from darkness and shows its first step.
+void record_iteration(Desk& desk, radiosity::Method method);
+/// Steps through the record by itself, so many steps per second.
+void play_iteration(Desk& desk, double speed);
+
 /// Moves the camera until it sees the whole scene from outside, in its direction.
 void fit_camera(Desk& desk);
 /// The scene's camera, or one that sees the whole scene.
 void use_scene_camera(Desk& desk);
+/// That of a view that was kept. Throws std::invalid_argument if none is called so.
+void use_view(Desk& desk, const std::string& name);
 
 /// Makes an axis point upwards and looks at the scene from outside.
 void set_up(Desk& desk, UpAxis up);
@@ -93,8 +114,9 @@ void set_unit(Desk& desk, const std::string& unit);
 /// The camera as the picture has it: its angle of view holds across the narrower side.
 radiosity::Camera picture_camera(const Desk& desk);
 
-/// The patch whose emitting side is seen at a point of the picture; x and y in [0, 1] from its top
-/// left.
+/// What a point of the picture shows: a patch that is not hidden and whose emitting side is seen; x
+/// and y in [0, 1] from its top left.
+std::optional<radiosity::Hit> hit_at(const Desk& desk, double x, double y);
 std::optional<radiosity::Index> patch_at(const Desk& desk, double x, double y);
 
 /// What the mouse points at: "floor, 123.4 lux"; "" if it is nothing.

@@ -14,7 +14,9 @@ struct Legend {
   std::string unit;  ///< "" of plain numbers
   io::ColorScale scale;
   io::ColorMap map = io::ColorMap::viridis;
-  double least = 0;  ///< of the values that are shown
+  std::vector<double> ticks;  ///< values that are labelled, as far as there is room
+  std::string fit;            ///< what the scale spans: "0 to 98 % of patches"
+  double least = 0;           ///< of the values that are shown
   double greatest = 0;
   Eigen::VectorXd values;  ///< of the patches
   bool has_below = false;  ///< values below the scale are shown, as its lowest colour

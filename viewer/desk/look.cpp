@@ -110,12 +110,6 @@ std::optional<ShownField> path_field(const Known& known, const Look& look) {
                 density, known, look);
 }
 
-const IterationFrame* watched_frame(const Known& known, const Look& look) {
-  const IterationRecord* record = known.iteration.get();
-  if (record == nullptr || record->frames.empty()) return nullptr;
-  return record->frames[std::min(look.step, record->frames.size() - 1)].get();
-}
-
 }  // namespace
 
 const std::vector<std::int32_t>* open_patches(const Known& known) {
@@ -177,6 +171,12 @@ bool is_wide(Show show) {
   return show == Show::form_factors || show == Show::arriving || show == Show::light_path;
 }
 
+const IterationFrame* watched_frame(const IterationRecord* record, const Look& look) {
+  const bool is_shown = look.show == Show::watched || look.show == Show::unshot;
+  if (!is_shown || record == nullptr || record->frames.empty()) return nullptr;
+  return record->frames[std::min(look.step, record->frames.size() - 1)].get();
+}
+
 std::optional<ShownField> shown_field(const Known& known, const Look& look) {
   if (!known.model.mesh) return std::nullopt;
   switch (look.show) {
@@ -202,7 +202,7 @@ std::optional<ShownField> shown_field(const Known& known, const Look& look) {
     case Show::light_path:
       return path_field(known, look);
     case Show::unshot: {
-      const IterationFrame* frame = watched_frame(known, look);
+      const IterationFrame* frame = watched_frame(known.iteration.get(), look);
       if (frame == nullptr) return std::nullopt;
       return banded("unshot radiosity", radiosity::band_unit("W/m²", known.model.bands),
                     frame->unshot.cast<double>(), known, look);
@@ -213,7 +213,7 @@ std::optional<ShownField> shown_field(const Known& known, const Look& look) {
 
 std::optional<Eigen::MatrixXd> shown_radiosity(const Known& known, const Look& look) {
   if (look.show == Show::watched) {
-    const IterationFrame* frame = watched_frame(known, look);
+    const IterationFrame* frame = watched_frame(known.iteration.get(), look);
     if (frame != nullptr) return frame->radiosity.cast<double>();
   }
   if (!known.light) return std::nullopt;

@@ -12,6 +12,7 @@
 #include "radiosity/base/geometry.h"
 #include "radiosity/scene/scene.h"
 #include "radiosity/solve/quantity.h"
+#include "viewer/desk/hidden_surfaces.h"
 #include "viewer/work/known.h"
 #include "viewer/work/session.h"
 
@@ -46,12 +47,17 @@ struct Look {
   std::optional<radiosity::Index> band = {};  ///< of what has bands; absent: their mean
   bool logarithmic = false;
   std::optional<io::ColorScale> range = {};  ///< absent: one that fits
-  double stops = 0;                          ///< exposure beyond the automatic one, in powers of 2
+  io::ScaleChoice fit = {};                  ///< which values a range that fits spans
+  io::ColorMap map = io::ColorMap::viridis;
+  bool isolines = false;  ///< of what is smooth
+  double stops = 0;       ///< exposure beyond the automatic one, in powers of 2
   bool smooth = true;
   bool edges = false;
+  bool outlines = true;  ///< of surfaces, under false colours
   bool hide_backs = true;
   bool back_outlines = true;  ///< of faces whose backs are hidden
-  bool axes = true;      ///< in a corner
+  bool axes = true;           ///< in a corner
+  HiddenSurfaces hidden = {};
   std::size_t step = 0;  ///< frame of the recorded iteration
   Comparison comparison = Comparison::none;
 };
@@ -79,6 +85,9 @@ bool is_offered(const ShowName& name, const Session& session);
 bool is_smooth(const Look& look);
 /// Whether values spread over decades, so that a linear scale shows little of them.
 bool is_wide(Show show);
+
+/// The moment of a recorded iteration that is shown; null if there is none or something else is.
+const IterationFrame* watched_frame(const IterationRecord* record, const Look& look);
 
 /// One value per patch, in a unit.
 struct ShownField {

@@ -15,6 +15,8 @@ using radiosity::Index;
 
 constexpr std::ptrdiff_t kGrain = 1024;  // points
 constexpr double kMapEnd = 0.002;
+constexpr int kMostTicks = 11;
+constexpr double kNumberSpacing = 0.25;  // of the scene's size, along isolines
 
 Painting painted_light(const PaintingTask& task, const Eigen::MatrixXd& radiosity) {
   Painting painting;
@@ -44,11 +46,14 @@ Painting painted_field(const PaintingTask& task, ShownField field) {
   painting.legend = Legend{.title = std::move(field.title),
                            .unit = std::move(field.unit),
                            .scale = scale,
-                           .map = is_difference ? io::ColorMap::cool_warm : io::ColorMap::viridis,
+                           .map = is_difference ? io::ColorMap::diverging : task.look.map,
+                           .ticks = io::tick_values(scale, kMostTicks),
+                           .fit = fit_text(task.look),
                            .least = least,
                            .greatest = greatest,
                            .values = std::move(field.values),
-                           .has_below = least<scale.low, .has_above = greatest> scale.high};
+                           .has_below = (least < scale.low),
+                           .has_above = (greatest > scale.high)};
   return painting;
 }
 
@@ -96,6 +101,18 @@ Painting make_painting(const PaintingTask& task) {
     return painted_light(task, *radiosity);
   }
   return painted_unlit(task);
+}
+
+std::vector<IsoLevel> wanted_levels(const Painting& painting, const Look& look) {
+  if (!painting.legend || !look.isolines || !painting.is_smooth) return {};
+  return iso_levels(*painting.legend);
+}
+
+Isolines painted_isolines(const Painting& painting, const BlendedTriangles& field,
+                          const std::vector<IsoLevel>& levels, const HiddenSurfaces& hidden,
+                          double size) {
+  if (levels.empty()) return {};
+  return make_isolines(field, levels, painting.legend.value().map, hidden, kNumberSpacing * size);
 }
 
 std::vector<io::Rgb> point_colors(const Painting& painting, const Eigen::MatrixXd& values) {

@@ -7,6 +7,7 @@
 
 #include "io/picture/rgb_picture.h"
 #include "viewer/desk/comparison.h"
+#include "viewer/desk/isolines.h"
 #include "viewer/desk/legend.h"
 #include "viewer/desk/look.h"
 #include "viewer/desk/orientation.h"
@@ -36,6 +37,13 @@ struct Painting {
 };
 
 Painting make_painting(const PaintingTask& task);
+
+/// The levels that isolines are wanted of: none if the look has none or values are not blended.
+std::vector<IsoLevel> wanted_levels(const Painting& painting, const Look& look);
+/// Isolines of these levels in a scene of this size, m.
+Isolines painted_isolines(const Painting& painting, const BlendedTriangles& field,
+                          const std::vector<IsoLevel>& levels, const HiddenSurfaces& hidden,
+                          double size);
 
 /// 8-bit sRGB of points of a painting without legend, from their linear sRGB, m x 3.
 std::vector<io::Rgb> point_colors(const Painting& painting, const Eigen::MatrixXd& values);

@@ -12,6 +12,7 @@ PatchPoints::PatchPoints(std::shared_ptr<const radiosity::PatchMesh> mesh)
     const auto first = static_cast<std::int32_t>(positions_.size());
     const int n = mesh_->n_corners(i);
     has_back_.insert(has_back_.end(), n == 3 ? 1 : 4, mesh_->twin[i] < 0 ? 1 : 0);
+    surfaces_.insert(surfaces_.end(), n == 3 ? 1 : 4, mesh_->surface[i]);
     radiosity::Vec3 sum = radiosity::Vec3::Zero();
     for (int k = 0; k < n; ++k) {
       positions_.push_back(mesh_->corner(i, k));

@@ -25,6 +25,8 @@ class PatchPoints {
   }
   /// Per triangle: whether its back is shown, as no patch lies there; 0 or 1.
   [[nodiscard]] const std::vector<std::uint8_t>& has_back() const { return has_back_; }
+  /// Per triangle.
+  [[nodiscard]] const std::vector<std::int32_t>& surfaces() const { return surfaces_; }
   /// The points' values of a field of patches, n_points x k: with `smooth` as `corner_values` has
   /// them, else constant on each patch.
   [[nodiscard]] Eigen::MatrixXd values(const Eigen::MatrixXd& patch_values, bool smooth) const;
@@ -35,6 +37,7 @@ class PatchPoints {
   std::vector<radiosity::Vec3> positions_;
   std::vector<std::array<std::int32_t, 3>> triangles_;
   std::vector<std::uint8_t> has_back_;
+  std::vector<std::int32_t> surfaces_;
 };
 
 }  // namespace viewer

@@ -9,6 +9,8 @@
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/scene.h"
 #include "radiosity/visibility/visibility.h"
+#include "viewer/desk/hidden_surfaces.h"
+#include "viewer/desk/isolines.h"
 
 namespace viewer {
 
@@ -17,6 +19,7 @@ struct CornerColors {
   std::vector<io::Rgb> colors;   ///< 8-bit sRGB
   std::vector<float> positions;  ///< on the colour map, in (0, 1); negative: nothing is known
   io::ColorMap map = io::ColorMap::viridis;
+  std::vector<IsoLevel> levels = {};  ///< of `positions`, that isolines are drawn of
 };
 
 struct RayPictureOptions {
@@ -25,6 +28,8 @@ struct RayPictureOptions {
   int samples = 1;  ///< rays in each pixel along either side
   bool hides_backs = true;
   bool has_edges = false;  ///< of patches, where these are larger than some pixels
+  HiddenSurfaces hidden = {};
+  bool has_outlines = false;  ///< of surfaces, as `make_outlines` has them
   radiosity::Progress progress = {};
 };
 

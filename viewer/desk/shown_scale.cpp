@@ -1,14 +1,21 @@
 #include "viewer/desk/shown_scale.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "io/picture/round_numbers.h"
 
 namespace viewer {
 namespace {
 
 constexpr double kLeastRatio = 1e-6;  // of the ends of a logarithmic scale
 constexpr double kMostRatio = 0.1;
+constexpr double kLeastSpan = 0.05;  // of a dragged scale, relative to what it was
+constexpr double kMostSpan = 3;
+constexpr double kFineness = 0.01;
 
 /// Infinite if no value is above 0.
 double least_above_zero(const Eigen::VectorXd& values) {
@@ -25,7 +32,11 @@ io::ColorScale shown_scale(const Look& look, const Eigen::VectorXd& values) {
   const double least = look.logarithmic ? least_above_zero(values) : 0;
   const bool is_logarithmic =
       look.logarithmic && std::isfinite(least) && (!look.range || look.range->high > 0);
-  if (!look.range) return io::fitting_scale(values, is_logarithmic);
+  if (!look.range) {
+    io::ScaleChoice choice = look.fit;
+    choice.is_symmetric = look.map == io::ColorMap::diverging;
+    return io::fitting_scale(values, is_logarithmic, choice);
+  }
   io::ColorScale scale = *look.range;
   scale.logarithmic = is_logarithmic;
   if (is_logarithmic && !(scale.low > 0)) {
@@ -35,8 +46,28 @@ io::ColorScale shown_scale(const Look& look, const Eigen::VectorXd& values) {
 }
 
 std::string scale_note(const Look& look, const io::ColorScale& scale) {
-  if (scale.logarithmic) return "logarithmic";
+  if (scale.logarithmic) {
+    const bool is_raised = look.range && !(look.range->low > 0);
+    return is_raised ? "logarithmic, from the least above 0" : "logarithmic";
+  }
   return look.logarithmic ? "linear: none is above 0" : "";
+}
+
+std::string fit_text(const Look& look) {
+  if (look.range) return "as given";
+  return fmt::format("{:g} to {:g} % of patches", look.fit.low_percent, look.fit.high_percent);
+}
+
+io::ColorScale dragged_scale(const io::ColorScale& scale, BarEnd end, double position) {
+  const double wanted = end == BarEnd::high ? std::clamp(position, kLeastSpan, kMostSpan)
+                                            : std::clamp(position, 1 - kMostSpan, 1 - kLeastSpan);
+  // As fine as a hand is.
+  const double step = scale.logarithmic ? io::round_down(io::value_at(scale, wanted) * kFineness)
+                                        : io::round_down((scale.high - scale.low) * kFineness);
+  const double value = step * std::round(io::value_at(scale, wanted) / step);
+  io::ColorScale dragged = scale;
+  (end == BarEnd::high ? dragged.high : dragged.low) = value;
+  return dragged;
 }
 
 }  // namespace viewer

@@ -13,8 +13,18 @@ namespace viewer {
 /// decades below the high end at most.
 io::ColorScale shown_scale(const Look& look, const Eigen::VectorXd& values);
 
-/// What a person must know of the scale: "logarithmic", or why it is not; "" if it is linear as
-/// asked.
+/// What a person must know of the scale: "logarithmic", and where that begins if a low end was
+/// given that no logarithm has, or why it is not; "" if it is linear as asked.
 std::string scale_note(const Look& look, const io::ColorScale& scale);
+
+/// What it spans: "0 to 98 % of patches", or "as given".
+std::string fit_text(const Look& look);
+
+/// The ends of a colour bar, which a hand can take.
+enum class BarEnd { low, high };
+
+/// The scale after one of its ends was dragged to the place where `position` was, which may be
+/// beyond [0, 1]; round numbers, and never upside down.
+io::ColorScale dragged_scale(const io::ColorScale& scale, BarEnd end, double position);
 
 }  // namespace viewer

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "radiosity/scene/corner_values.h"
+#include "viewer/desk/outlines.h"
 #include "viewer/desk/pinning.h"
 
 namespace viewer {
@@ -35,17 +36,22 @@ Eigen::MatrixXd repeated(const Eigen::MatrixXd& values) {
 
 struct LargePainter::Prepared {
   explicit Prepared(std::shared_ptr<const PatchMesh> patches)
-      : mesh(std::move(patches)), interpolation(*mesh), coarse(*mesh, kCoarseCells) {}
+      : mesh(std::move(patches)),
+        interpolation(*mesh),
+        coarse(*mesh, kCoarseCells),
+        size(bounds(*mesh).diagonal().norm()) {}
   std::shared_ptr<const PatchMesh> mesh;
   radiosity::CornerInterpolation interpolation;
   CoarseMesh coarse;
+  double size;  // m
 };
 
 bool LargePainter::Frame::operator==(const Frame& other) const {
   return camera.position == other.camera.position && camera.direction == other.camera.direction &&
          camera.up == other.camera.up && camera.vertical_fov == other.camera.vertical_fov &&
          width == other.width && height == other.height && hides_backs == other.hides_backs &&
-         has_edges == other.has_edges;
+         has_edges == other.has_edges && has_outlines == other.has_outlines &&
+         hidden == other.hidden;
 }
 
 LargePainter::Frame LargePainter::frame_of(const Desk& desk) {
@@ -53,7 +59,9 @@ LargePainter::Frame LargePainter::frame_of(const Desk& desk) {
           .width = desk.region.width,
           .height = desk.region.height,
           .hides_backs = desk.look.hide_backs,
-          .has_edges = desk.look.edges};
+          .has_edges = desk.look.edges,
+          .has_outlines = desk.look.outlines,
+          .hidden = desk.look.hidden};
 }
 
 bool LargePainter::update() {
@@ -80,6 +88,8 @@ void LargePainter::clear() {
   shown_.reset();
   is_view_set_ = false;
   is_color_new_ = false;
+  are_lines_due_ = false;
+  has_outlines_ = false;
 }
 
 void LargePainter::paint(Desk& desk, SceneView& view) {
@@ -91,13 +101,17 @@ void LargePainter::paint(Desk& desk, SceneView& view) {
   desk.is_painting_due = true;
   if (!prepared_) return;
   if (!is_view_set_) {
-    const CoarseMesh& coarse = prepared_->coarse;
-    view.set_triangles({coarse.positions(), coarse.triangles(), coarse.has_back()}, nullptr);
+    take_triangles(desk, view);
     is_view_set_ = true;
     start_colors(desk);
   }
+  if (!(hidden_ == desk.look.hidden)) {
+    take_triangles(desk, view);
+    is_color_new_ = colored_ != nullptr;  // they have none yet
+  }
   if (is_color_new_) take_colors(desk, view);
   if (is_due(desk)) start_colors(desk);
+  paint_lines(desk, view);
   paint_still(desk);
   if (!still_) shown_ = colored_;
   desk.is_painting_due = !shown_ || shown_->state.is_stale(desk);
@@ -132,10 +146,14 @@ void LargePainter::start_colors(Desk& desk) {
   // While light is spreading it gets brighter: the exposure follows until it is known.
   const bool is_spreading = colored_ && colored_->painting.is_spreading;
   if (!desk.is_exposure_due && !is_spreading) task.exposure = desk.exposure;
-  coloring_.start([this, task = std::move(task), state = started_,
-                   prepared = prepared_](const Worker::Context& context) {
+  // They take long, and change with what is hidden only.
+  std::shared_ptr<const std::vector<SurfaceLine>> outlines;
+  if (colored_ && colored_->state.look.hidden == desk.look.hidden) outlines = colored_->outlines;
+  coloring_.start([this, task = std::move(task), state = started_, prepared = prepared_,
+                   outlines](const Worker::Context& context) {
     auto colored = std::make_shared<Colored>();
     colored->state = state;
+    colored->outlines = outlines;
     Painting& painting = colored->painting;
     painting = make_painting(task);
     context.progress.check();
@@ -148,6 +166,16 @@ void LargePainter::start_colors(Desk& desk) {
       colored->corners.positions = map_positions(painting, corners);
       colored->points.positions = prepared->coarse.values(colored->corners.positions);
       colored->corners.map = painting.legend->map;
+      colored->corners.levels = wanted_levels(painting, task.look);
+      const CoarseMesh& coarse = prepared->coarse;
+      colored->isolines = painted_isolines(
+          painting,
+          {coarse.positions(), coarse.triangles(), coarse.surfaces(), colored->points.positions},
+          colored->corners.levels, task.look.hidden, prepared->size);
+      if (task.look.outlines && !outlines) {
+        colored->outlines = std::make_shared<const std::vector<SurfaceLine>>(
+            make_outlines(*prepared->mesh, task.look.hidden));
+      }
     } else {
       colored->corners.colors = point_colors(painting, corners);
       colored->points.colors = prepared->coarse.colors(colored->corners.colors);
@@ -168,16 +196,41 @@ void LargePainter::take_colors(Desk& desk, SceneView& view) {
     desk.is_exposure_due = false;
   }
   desk.legend = painting.legend;
+  desk.iso_numbers = colored_->isolines.numbers;
   if (painting.legend) {
-    view.set_map_positions(colored_->points.positions, painting.legend->map);
+    view.set_color_map(painting.legend->map);
+    view.set_map_positions(colored_->points.positions);
   } else {
     view.set_colors(colored_->points.colors);
   }
+  are_lines_due_ = true;
   // Other light may follow the picture that is there; something else may not.
   const bool is_other =
       still_colors_ && (still_colors_->state.look.show != colored_->state.look.show ||
                         still_colors_->state.subtracted != colored_->state.subtracted);
   if (is_other) still_.reset();
+}
+
+void LargePainter::take_triangles(const Desk& desk, SceneView& view) {
+  hidden_ = desk.look.hidden;
+  const CoarseMesh& coarse = prepared_->coarse;
+  view.set_triangles(
+      {coarse.positions(), coarse.triangles(), coarse.has_back(), coarse.surfaces(), hidden_},
+      nullptr);
+}
+
+/// While the camera moves, over the coarse mesh.
+void LargePainter::paint_lines(const Desk& desk, SceneView& view) {
+  const bool wants_outlines = desk.legend && desk.look.outlines;
+  if (!are_lines_due_ && has_outlines_ == wants_outlines) return;
+  are_lines_due_ = false;
+  has_outlines_ = wants_outlines;
+  std::vector<SurfaceLine> lines;
+  if (colored_) lines = colored_->isolines.lines;
+  if (has_outlines_ && colored_ && colored_->outlines) {
+    lines.insert(lines.end(), colored_->outlines->begin(), colored_->outlines->end());
+  }
+  view.set_lines(std::move(lines));
 }
 
 void LargePainter::paint_still(const Desk& desk) {
@@ -206,6 +259,8 @@ void LargePainter::paint_still(const Desk& desk) {
                               .height = frame.height,
                               .hides_backs = frame.hides_backs,
                               .has_edges = frame.has_edges,
+                              .hidden = frame.hidden,
+                              .has_outlines = frame.has_outlines && colored->painting.legend,
                               .progress = context.progress};
     for (const int samples : passes) {
       options.samples = samples;

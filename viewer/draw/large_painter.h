@@ -47,6 +47,9 @@ class LargePainter {
     Painting painting;
     CornerColors corners;
     CornerColors points;  // of the coarse mesh
+    Isolines isolines;    // likewise
+    /// Of what `state` does not hide; null if none were wanted.
+    std::shared_ptr<const std::vector<SurfaceLine>> outlines;
   };
   /// What a picture is of.
   struct Frame {
@@ -55,6 +58,8 @@ class LargePainter {
     int height = 0;
     bool hides_backs = true;
     bool has_edges = false;
+    bool has_outlines = false;
+    HiddenSurfaces hidden;
     bool operator==(const Frame& other) const;
   };
   [[nodiscard]] static Frame frame_of(const Desk& desk);
@@ -62,6 +67,8 @@ class LargePainter {
   void start_colors(Desk& desk);
   void take_colors(Desk& desk, SceneView& view);
   [[nodiscard]] bool is_due(const Desk& desk) const;
+  void take_triangles(const Desk& desk, SceneView& view);
+  void paint_lines(const Desk& desk, SceneView& view);
   void paint_still(const Desk& desk);
 
   std::shared_ptr<const radiosity::PatchMesh> mesh_;
@@ -73,6 +80,9 @@ class LargePainter {
   Clock::time_point rest_until_;
   std::shared_ptr<const Colored> colored_;       // the latest that is done
   bool is_color_new_ = false;                    // and not shown yet
+  bool are_lines_due_ = false;                   // its isolines are not drawn yet
+  bool has_outlines_ = false;                    // among the lines that are drawn
+  HiddenSurfaces hidden_;                        // as it is drawn
   Frame frame_;                                  // of the latest drawing
   std::shared_ptr<const Colored> still_colors_;  // of the picture that is made, or there
   std::shared_ptr<const io::RgbPicture> still_;

@@ -12,6 +12,7 @@
 #include "radiosity/scene/patch_mesh.h"
 #include "viewer/desk/pinning.h"
 #include "viewer/draw/comparison_overlay.h"
+#include "viewer/draw/legend_view.h"
 #include "viewer/draw/projection.h"
 #include "viewer/work/standing.h"
 
@@ -29,11 +30,10 @@ constexpr ImU32 kOutline = IM_COL32(255, 170, 40, 255);
 constexpr ImU32 kOpen = IM_COL32(255, 80, 60, 255);
 constexpr ImU32 kHiddenOpen = IM_COL32(255, 80, 60, 150);
 constexpr std::size_t kMostOutlines = 1000;
+constexpr ImU32 kShooter = IM_COL32(80, 220, 255, 255);
+constexpr ImU32 kNumberPaper = IM_COL32(20, 20, 24, 190);
+constexpr ImU32 kTape = IM_COL32(255, 225, 90, 255);
 constexpr ImU32 kPartner = IM_COL32(255, 255, 255, 230);
-constexpr float kLegendWidth = 160;  // at scale 1, as the others
-constexpr float kLegendMargin = 10;
-constexpr float kBarWidth = 18;
-constexpr float kBarHeight = 380;
 constexpr ImU32 kShadow = IM_COL32(0, 0, 0, 200);
 
 void outline(const Desk& desk, ImDrawList& list, Index patch, ImU32 color, float width) {
@@ -49,10 +49,17 @@ void outline(const Desk& desk, ImDrawList& list, Index patch, ImU32 color, float
   list.AddPolyline(corners.data(), n, color, ImDrawFlags_Closed, width);
 }
 
+/// What the camera sees in the direction of a point, m.
+std::optional<radiosity::Hit> first_seen_towards(const Desk& desk, const Vec3& point) {
+  const Model& model = desk.session.model();
+  const Vec3 origin = desk.camera.camera().position;
+  return first_seen(*model.visibility, *model.mesh, desk.look.hidden, Backs::hidden, origin,
+                    (point - origin).normalized());
+}
+
 /// Whether the camera sees a point of a patch.
 bool is_seen_at(const Desk& desk, Index patch, const Vec3& point) {
-  const Vec3 origin = desk.camera.camera().position;
-  const auto hit = desk.session.model().visibility->first_front_hit(origin, point - origin);
+  const auto hit = first_seen_towards(desk, point);
   return hit && hit->patch == patch;
 }
 
@@ -108,94 +115,83 @@ void draw_open_patches(const Desk& desk, ImDrawList& list, float scale) {
   }
 }
 
-void draw_bar(ImDrawList& list, const Legend& legend, ImVec2 top, ImVec2 size) {
-  constexpr int kSteps = 64;
-  for (int k = 0; k < kSteps; ++k) {
-    const auto color = [&](int step) {
-      const io::Rgb rgb = io::map_color(1 - static_cast<double>(step) / kSteps, legend.map);
-      return IM_COL32(rgb[0], rgb[1], rgb[2], 255);
-    };
-    const float y0 = top.y + size.y * static_cast<float>(k) / kSteps;
-    const float y1 = top.y + size.y * static_cast<float>(k + 1) / kSteps;
-    list.AddRectFilledMultiColor(ImVec2(top.x, y0), ImVec2(top.x + size.x, y1), color(k), color(k),
-                                 color(k + 1), color(k + 1));
+/// Whether nothing lies before a point, m, of a surface or of its border.
+bool is_place_seen(const Desk& desk, const Vec3& point) {
+  constexpr double kRounding = 1e-3;  // of the distance
+  const double distance = (point - desk.camera.camera().position).norm();
+  const auto hit = first_seen_towards(desk, point);
+  return !hit || hit->distance > (1 - kRounding) * distance;
+}
+
+/// Numbers on isolines, as far as they are seen and do not lie over each other.
+void draw_iso_numbers(const Desk& desk, ImDrawList& list) {
+  std::vector<ImVec2> places;
+  for (const IsoNumber& number : desk.iso_numbers) {
+    const auto place = project(desk, number.place);
+    if (!place) continue;
+    const std::string text = io::tick_label(number.value);
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    const bool is_free = std::none_of(places.begin(), places.end(), [&](const ImVec2& other) {
+      return std::abs(other.x - place->x) < 1.5F * size.x &&
+             std::abs(other.y - place->y) < 1.2F * size.y;
+    });
+    if (!is_free || !is_place_seen(desk, number.place)) continue;
+    places.push_back(*place);
+    const ImVec2 corner(place->x - size.x / 2, place->y - size.y / 2);
+    list.AddRectFilled(ImVec2(corner.x - 2, corner.y),
+                       ImVec2(corner.x + size.x + 2, corner.y + size.y), kNumberPaper, 2);
+    list.AddText(corner, kInk, text.c_str());
   }
-  const float tip = 0.6F * size.x;
-  const auto end_color = [&](double position) {
-    const io::Rgb rgb = io::map_color(position, legend.map);
-    return IM_COL32(rgb[0], rgb[1], rgb[2], 255);
+}
+
+/// The outlines of the surface that is marked, as far as they are seen.
+void draw_marked(const Desk& desk, ImDrawList& list, float scale) {
+  // Each takes a ray.
+  constexpr std::size_t kMostLines = 3000;
+  const std::size_t stride = desk.marked_lines.size() / kMostLines + 1;
+  const Vec3 position = desk.camera.camera().position;
+  for (std::size_t k = 0; k < desk.marked_lines.size(); k += stride) {
+    const SurfaceLine& line = desk.marked_lines[k];
+    if (!is_drawn(line, position, Backs::hidden)) continue;
+    const auto from = project(desk, line.ends[0]);
+    const auto to = project(desk, line.ends[1]);
+    if (!from || !to || !is_place_seen(desk, 0.5 * (line.ends[0] + line.ends[1]))) continue;
+    list.AddLine(*from, *to, kShadow, 4 * scale);
+    list.AddLine(*from, *to, kOutline, 2 * scale);
+  }
+}
+
+/// The tape measure with its length.
+void draw_tape(const Desk& desk, ImDrawList& list, float scale) {
+  if (!desk.tape.from) return;
+  const auto draw_end = [&](const std::optional<ImVec2>& end) {
+    if (!end) return;
+    list.AddCircle(*end, 4 * scale, kShadow, 0, 4 * scale);
+    list.AddCircle(*end, 4 * scale, kTape, 0, 2 * scale);
   };
-  const float right = top.x + size.x;
-  const float middle = top.x + size.x / 2;
-  const float bottom = top.y + size.y;
-  if (legend.has_above) {
-    list.AddTriangleFilled(ImVec2(top.x, top.y - 1), ImVec2(middle, top.y - 1 - tip),
-                           ImVec2(right, top.y - 1), end_color(1));
-  }
-  if (legend.has_below) {
-    list.AddTriangleFilled(ImVec2(top.x, bottom + 1), ImVec2(right, bottom + 1),
-                           ImVec2(middle, bottom + 1 + tip), end_color(0));
-  }
-}
-
-/// Values to label beside a bar of this height.
-std::vector<double> ticks_of(const Legend& legend, float bar_height) {
-  const int most = static_cast<int>(bar_height / (1.8F * ImGui::GetTextLineHeight()));
-  return io::tick_values(legend.scale, std::max(2, most));
-}
-
-/// Returns where the next line goes.
-float draw_line(ImDrawList& list, ImVec2 place, float width, const std::string& text) {
-  const char* end = text.c_str() + text.size();
-  list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), place, kInk, text.c_str(), end, width);
-  return place.y + ImGui::CalcTextSize(text.c_str(), end, false, width).y;
-}
-
-/// Over the picture's right edge, always as wide, so that the picture stays where it is.
-void draw_legend(const Desk& desk, ImDrawList& list, float scale) {
-  const Legend& legend = *desk.legend;
-  const float line = ImGui::GetTextLineHeight();
-  const float margin = kLegendMargin * scale;
-  const float width = kLegendWidth * scale;
-  const float text_width = width - 2 * margin;
-  const auto top = static_cast<float>(desk.region.top);
-  const auto height = static_cast<float>(desk.region.height);
-  const auto left = static_cast<float>(desk.region.left + desk.region.width) - width;
-  ImVec2 place(left + margin, top + margin);
-  float title_height = 0;
-  for (const std::string& text : legend.title) {
-    title_height += ImGui::CalcTextSize(text.c_str(), nullptr, false, text_width).y;
-  }
-  const float around = title_height + 7 * line + 2 * margin;
-  const float bar_height = std::min(height - around, kBarHeight * scale);
-  if (bar_height < 2 * line) return;
-  list.AddRectFilled(ImVec2(left, top), ImVec2(left + width, top + around + bar_height), kPanel);
-  for (const std::string& text : legend.title) place.y = draw_line(list, place, text_width, text);
-  place.y += 1.5F * line;
-  const float bar_width = kBarWidth * scale;
-  draw_bar(list, legend, place, ImVec2(bar_width, bar_height));
-  for (const double tick : ticks_of(legend, bar_height)) {
-    const auto position = static_cast<float>(io::position_on(legend.scale, tick));
-    const float y = place.y + (1 - position) * bar_height;
-    const float x = place.x + bar_width;
-    list.AddLine(ImVec2(x, y), ImVec2(x + 4 * scale, y), kInk, scale);
-    list.AddText(ImVec2(x + 8 * scale, y - line / 2), kInk, io::tick_label(tick).c_str());
-  }
-  place.y += bar_height + 1.5F * line;
-  place.y = draw_line(list, place, text_width, "least " + number_text(legend.least));
-  draw_line(list, place, text_width, "greatest " + number_text(legend.greatest));
+  const auto from = project(desk, *desk.tape.from);
+  draw_end(from);
+  const auto difference = desk.tape.difference();
+  if (!difference) return;
+  const auto to = project(desk, *desk.tape.to);
+  draw_end(to);
+  if (!from || !to) return;
+  list.AddLine(*from, *to, kShadow, 4 * scale);
+  list.AddLine(*from, *to, kTape, 2 * scale);
+  const std::string text = number_text(difference->norm()) + " m";
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  const ImVec2 place((from->x + to->x - size.x) / 2, (from->y + to->y) / 2 - 1.4F * size.y);
+  list.AddRectFilled(ImVec2(place.x - 3, place.y), ImVec2(place.x + size.x + 3, place.y + size.y),
+                     kNumberPaper, 2);
+  list.AddText(place, kTape, text.c_str());
 }
 
 /// How far what is shown can be trusted.
 Standing shown_standing(const Desk& desk) {
   const Show show = desk.look.show;
-  const IterationRecord* record = desk.session.iteration();
   if (show == Show::area || show == Show::unseen || show == Show::form_factors) return {};
   if (show != Show::watched && show != Show::unshot) return standing(desk.session);
-  if (record == nullptr || record->frames.empty()) return {};
-  const std::size_t frame = std::min(desk.look.step, record->frames.size() - 1);
-  return {.text = fmt::format("step {} of {}", record->frames[frame]->iteration,
-                              method_name(record->method))};
+  return {.text = watched_text(desk.session, desk.look)};
 }
 
 /// The same in the picture's corner.
@@ -267,6 +263,12 @@ void draw_overlay(const Desk& desk, double scale) {
                             top_left.y + static_cast<float>(desk.region.height));
   list.PushClipRect(top_left, bottom_right);
   if (desk.look.show == Show::unseen) draw_open_patches(desk, list, size);
+  draw_marked(desk, list, size);
+  draw_iso_numbers(desk, list);
+  draw_tape(desk, list, size);
+  if (const auto shooter = shown_shooter(desk.session, desk.look)) {
+    if (is_seen(desk, *shooter)) outline(desk, list, *shooter, kShooter, 3 * size);
+  }
   if (desk.session.selected()) {
     if (desk.look.show == Show::form_factors && desk.session.model().factors) {
       draw_partners(desk, list, size);
@@ -285,7 +287,7 @@ void draw_overlay(const Desk& desk, double scale) {
                        4 * size);
     list.AddText(place, kInk, text.c_str());
   }
-  if (desk.legend) draw_legend(desk, list, size);
+  if (desk.legend) draw_legend(desk, list, scale);
   list.PopClipRect();
 }
 

@@ -10,8 +10,10 @@ bool is_same_look(const Look& a, const Look& b) {
       (!a.range || (a.range->low == b.range->low && a.range->high == b.range->high &&
                     a.range->logarithmic == b.range->logarithmic));
   return a.show == b.show && a.quantity == b.quantity && a.band == b.band && is_same_range &&
-         a.logarithmic == b.logarithmic && a.stops == b.stops && a.smooth == b.smooth &&
-         a.step == b.step;
+         a.fit.low_percent == b.fit.low_percent && a.fit.high_percent == b.fit.high_percent &&
+         a.map == b.map && a.hidden == b.hidden && a.outlines == b.outlines &&
+         a.isolines == b.isolines && a.logarithmic == b.logarithmic && a.stops == b.stops &&
+         a.smooth == b.smooth && a.step == b.step;
 }
 
 bool PaintedState::is_other_look(const Desk& desk) const {

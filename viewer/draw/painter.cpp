@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "viewer/desk/outlines.h"
 #include "viewer/desk/painting.h"
 #include "viewer/desk/pinning.h"
 
@@ -11,6 +12,11 @@ namespace {
 bool is_large(const Desk& desk) {
   return desk.session.is_open() && desk.session.model().mesh->size() > kMostDrawn;
 }
+
+/// Of what is shown in false colours; the light itself shows shapes.
+bool wants_outlines(const Desk& desk) { return desk.legend && desk.look.outlines; }
+
+double size_of(const Desk& desk) { return desk.session.model().bounds.diagonal().norm(); }
 
 }  // namespace
 
@@ -22,6 +28,7 @@ void Painter::paint(Desk& desk, SceneView& view) {
     painted_.reset();
     desk.is_exposure_due = true;
     desk.legend.reset();
+    desk.iso_numbers.clear();
     large_.clear();
     if (mesh_ && !is_large(desk)) take_patches(desk, view);
   }
@@ -33,8 +40,11 @@ void Painter::paint(Desk& desk, SceneView& view) {
     return;
   }
   desk.is_painting_due = false;
-  if (!points_ || (painted_ && !painted_->is_stale(desk))) return;
-  paint_colors(desk, view);
+  if (!points_) return;
+  const bool is_stale = !painted_ || painted_->is_stale(desk);
+  if (!(hidden_ == desk.look.hidden)) take_hidden(desk, view);
+  if (is_stale) paint_colors(desk, view);
+  if (is_stale || has_outlines_ != wants_outlines(desk)) paint_lines(desk, view);
 }
 
 bool Painter::is_done(const Desk& desk) const {
@@ -43,8 +53,25 @@ bool Painter::is_done(const Desk& desk) const {
 
 void Painter::take_patches(Desk& desk, SceneView& view) {
   points_ = std::make_unique<PatchPoints>(mesh_);
-  view.set_triangles({points_->positions(), points_->triangles(), points_->has_back()}, mesh_);
   desk.is_exposure_due = true;
+  take_hidden(desk, view);
+}
+
+/// The patches that are not hidden, without colours.
+void Painter::take_hidden(const Desk& desk, SceneView& view) {
+  hidden_ = desk.look.hidden;
+  view.set_triangles({points_->positions(), points_->triangles(), points_->has_back(),
+                      points_->surfaces(), hidden_},
+                     mesh_);
+  outlines_ = make_outlines(*mesh_, hidden_);
+  isolines_.clear();
+}
+
+void Painter::paint_lines(const Desk& desk, SceneView& view) {
+  has_outlines_ = wants_outlines(desk);
+  std::vector<SurfaceLine> lines = isolines_;
+  if (has_outlines_) lines.insert(lines.end(), outlines_.begin(), outlines_.end());
+  view.set_lines(std::move(lines));
 }
 
 void Painter::paint_colors(Desk& desk, SceneView& view) {
@@ -62,8 +89,17 @@ void Painter::paint_colors(Desk& desk, SceneView& view) {
     was_spreading_ = painting.is_spreading;
   }
   const Eigen::MatrixXd values = points_->values(painting.values, painting.is_smooth);
+  isolines_.clear();
+  desk.iso_numbers.clear();
   if (painting.legend) {
-    view.set_map_positions(map_positions(painting, values), painting.legend->map);
+    const std::vector<float> positions = map_positions(painting, values);
+    view.set_color_map(painting.legend->map);
+    view.set_map_positions(positions);
+    Isolines isolines = painted_isolines(
+        painting, {points_->positions(), points_->triangles(), points_->surfaces(), positions},
+        wanted_levels(painting, desk.look), desk.look.hidden, size_of(desk));
+    isolines_ = std::move(isolines.lines);
+    desk.iso_numbers = std::move(isolines.numbers);
   } else {
     view.set_colors(point_colors(painting, values));
   }

@@ -33,10 +33,16 @@ class Painter {
 
  private:
   void take_patches(Desk& desk, SceneView& view);
+  void take_hidden(const Desk& desk, SceneView& view);
   void paint_colors(Desk& desk, SceneView& view);
+  void paint_lines(const Desk& desk, SceneView& view);
 
   std::shared_ptr<const radiosity::PatchMesh> mesh_;
   std::unique_ptr<PatchPoints> points_;
+  HiddenSurfaces hidden_;  // as it is drawn
+  std::vector<SurfaceLine> outlines_;
+  std::vector<SurfaceLine> isolines_;
+  bool has_outlines_ = false;  // among the lines that are drawn
   std::optional<PaintedState> painted_;
   bool was_spreading_ = false;  // the light that was painted last was a preview
   LargePainter large_;

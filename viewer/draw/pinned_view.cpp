@@ -50,7 +50,8 @@ void PinnedView::paint_colors(const Desk& desk, const Look& look) {
   if (desk.legend && !painting.legend) {  // not known of it
     view_.set_map_positions(std::vector<float>(points_->positions().size(), -1.F));
   } else if (painting.legend) {
-    view_.set_map_positions(map_positions(painting, values), painting.legend->map);
+    view_.set_color_map(painting.legend->map);
+    view_.set_map_positions(map_positions(painting, values));
   } else {
     view_.set_colors(point_colors(painting, values));
   }

@@ -3,6 +3,7 @@
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkFloatArray.h>
 #include <vtkLookupTable.h>
 #include <vtkNew.h>
@@ -70,9 +71,14 @@ struct SceneView::Parts {
   vtkNew<vtkPolyData> edges;
   vtkNew<vtkPolyDataMapper> edge_mapper;
   vtkNew<vtkActor> edge_actor;
+  vtkNew<vtkPolyData> lines;
+  vtkNew<vtkPolyDataMapper> line_mapper;
+  vtkNew<vtkActor> line_actor;
   vtkNew<vtkLookupTable> color_map;
   io::ColorMap map = io::ColorMap::viridis;
+  std::vector<SurfaceLine> all_lines;
   std::shared_ptr<const PatchMesh> mesh;  // whose edges may be shown, or none
+  HiddenSurfaces hidden;                  // of which it shows none
   Vec3 origin = Vec3::Zero();             // of VTK's coordinates, m
   radiosity::Camera camera;
   Region region;
@@ -80,6 +86,7 @@ struct SceneView::Parts {
   int window_width = 0;
   int window_height = 0;
   bool are_edges_stale = true;
+  bool are_lines_stale = false;
 };
 
 SceneView::SceneView() : parts_(std::make_unique<Parts>()) {
@@ -103,12 +110,22 @@ SceneView::SceneView() : parts_(std::make_unique<Parts>()) {
   parts.edge_actor->GetProperty()->LightingOff();
   parts.edge_actor->GetProperty()->SetColor(shares(kEdgeColor).data());
   parts.edge_actor->VisibilityOff();
+  // Before the surfaces that they lie on, whatever their slope.
+  for (vtkPolyDataMapper* mapper : {parts.edge_mapper.Get(), parts.line_mapper.Get()}) {
+    mapper->SetRelativeCoincidentTopologyLineOffsetParameters(-1, -3);
+  }
+  parts.line_mapper->SetInputData(parts.lines);
+  parts.line_mapper->SetScalarModeToUseCellData();
+  parts.line_mapper->SetColorModeToDirectScalars();
+  parts.line_actor->SetMapper(parts.line_mapper);
+  parts.line_actor->GetProperty()->LightingOff();
   vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
   parts.patch_mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(1, 1);
   parts.back_mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(1, 1);
   parts.renderer->AddActor(parts.patch_actor);
   parts.renderer->AddActor(parts.back_actor);
   parts.renderer->AddActor(parts.edge_actor);
+  parts.renderer->AddActor(parts.line_actor);
 }
 
 SceneView::~SceneView() = default;
@@ -118,6 +135,7 @@ vtkRenderer& SceneView::renderer() { return *parts_->renderer; }
 void SceneView::set_triangles(const Triangles& triangles, std::shared_ptr<const PatchMesh> edges) {
   Parts& parts = *parts_;
   parts.mesh = std::move(edges);
+  parts.hidden = triangles.hidden;
   radiosity::Box3 box;
   for (const Vec3& position : triangles.positions) box.extend(position);
   parts.origin = box.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(box.center());
@@ -126,6 +144,7 @@ void SceneView::set_triangles(const Triangles& triangles, std::shared_ptr<const 
   vtkNew<vtkCellArray> backs;
   fronts->AllocateEstimate(static_cast<vtkIdType>(triangles.triangles.size()), 3);
   for (std::size_t t = 0; t < triangles.triangles.size(); ++t) {
+    if (triangles.hidden.contains(triangles.surfaces[t])) continue;
     const auto& triangle = triangles.triangles[t];
     const std::array<vtkIdType, 3> ids = {triangle[0], triangle[1], triangle[2]};
     fronts->InsertNextCell(3, ids.data());
@@ -138,8 +157,9 @@ void SceneView::set_triangles(const Triangles& triangles, std::shared_ptr<const 
   parts.backs->SetPoints(parts.patches->GetPoints());
   parts.backs->SetPolys(backs);
   set_map_positions(std::vector<float>(triangles.positions.size(), -1.F));
+  set_lines({});
   parts.are_edges_stale = true;
-  update_edges();
+  update_camera();
 }
 
 void SceneView::set_colors(const std::vector<io::Rgb>& colors) {
@@ -156,10 +176,8 @@ void SceneView::set_colors(const std::vector<io::Rgb>& colors) {
   is_dirty_ = true;
 }
 
-void SceneView::set_map_positions(std::span<const float> positions, io::ColorMap map) {
+void SceneView::set_map_positions(std::span<const float> positions) {
   Parts& parts = *parts_;
-  if (map != parts.map) fill_color_map(*parts.color_map, map);
-  parts.map = map;
   vtkNew<vtkFloatArray> array;
   array->SetNumberOfTuples(static_cast<vtkIdType>(positions.size()));
   std::copy(positions.begin(), positions.end(), array->GetPointer(0));
@@ -169,6 +187,22 @@ void SceneView::set_map_positions(std::span<const float> positions, io::ColorMap
   parts.patch_mapper->InterpolateScalarsBeforeMappingOn();
   parts.patch_mapper->SetLookupTable(parts.color_map);
   parts.patch_mapper->UseLookupTableScalarRangeOn();
+  is_dirty_ = true;
+}
+
+void SceneView::set_color_map(io::ColorMap map) {
+  Parts& parts = *parts_;
+  if (parts.map == map) return;
+  parts.map = map;
+  fill_color_map(*parts.color_map, map);
+  is_dirty_ = true;
+}
+
+void SceneView::set_lines(std::vector<SurfaceLine> lines) {
+  if (lines.empty() && parts_->all_lines.empty()) return;
+  parts_->all_lines = std::move(lines);
+  parts_->are_lines_stale = true;
+  update_lines();
   is_dirty_ = true;
 }
 
@@ -183,7 +217,8 @@ void SceneView::set_backs_hidden(bool are_hidden) {
   if (static_cast<bool>(parts_->back_actor->GetVisibility()) == !are_hidden) return;
   parts_->back_actor->SetVisibility(are_hidden ? 0 : 1);
   parts_->are_edges_stale = true;
-  update_edges();
+  parts_->are_lines_stale = true;
+  update_camera();
   is_dirty_ = true;
 }
 
@@ -195,7 +230,8 @@ void SceneView::set_camera(const radiosity::Camera& camera) {
   if (is_same) return;
   parts.camera = camera;
   parts.are_edges_stale = true;
-  update_edges();
+  parts.are_lines_stale = true;
+  update_camera();
   is_dirty_ = true;
 }
 
@@ -221,9 +257,9 @@ void SceneView::set_region(const Region& region, int window_width, int window_he
   is_dirty_ = true;
 }
 
-/// Sets VTK's camera, and lets the edges be those of the patches that face it: VTK culls faces, but
-/// not lines.
-void SceneView::update_edges() {
+/// Sets VTK's camera, and lets lines be those of the patches that face it: VTK culls faces, but not
+/// lines.
+void SceneView::update_camera() {
   Parts& parts = *parts_;
   vtkCamera& view = *parts.renderer->GetActiveCamera();
   const Vec3 position = parts.camera.position - parts.origin;
@@ -237,6 +273,12 @@ void SceneView::update_edges() {
     parts.patches->GetBounds(bounds.data());
     parts.renderer->ResetCameraClippingRange(bounds.data());
   }
+  update_edges();
+  update_lines();
+}
+
+void SceneView::update_edges() {
+  Parts& parts = *parts_;
   if (!parts.mesh || !parts.are_edges_stale || parts.edge_actor->GetVisibility() == 0) return;
   parts.are_edges_stale = false;
   const PatchMesh& mesh = *parts.mesh;
@@ -247,6 +289,7 @@ void SceneView::update_edges() {
   }
   vtkNew<vtkCellArray> lines;
   for (Index i = 0; i < mesh.size(); ++i) {
+    if (parts.hidden.contains(mesh.surface[i])) continue;
     if (hides_backs && mesh.normal[i].dot(parts.camera.position - mesh.centroid[i]) <= 0) continue;
     const int n = mesh.n_corners(i);
     std::array<vtkIdType, 5> loop{};
@@ -255,6 +298,29 @@ void SceneView::update_edges() {
   }
   parts.edges->SetLines(lines);
   parts.edges->Modified();
+}
+
+void SceneView::update_lines() {
+  Parts& parts = *parts_;
+  if (!parts.are_lines_stale) return;
+  parts.are_lines_stale = false;
+  const Backs backs = parts.back_actor->GetVisibility() == 0 ? Backs::hidden : Backs::shown;
+  std::vector<Vec3> ends;
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(3);
+  for (const SurfaceLine& line : parts.all_lines) {
+    if (!is_drawn(line, parts.camera.position, backs)) continue;
+    const auto first = static_cast<vtkIdType>(ends.size());
+    ends.insert(ends.end(), line.ends.begin(), line.ends.end());
+    const std::array<vtkIdType, 2> ids = {first, first + 1};
+    cells->InsertNextCell(2, ids.data());
+    colors->InsertNextTypedTuple(line.color.data());
+  }
+  parts.lines->Initialize();
+  parts.lines->SetPoints(make_points(ends, parts.origin));
+  parts.lines->SetLines(cells);
+  parts.lines->GetCellData()->SetScalars(colors);
 }
 
 }  // namespace viewer

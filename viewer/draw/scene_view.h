@@ -7,12 +7,14 @@
 #include <span>
 #include <vector>
 
-#include "io/picture/color_map.h"
+#include "io/picture/map_color.h"
 #include "io/picture/rgb_picture.h"
 #include "radiosity/base/geometry.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/scene.h"
+#include "viewer/desk/hidden_surfaces.h"
 #include "viewer/desk/region.h"
+#include "viewer/desk/surface_line.h"
 
 class vtkRenderer;
 
@@ -23,6 +25,8 @@ struct Triangles {
   std::span<const radiosity::Vec3> positions = {};              ///< of the points, m
   std::span<const std::array<std::int32_t, 3>> triangles = {};  ///< their points
   std::span<const std::uint8_t> has_back = {};  ///< per triangle: whether its back may be shown
+  std::span<const std::int32_t> surfaces = {};  ///< per triangle
+  HiddenSurfaces hidden = {};                   ///< of which none is drawn
 };
 
 /// A part of a picture's width, in shares of it.
@@ -44,9 +48,12 @@ class SceneView {
   void set_triangles(const Triangles& triangles, std::shared_ptr<const radiosity::PatchMesh> edges);
   /// 8-bit sRGB per point.
   void set_colors(const std::vector<io::Rgb>& colors);
-  /// Positions on a colour map, in [0, 1], per point; negative: nothing is known, grey.
-  void set_map_positions(std::span<const float> positions,
-                         io::ColorMap map = io::ColorMap::viridis);
+  /// Positions on the colour map, in [0, 1], per point; negative: nothing is known, grey.
+  void set_map_positions(std::span<const float> positions);
+  /// The colour map that these are positions on; viridis at first.
+  void set_color_map(io::ColorMap map);
+  /// Lines over the surfaces, as far as the camera sees them (`is_drawn`).
+  void set_lines(std::vector<SurfaceLine> lines);
   void set_edges(bool are_shown);
   void set_backs_hidden(bool are_hidden);
   void set_camera(const radiosity::Camera& camera);
@@ -60,7 +67,9 @@ class SceneView {
   void set_drawn() { is_dirty_ = false; }
 
  private:
+  void update_camera();
   void update_edges();
+  void update_lines();
 
   struct Parts;
   std::unique_ptr<Parts> parts_;

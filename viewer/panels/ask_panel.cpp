@@ -70,6 +70,17 @@ void draw_light(const Desk& desk, const PatchFacts& facts) {
   value("luminance", mark + number_text(facts.luminance, digits) + " cd/m²");
 }
 
+/// The same at a step of a recorded iteration, and how much of the solution that is.
+void draw_step_light(const Desk& desk, const PatchFacts& facts, const StepFacts& step) {
+  row("B so far", numbers_text(step.radiosity));
+  const double whole = facts.has_light ? facts.radiosity.sum() : 0;
+  if (whole > 0 && !desk.session.is_iteration_stale()) {
+    row("of the solution", number_text(100 * step.radiosity.sum() / whole, 3) + " %");
+  }
+  row("unshot", numbers_text(step.unshot));
+  row("in", radiosity::band_unit("W/m²", desk.session.model().bands));
+}
+
 /// The radiosity over the wavelengths, of many bands.
 void draw_spectrum(const Desk& desk, const PatchFacts& facts) {
   const std::vector<double>& wavelengths = desk.session.model().bands.wavelengths;
@@ -86,9 +97,13 @@ void draw_spectrum(const Desk& desk, const PatchFacts& facts) {
 void draw_patch(const Desk& desk, const PatchFacts& facts) {
   ImGui::Text("Patch %ld", static_cast<long>(facts.patch));
   const Standing now = standing(desk.session);
+  const std::string watched = watched_text(desk.session, desk.look);
   ImGui::PushTextWrapPos(0);
-  if (facts.has_light)
+  if (!watched.empty()) {
+    ImGui::TextColored(kDoubtInk, "%s", watched.c_str());
+  } else if (facts.has_light) {
     ImGui::TextColored(now.is_result ? kPlainInk : kDoubtInk, "%s", now.text.c_str());
+  }
   ImGui::PopTextWrapPos();
   if (!ImGui::BeginTable("facts", 2, kTable)) return;
   ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch, 0.33F);
@@ -98,10 +113,16 @@ void draw_patch(const Desk& desk, const PatchFacts& facts) {
   if (facts.temperature) row("temperature", number_text(*facts.temperature) + " K");
   row("polygon", std::to_string(facts.polygon));
   row("area", number_text(facts.area) + " m²");
-  row("centroid", fmt::format("{:.4g}  {:.4g}  {:.4g} m", facts.centroid[0], facts.centroid[1],
-                              facts.centroid[2]));
-  if (facts.has_light) draw_light(desk, facts);
+  row("centroid", fmt::format("{}  {}  {} m", number_text(facts.centroid[0]),
+                              number_text(facts.centroid[1]), number_text(facts.centroid[2])));
+  const auto step = step_facts(desk.session, desk.look);
+  if (step) {
+    draw_step_light(desk, facts, *step);
+  } else if (facts.has_light) {
+    draw_light(desk, facts);
+  }
   ImGui::EndTable();
+  if (step) return;
   draw_spectrum(desk, facts);
 }
 
@@ -222,18 +243,35 @@ void draw_path(Desk& desk) {
   ImGui::EndTable();
 }
 
+/// The tape measure, and what it reads.
+void draw_tape(Desk& desk) {
+  Tape& tape = desk.tape;
+  bool is_in_hand = tape.is_in_hand;
+  if (ImGui::Checkbox("tape measure", &is_in_hand)) tape = {.is_in_hand = is_in_hand};
+  if (tape.is_in_hand && !tape.to) {
+    ImGui::TextDisabled("%s", tape.from ? "click the other end" : "click two points");
+  }
+  const auto difference = tape.difference();
+  if (!difference || !ImGui::BeginTable("tape", 2, kTable)) return;
+  row("distance", number_text(difference->norm()) + " m");
+  row("dx, dy, dz", fmt::format("{}  {}  {} m", number_text(difference->x()),
+                                number_text(difference->y()), number_text(difference->z())));
+  ImGui::EndTable();
+}
+
 struct Key {
   const char* key;
   const char* effect;
 };
 
-constexpr Key kKeys[] = {{"left drag", "turn the scene"},
+constexpr Key kKeys[] = {{"left drag", "turn about the point under the mouse"},
                          {"middle drag, Shift + left drag", "shift the scene"},
                          {"right drag", "look around"},
-                         {"wheel", "nearer, further"},
+                         {"wheel", "nearer to what is under the mouse, further"},
                          {"W A S D, Q E", "walk, down and up (Shift: faster)"},
                          {"click", "ask a patch"},
-                         {"Esc", "ask no patch"},
+                         {"K", "tape measure: click two points"},
+                         {"Esc", "put it away; ask no patch"},
                          {"F", "fit the scene"},
                          {"C", "the scene's camera"},
                          {"Z", "turn: y or z is up"},
@@ -261,6 +299,7 @@ constexpr Key kKeys[] = {{"left drag", "turn the scene"},
 
 void draw_ask_panel(Desk& desk) {
   if (!ImGui::CollapsingHeader("Ask", ImGuiTreeNodeFlags_DefaultOpen)) return;
+  draw_tape(desk);
   if (!desk.facts) {
     ImGui::TextWrapped("Click a patch: its numbers, what it sees, and where its light comes from.");
     return;
@@ -268,6 +307,7 @@ void draw_ask_panel(Desk& desk) {
   const PatchFacts facts = *desk.facts;  // a partner that is clicked changes it
   draw_patch(desk, facts);
   if (facts.has_light && facts.has_factors) {
+    if (step_facts(desk.session, desk.look)) ImGui::TextDisabled("Of the solution:");
     draw_arrivals(desk, facts);
     draw_path(desk);
   }

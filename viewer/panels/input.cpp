@@ -7,8 +7,10 @@
 #include <cassert>
 #include <cmath>
 
+#include "viewer/desk/picking.h"
 #include "viewer/desk/pinning.h"
 #include "viewer/desk/tour.h"
+#include "viewer/draw/legend_view.h"
 
 namespace viewer {
 namespace {
@@ -18,6 +20,7 @@ constexpr double kClick = 4;           // pixels that a hand may move in a click
 constexpr double kZoomStep = 0.88;     // per notch of the wheel
 constexpr double kWalk = 0.25;         // of the scene's size per second
 constexpr double kFast = 4;            // times as fast with Shift
+constexpr double kBarReach = 10;       // pixels around the colour bar, at scale 1
 constexpr double kExposureStep = 0.5;  // stops
 constexpr double kReach = 0.6;         // lines of text around the line beside pinned light
 
@@ -48,12 +51,22 @@ void press_letter(Desk& desk, int key) {
   if (key == GLFW_KEY_B) look.hide_backs = !look.hide_backs;
   if (key == GLFW_KEY_P) attempt(desk, [&] { pin(desk); });
   if (key == GLFW_KEY_V) compare_otherwise(desk);
+  if (key == GLFW_KEY_K) desk.tape = {.is_in_hand = !desk.tape.is_in_hand};
+}
+
+/// Asks the patch at a place of the picture, or lays an end of the tape measure there.
+void click(Desk& desk, double x, double y) {
+  if (!desk.tape.is_in_hand) {
+    desk.session.select(patch_at(desk, x, y));
+  } else if (const auto point = point_at(desk, x, y)) {
+    lay(desk.tape, *point);
+  }
 }
 
 }  // namespace
 
-void Input::handle(Desk& desk, Panels& panels, std::span<const KeyPress> keys) {
-  handle_mouse(desk);
+void Input::handle(Desk& desk, Panels& panels, std::span<const KeyPress> keys, double scale) {
+  handle_mouse(desk, scale);
   for (const KeyPress& key : keys) {
     const bool is_function_key = key.key >= GLFW_KEY_F1 && key.key <= GLFW_KEY_F12;
     if (is_function_key) desk.function_key = key.key - GLFW_KEY_F1 + 1;
@@ -81,15 +94,41 @@ bool Input::drag_split(Desk& desk, double x, bool is_over) {
   return is_splitting_;
 }
 
-void Input::handle_mouse(Desk& desk) {
+bool Input::handle_legend(Desk& desk, double scale) {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (!ImGui::IsMouseDown(0)) held_end_.reset();
+  const auto bar = legend_bar(desk, scale);
+  if (!bar || !desk.legend) return held_end_.has_value();
+  const auto around = static_cast<float>(kBarReach * scale);
+  const double position = bar->position(io.MousePos.y);
+  const double reach = around / bar->height;
+  const bool is_over =
+      !io.WantCaptureMouse && !is_dragging_ && io.MousePos.x >= bar->left - around &&
+      io.MousePos.x < bar->left + bar->width + around && position > -reach && position < 1 + reach;
+  if (is_over || held_end_) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
+  if (is_over && ImGui::IsMouseDoubleClicked(0)) {
+    desk.look.range.reset();
+    held_end_.reset();
+  } else if (is_over && ImGui::IsMouseClicked(0)) {
+    held_end_ = {position < 0.5 ? BarEnd::low : BarEnd::high, desk.legend->scale};
+  } else if (held_end_ && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0)) {
+    desk.look.range = dragged_scale(held_end_->scale, held_end_->end, position);
+  }
+  return is_over || held_end_;
+}
+
+void Input::handle_mouse(Desk& desk, double scale) {
   const ImGuiIO& io = ImGui::GetIO();
   const Region& region = desk.region;
   if (region.width <= 0 || region.height <= 0) return;
   const double x = (static_cast<double>(io.MousePos.x) - region.left) / region.width;
   const double y = (static_cast<double>(io.MousePos.y) - region.top) / region.height;
-  const bool is_over = !io.WantCaptureMouse && x >= 0 && x < 1 && y >= 0 && y < 1;
+  const bool is_at_legend = handle_legend(desk, scale);
+  const bool is_over = !io.WantCaptureMouse && !is_at_legend && x >= 0 && x < 1 && y >= 0 && y < 1;
   desk.hovered = is_over && !is_dragging_ ? patch_at(desk, x, y) : std::nullopt;
-  if (is_over && io.MouseWheel != 0) desk.camera.zoom(std::pow(kZoomStep, io.MouseWheel));
+  if (is_over && io.MouseWheel != 0) {
+    desk.camera.zoom_to(point_towards(desk, x, y), std::pow(kZoomStep, io.MouseWheel));
+  }
   if (drag_split(desk, x, is_over)) return;
 
   const bool is_down = ImGui::IsMouseDown(0) || ImGui::IsMouseDown(1) || ImGui::IsMouseDown(2);
@@ -98,9 +137,13 @@ void Input::handle_mouse(Desk& desk) {
   if (went_down) {
     is_dragging_ = is_over;
     dragged_ = 0;
+    if (is_over) {
+      grabbed_ = point_towards(desk, x, y);
+      desk.camera.focus(grabbed_);  // shifted, it stays under the mouse
+    }
   }
   if (is_dragging_ && ImGui::IsMouseReleased(0) && dragged_ < kClick && is_over) {
-    desk.session.select(patch_at(desk, x, y));
+    click(desk, x, y);
   }
   if (!is_down) is_dragging_ = false;
   if (!is_dragging_) return;
@@ -114,7 +157,7 @@ void Input::handle_mouse(Desk& desk) {
   } else if (ImGui::IsMouseDown(1)) {
     desk.camera.look_around(kTurn / 2 * right, kTurn / 2 * up);
   } else {
-    desk.camera.orbit(-kTurn * right, -kTurn * up);
+    desk.camera.orbit_about(grabbed_, -kTurn * right, -kTurn * up);
   }
 }
 
@@ -135,6 +178,8 @@ void Input::press(Desk& desk, Panels& panels, const KeyPress& key) {
       end_tour(desk);
     } else if (desk.shows_help) {
       desk.shows_help = false;
+    } else if (desk.tape.is_in_hand) {
+      desk.tape = {};
     } else {
       desk.session.select(std::nullopt);
     }

@@ -1,8 +1,9 @@
 #include <imgui.h>
 
-#include <algorithm>
 #include <string>
 
+#include "viewer/desk/show_info.h"
+#include "viewer/desk/shown_scale.h"
 #include "viewer/panels/panels.h"
 
 namespace viewer {
@@ -10,17 +11,11 @@ namespace {
 
 using radiosity::Index;
 
-/// What can be shown, in words.
-std::string caption(const ShowName& name) {
-  if (name.show == Show::arriving) return "light sent to the patch";
-  if (name.show == Show::unseen) return "unseen share";
-  if (name.show == Show::light_path) return "importance for the patch";
-  std::string text(name.name);
-  std::replace(text.begin(), text.end(), '-', ' ');
-  if (name.show != Show::quantity) return text;
-  const std::string unit(radiosity::quantity_info(name.quantity).unit);
-  return unit.empty() ? text : text + " (" + unit + ")";
-}
+/// What a range that fits may span.
+constexpr io::ScaleChoice kFits[] = {{.low_percent = 0, .high_percent = 98},
+                                     {.low_percent = 0, .high_percent = 100},
+                                     {.low_percent = 1, .high_percent = 99},
+                                     {.low_percent = 2, .high_percent = 98}};
 
 bool is_banded(const Look& look) {
   if (look.show == Show::quantity) return !radiosity::quantity_info(look.quantity).is_photometric;
@@ -28,17 +23,38 @@ bool is_banded(const Look& look) {
          look.show == Show::arriving || look.show == Show::light_path;
 }
 
+/// Tells the definition of what is under the mouse.
+void draw_definition(const ShowInfo& info) {
+  if (!ImGui::IsItemHovered()) return;
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(24 * ImGui::GetFontSize());
+  ImGui::TextUnformatted(info.definition.data(), info.definition.data() + info.definition.size());
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
 void choose_shown(Desk& desk) {
-  const std::string now(show_name(desk.look));
+  const radiosity::Bands& bands = desk.session.model().bands;
+  const ShowInfo& now = show_info(show_name(desk.look));
   ImGui::SetNextItemWidth(-1);
-  if (!ImGui::BeginCombo("##show", caption(*show_named(now)).c_str(),
-                         ImGuiComboFlags_HeightLarge)) {
+  const bool is_open = ImGui::BeginCombo("##show", caption_with_unit(now, bands).c_str(),
+                                         ImGuiComboFlags_HeightLargest);
+  if (!is_open) {
+    draw_definition(now);
     return;
   }
-  for (const ShowName& name : show_names()) {
-    if (!is_offered(name, desk.session)) continue;
-    if (ImGui::Selectable(caption(name).c_str(), name.name == now)) {
-      show(desk, std::string(name.name));
+  for (const std::string_view group : show_groups()) {
+    bool is_named = false;
+    for (const ShowName& name : show_names()) {
+      const ShowInfo& info = show_info(name.name);
+      if (info.group != group || !is_offered(name, desk.session)) continue;
+      if (!is_named) ImGui::TextDisabled("%s", std::string(group).c_str());
+      is_named = true;
+      const std::string label = "  " + caption_with_unit(info, bands);
+      if (ImGui::Selectable(label.c_str(), info.name == now.name)) {
+        show(desk, std::string(name.name));
+      }
+      draw_definition(info);
     }
   }
   ImGui::EndCombo();
@@ -57,15 +73,44 @@ void choose_band(Desk& desk) {
   ImGui::EndCombo();
 }
 
+void choose_map(Look& look) {
+  ImGui::SetNextItemWidth(ImGui::GetFontSize() * 7);
+  if (!ImGui::BeginCombo("colours", std::string(io::color_map_name(look.map)).c_str())) return;
+  for (const io::ColorMap map : io::color_maps()) {
+    const std::string name(io::color_map_name(map));
+    if (ImGui::Selectable(name.c_str(), map == look.map)) look.map = map;
+  }
+  ImGui::EndCombo();
+}
+
+/// What the bar spans.
+void choose_fit(Desk& desk) {
+  Look& look = desk.look;
+  ImGui::SetNextItemWidth(-1);
+  if (!ImGui::BeginCombo("##fit", ("range: " + fit_text(look)).c_str())) return;
+  for (const io::ScaleChoice& fit : kFits) {
+    Look other = look;
+    other.range.reset();
+    other.fit = fit;
+    const std::string text = fit_text(other);
+    if (ImGui::Selectable(text.c_str(), text == fit_text(look))) look = other;
+  }
+  if (ImGui::Selectable("as given", look.range.has_value()) && desk.legend) {
+    look.range = desk.legend->scale;
+  }
+  ImGui::EndCombo();
+}
+
 void choose_range(Desk& desk) {
   Look& look = desk.look;
   ImGui::Checkbox("logarithmic", &look.logarithmic);
-  bool is_automatic = !look.range;
-  ImGui::SameLine();
-  if (ImGui::Checkbox("fit range", &is_automatic)) {
-    look.range.reset();
-    if (!is_automatic && desk.legend) look.range = desk.legend->scale;
+  const std::string note = desk.legend ? scale_note(look, desk.legend->scale) : "";
+  if (!note.empty() && note != "logarithmic") {
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextDisabled("%s", note.c_str());
+    ImGui::PopTextWrapPos();
   }
+  choose_fit(desk);
   if (!look.range) return;
   // As it is shown: a logarithm has no 0.
   const io::ColorScale& shown = desk.legend ? desk.legend->scale : *look.range;
@@ -73,12 +118,12 @@ void choose_range(Desk& desk) {
   double high = shown.high;
   const float width = ImGui::GetFontSize() * 6;
   ImGui::SetNextItemWidth(width);
-  bool has_changed = ImGui::InputDouble("##low", &low, 0, 0, "%.4g");
+  bool has_changed = ImGui::InputDouble("##low", &low, 0, 0, "%.6g");
   ImGui::SameLine();
   ImGui::TextUnformatted("to");
   ImGui::SameLine();
   ImGui::SetNextItemWidth(width);
-  has_changed |= ImGui::InputDouble("##high", &high, 0, 0, "%.4g");
+  has_changed |= ImGui::InputDouble("##high", &high, 0, 0, "%.6g");
   if (has_changed && low < high) look.range = io::ColorScale{.low = low, .high = high};
 }
 
@@ -99,7 +144,13 @@ void draw_look_panel(Desk& desk) {
     }
   } else {
     if (is_banded(look) && desk.session.model().bands.count() > 1) choose_band(desk);
+    choose_map(look);
     choose_range(desk);
+    ImGui::BeginDisabled(!is_smooth(look));
+    ImGui::Checkbox("isolines", &look.isolines);
+    ImGui::EndDisabled();
+    ImGui::SameLine();
+    ImGui::Checkbox("outlines", &look.outlines);
   }
   ImGui::Checkbox("smooth", &look.smooth);
   ImGui::SameLine();

@@ -6,11 +6,16 @@
 #include <algorithm>
 #include <vector>
 
+#include "viewer/panels/inks.h"
+#include "viewer/work/standing.h"
+
 namespace viewer {
 namespace {
 
 constexpr float kLeftWidth = 270;  // at scale 1, as the others
 constexpr float kRightWidth = 330;
+constexpr float kWatchHeight = 100;   // before it has been drawn
+constexpr float kWatchShare = 0.65F;  // of the column, at most
 constexpr float kLeastPicture = 160;
 
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
@@ -35,6 +40,9 @@ std::string status_text(const Desk& desk) {
   if (session.is_open()) text += fmt::format(" · {} patches", session.model().mesh->size());
   if (session.seconds_to_solve() > 0) {
     text += fmt::format(" · solved in {}", duration_text(session.seconds_to_solve()));
+  }
+  if (const std::string accuracy = accuracy_text(session); !accuracy.empty()) {
+    text += " · " + accuracy;
   }
   return text;
 }
@@ -74,17 +82,27 @@ void Panels::draw(Desk& desk, std::span<const KeyPress> keys, int width, int hei
       left = kLeftWidth * size;
       begin_panel("Look and what if", 0, top, left, bottom - top);
       draw_scene_panel(desk);
+      views_.draw(desk);
       draw_part(desk, TourTarget::look, [&] { draw_look_panel(desk); });
       draw_compare_panel(desk);
-      if (!has_right) draw_right(desk, scale);  // here, rather than nowhere
+      if (!has_right) {  // here, rather than nowhere
+        draw_ask(desk);
+        watch_.draw(desk, scale);
+      }
       draw_solve(desk);
       draw_part(desk, TourTarget::what_if, [&] { draw_what_if_panel(desk); });
       ImGui::End();
     }
     if (has_right) {
       right = w - kRightWidth * size;
-      begin_panel("Ask and watch", right, top, w - right, bottom - top);
-      draw_right(desk, scale);
+      // Of its own height, so that the plot stays in sight whatever is asked.
+      const float wanted = watch_.height() > 0 ? watch_.height() : kWatchHeight * size;
+      const float watch_top = bottom - std::min(wanted, kWatchShare * (bottom - top));
+      begin_panel("Ask", right, top, w - right, watch_top - top);
+      draw_ask(desk);
+      ImGui::End();
+      begin_panel("Watch", right, watch_top, w - right, bottom - watch_top);
+      watch_.draw(desk, scale);
       ImGui::End();
     }
   }
@@ -115,10 +133,10 @@ void Panels::draw_part(const Desk& desk, TourTarget target, const Draw& draw) {
               ImVec2(corner.x + size.x, std::clamp(bottom, corner.y, corner.y + size.y)));
 }
 
-void Panels::draw_right(Desk& desk, double scale) {
+void Panels::draw_ask(Desk& desk) {
+  draw_surfaces_panel(desk);
   draw_part(desk, TourTarget::ask, [&] { draw_ask_panel(desk); });
   if (desk.session.is_thermal()) draw_heat_panel(desk);
-  watch_.draw(desk, scale);
 }
 
 void Panels::draw_file_menu(Desk& desk) {
@@ -171,7 +189,8 @@ void Panels::draw_menu(Desk& desk) {
     ImGui::MenuItem("Patch edges", "N", &desk.look.edges);
     ImGui::MenuItem("Smooth", "M", &desk.look.smooth);
     ImGui::MenuItem("Hide backs", "B", &desk.look.hide_backs);
-    ImGui::MenuItem("Outlines of hidden backs", nullptr, &desk.look.back_outlines, desk.look.hide_backs);
+    ImGui::MenuItem("Outlines of hidden backs", nullptr, &desk.look.back_outlines,
+                    desk.look.hide_backs);
     ImGui::MenuItem("Axes", nullptr, &desk.look.axes);
     ImGui::MenuItem("Panels", "Tab", &desk.shows_panels);
     ImGui::EndMenu();

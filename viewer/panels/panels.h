@@ -11,6 +11,7 @@
 #include "viewer/panels/recent_files.h"
 #include "viewer/panels/save_dialog.h"
 #include "viewer/panels/tour_box.h"
+#include "viewer/panels/views_panel.h"
 #include "viewer/panels/watch_panel.h"
 
 namespace viewer {
@@ -33,8 +34,6 @@ class Panels {
   void begin_save(const Desk& desk, SaveDialog::Kind kind) { save_.open(desk, kind); }
   /// Whether a popup has the keyboard.
   [[nodiscard]] static bool is_popup_open();
-  /// Whether something moves by itself.
-  [[nodiscard]] bool is_moving() const { return watch_.is_playing(); }
 
  private:
   void draw_menu(Desk& desk);
@@ -42,13 +41,14 @@ class Panels {
   /// Draws a part of a panel that the tour may point at.
   template <typename Draw>
   void draw_part(const Desk& desk, TourTarget target, const Draw& draw);
-  void draw_right(Desk& desk, double scale);
+  void draw_ask(Desk& desk);
   void draw_solve(Desk& desk);
   void draw_status(Desk& desk, float top, float width, float height);
 
   FileBrowser browser_;
   RecentFiles recent_;
   SaveDialog save_;
+  ViewsPanel views_;
   WatchPanel watch_;
   ConsolePanel console_;
   Gallery gallery_;
@@ -61,6 +61,7 @@ class Panels {
 void draw_scene_panel(Desk& desk);
 void draw_look_panel(Desk& desk);
 void draw_compare_panel(Desk& desk);
+void draw_surfaces_panel(Desk& desk);
 void draw_what_if_panel(Desk& desk);
 void draw_ask_panel(Desk& desk);
 void draw_heat_panel(const Desk& desk);

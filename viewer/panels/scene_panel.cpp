@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 
+#include "io/picture/color_bar.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "viewer/panels/inks.h"
 #include "viewer/panels/panels.h"
@@ -18,7 +19,8 @@ constexpr double kLargest = 500;
 
 void draw_size(const Desk& desk) {
   const radiosity::Vec3 size = desk.session.model().bounds.sizes();
-  const std::string text = fmt::format("{:.4g} × {:.4g} × {:.4g} m", size.x(), size.y(), size.z());
+  const std::string text = fmt::format("{} × {} × {} m", io::tick_label(size.x()),
+                                       io::tick_label(size.y()), io::tick_label(size.z()));
   const bool is_odd = size.maxCoeff() > kLargest || size.maxCoeff() < kSmallest;
   if (is_odd && desk.session.model().scene) {
     ImGui::TextColored(kDoubtInk, "%s: is the unit right?", text.c_str());

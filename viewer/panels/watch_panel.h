@@ -9,17 +9,13 @@ class WatchPanel {
  public:
   /// Needs an ImGui window; `scale` is the size of text relative to a plain screen.
   void draw(Desk& desk, double scale);
-  /// Whether the next step comes by itself.
-  [[nodiscard]] bool is_playing() const { return is_playing_; }
+  /// How high it was when it was drawn last, with what is around it in a window of its own, pixels.
+  [[nodiscard]] float height() const { return height_; }
 
  private:
-  /// The step that is shown now, of those up to `last`.
-  int next_step(int step, int last, bool is_complete);
-  int draw_controls(int step, int last, int iteration);
+  void draw_record(Desk& desk, const IterationRecord& record, double scale);
 
-  int method_ = 1;  // index into radiosity::all_methods
-  bool is_playing_ = false;
-  double next_step_ = 0;  // time at which the next step is shown, s
+  float height_ = 0;
 };
 
 }  // namespace viewer

@@ -26,4 +26,12 @@ struct ActionKind {
   Perform perform;
 };
 
+/// An action that is done at once.
+inline Perform at_once(std::function<void(Stage&, ScriptArguments&)> work) {
+  return [work = std::move(work)](Stage& stage, ScriptArguments& arguments) {
+    work(stage, arguments);
+    return true;
+  };
+}
+
 }  // namespace viewer

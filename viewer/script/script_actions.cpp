@@ -11,10 +11,12 @@
 
 #include "io/base/atomic_file.h"
 #include "radiosity/base/error.h"
+#include "viewer/script/camera_actions.h"
 #include "viewer/script/comparison_actions.h"
 #include "viewer/script/console_actions.h"
 #include "viewer/script/help_actions.h"
 #include "viewer/script/state_report.h"
+#include "viewer/script/surface_actions.h"
 
 namespace viewer {
 namespace {
@@ -22,14 +24,6 @@ namespace {
 using nlohmann::json;
 
 constexpr double kPatience = 600;  // s, that a script waits unless it says otherwise
-
-/// An action that is done at once.
-Perform at_once(std::function<void(Stage&, ScriptArguments&)> work) {
-  return [work = std::move(work)](Stage& stage, ScriptArguments& arguments) {
-    work(stage, arguments);
-    return true;
-  };
-}
 
 std::string last_error(const Session& session) {
   const auto& messages = session.messages();
@@ -82,6 +76,14 @@ void select_at(Stage& stage, ScriptArguments& arguments) {
   stage.desk.session.select(patch_at(stage.desk, arguments.number("x"), arguments.number("y")));
 }
 
+io::ColorScale range_of(ScriptArguments& arguments) {
+  const Eigen::VectorXd range = arguments.numbers("range");
+  if (range.size() != 2 || !(range[0] < range[1])) {
+    throw std::invalid_argument("'range' needs two numbers, the first one smaller");
+  }
+  return {.low = range[0], .high = range[1]};
+}
+
 void set_quantity(Stage& stage, ScriptArguments& arguments) {
   Look& look = stage.desk.look;
   show(stage.desk, arguments.text("quantity"));
@@ -94,12 +96,27 @@ void set_quantity(Stage& stage, ScriptArguments& arguments) {
     }
     look.band = band;
   }
-  if (!arguments.has("range")) return;
-  const Eigen::VectorXd range = arguments.numbers("range");
-  if (range.size() != 2 || !(range[0] < range[1])) {
-    throw std::invalid_argument("'range' needs two numbers, the first one smaller");
+  if (arguments.has("range")) look.range = range_of(arguments);
+}
+
+void set_legend(Stage& stage, ScriptArguments& arguments) {
+  Look& look = stage.desk.look;
+  if (arguments.has("map")) {
+    const std::string name = arguments.text("map");
+    const auto map = io::color_map_named(name);
+    if (!map) throw std::invalid_argument("no colours are called '" + name + "'");
+    look.map = *map;
   }
-  look.range = io::ColorScale{.low = range[0], .high = range[1]};
+  look.logarithmic = arguments.flag_or("log", look.logarithmic);
+  look.isolines = arguments.flag_or("isolines", look.isolines);
+  if (arguments.has("range")) look.range = range_of(arguments);
+  if (!arguments.has("fit")) return;
+  const Eigen::VectorXd fit = arguments.numbers("fit");
+  if (fit.size() != 2 || !(fit[0] >= 0 && fit[0] < fit[1] && fit[1] <= 100)) {
+    throw std::invalid_argument("'fit' needs two percentages, the first one smaller");
+  }
+  look.fit = {.low_percent = fit[0], .high_percent = fit[1]};
+  if (!arguments.has("range")) look.range.reset();
 }
 
 void set_exposure(Stage& stage, ScriptArguments& arguments) {
@@ -115,17 +132,12 @@ void set_look(Stage& stage, ScriptArguments& arguments) {
   Desk& desk = stage.desk;
   desk.look.smooth = arguments.flag_or("smooth", desk.look.smooth);
   desk.look.edges = arguments.flag_or("edges", desk.look.edges);
+  desk.look.outlines = arguments.flag_or("outlines", desk.look.outlines);
   desk.look.hide_backs = arguments.flag_or("hide_backs", desk.look.hide_backs);
   desk.look.back_outlines = arguments.flag_or("back_outlines", desk.look.back_outlines);
   desk.look.axes = arguments.flag_or("axes", desk.look.axes);
   desk.shows_panels = arguments.flag_or("panels", desk.shows_panels);
   desk.shows_help = arguments.flag_or("help", desk.shows_help);
-}
-
-void set_up_axis(Stage& stage, ScriptArguments& arguments) {
-  const auto axis = up_named(arguments.text("axis"));
-  if (!axis) throw std::invalid_argument("'axis' must be y or z");
-  set_up(stage.desk, *axis);
 }
 
 std::size_t emitter_of(const Stage& stage, ScriptArguments& arguments) {
@@ -209,33 +221,31 @@ void restart(Stage& stage, ScriptArguments& arguments) {
   stage.desk.session.restart(options);
 }
 
-void set_camera(Stage& stage, ScriptArguments& arguments) {
-  if (!stage.desk.session.is_open()) throw std::runtime_error("there is no scene");
-  radiosity::Camera camera = stage.desk.camera.camera();
-  if (arguments.has("position")) camera.position = arguments.vector("position");
-  if (arguments.has("direction")) camera.direction = arguments.vector("direction");
-  if (arguments.has("look_at")) camera.direction = arguments.vector("look_at") - camera.position;
-  if (arguments.has("up")) camera.up = arguments.vector("up");
-  const double degree = radiosity::kPi / 180;
-  camera.vertical_fov = degree * arguments.number_or("fov", camera.vertical_fov / degree);
-  const bool is_possible = camera.direction.norm() > 0 && camera.up.norm() > 0 &&
-                           camera.direction.cross(camera.up).norm() >
-                               1e-6 * camera.direction.norm() * camera.up.norm() &&
-                           camera.vertical_fov > 0 && camera.vertical_fov < radiosity::kPi;
-  if (!is_possible) throw std::invalid_argument("nothing can be seen in that direction");
-  stage.desk.camera = CameraControl(camera, stage.desk.session.model().bounds);
-}
-
-void record_iteration(Stage& stage, ScriptArguments& arguments) {
+void record(Stage& stage, ScriptArguments& arguments) {
   const std::string name = arguments.text("method");
   const auto method = radiosity::method_named(name);
   if (!method) {
     throw std::invalid_argument("no method is called '" + name +
                                 "'; there are cg, jacobi, gauss-seidel, southwell, chebyshev");
   }
-  stage.desk.session.record_iteration(*method);
-  show(stage.desk, "watched");
-  stage.desk.look.step = 0;
+  record_iteration(stage.desk, *method);
+}
+
+void set_watch(Stage& stage, ScriptArguments& arguments) {
+  Desk& desk = stage.desk;
+  const double speed = arguments.number_or("speed", desk.watching.speed);
+  if (!(speed >= kSlowest && speed <= kFastest)) {
+    throw std::invalid_argument(
+        fmt::format("'speed' must be from {} to {} steps per second", kSlowest, kFastest));
+  }
+  desk.watching.speed = speed;
+  desk.watching.is_logarithmic = arguments.flag_or("log", desk.watching.is_logarithmic);
+  if (!arguments.has("playing")) return;
+  if (arguments.flag_or("playing", false)) {
+    play_iteration(desk, speed);
+  } else {
+    desk.watching.is_playing = false;
+  }
 }
 
 void set_step(Stage& stage, ScriptArguments& arguments) {
@@ -291,9 +301,9 @@ std::map<std::string, ActionKind> general_actions() {
       {"select-patch", {"patch", at_once(select_patch)}},
       {"select-at", {"", at_once(select_at)}},
       {"set-quantity", {"quantity", at_once(set_quantity)}},
+      {"set-legend", {"map", at_once(set_legend)}},
       {"set-exposure", {"stops", at_once(set_exposure)}},
       {"set-look", {"", at_once(set_look)}},
-      {"set-up", {"axis", at_once(set_up_axis)}},
       {"set-unit", {"unit", at_once([](Stage& stage, ScriptArguments& arguments) {
                       set_unit(stage.desk, arguments.text("unit"));
                     })}},
@@ -316,30 +326,12 @@ std::map<std::string, ActionKind> general_actions() {
       {"resume",
        {"", at_once([](Stage& stage, ScriptArguments&) { stage.desk.session.set_paused(false); })}},
       {"stop", {"", at_once([](Stage& stage, ScriptArguments&) { stage.desk.session.stop(); })}},
-      {"camera", {"", at_once(set_camera)}},
-      {"orbit", {"", at_once([](Stage& stage, ScriptArguments& arguments) {
-                   constexpr double kDegree = radiosity::kPi / 180;
-                   stage.desk.camera.orbit(kDegree * arguments.number_or("right", 0),
-                                           kDegree * arguments.number_or("up", 0));
-                 })}},
-      {"zoom", {"factor", at_once([](Stage& stage, ScriptArguments& arguments) {
-                  const double factor = arguments.number("factor");
-                  if (!(factor > 0)) throw std::invalid_argument("'factor' must be above 0");
-                  stage.desk.camera.zoom(factor);
-                })}},
-      {"fly", {"", at_once([](Stage& stage, ScriptArguments& arguments) {
-                 stage.desk.camera.fly(arguments.number_or("forward", 0),
-                                       arguments.number_or("right", 0),
-                                       arguments.number_or("up", 0));
-               })}},
-      {"fit", {"", at_once([](Stage& stage, ScriptArguments&) { fit_camera(stage.desk); })}},
-      {"scene-camera",
-       {"", at_once([](Stage& stage, ScriptArguments&) { use_scene_camera(stage.desk); })}},
       {"light-path", {"on", at_once([](Stage& stage, ScriptArguments& arguments) {
                         stage.desk.asks_light_path = arguments.flag_or("on", true);
                       })}},
-      {"record-iteration", {"method", at_once(record_iteration)}},
+      {"record-iteration", {"method", at_once(record)}},
       {"set-step", {"step", at_once(set_step)}},
+      {"set-watch", {"playing", at_once(set_watch)}},
       {"screenshot", {"file", screenshot}},
       {"save-result", {"file", save}},
       {"save-scene", {"file", at_once([](Stage& stage, ScriptArguments& arguments) {
@@ -359,9 +351,11 @@ std::map<std::string, ActionKind> general_actions() {
 const std::map<std::string, ActionKind>& action_kinds() {
   static const std::map<std::string, ActionKind> kinds = [] {
     std::map<std::string, ActionKind> all = general_actions();
+    all.merge(camera_actions());
     all.merge(comparison_actions());
     all.merge(console_actions());
     all.merge(help_actions());
+    all.merge(surface_actions());
     return all;
   }();
   return kinds;

@@ -11,6 +11,7 @@
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/solve/solution.h"
 #include "viewer/desk/pinning.h"
+#include "viewer/desk/show_info.h"
 #include "viewer/work/standing.h"
 
 namespace viewer {
@@ -58,6 +59,7 @@ json light_json(const Session& session) {
       {"relative_error", light->relative_error ? number(*light->relative_error) : json(nullptr)},
       {"factor_error", light->factor_error ? number(*light->factor_error) : json(nullptr)},
       {"residual", number(solution.residual)},
+      {"accuracy", accuracy_text(session)},
       {"iterations", solution.iterations},
       {"unshot_share", number(session.unshot_share())},
       {"seconds", number(session.seconds_to_solve())},
@@ -83,6 +85,9 @@ json patch_json(const Desk& desk) {
     result["luminance"] = number(facts.luminance);
   }
   if (const auto pinned = pinned_irradiance(desk)) result["pinned_irradiance"] = list(*pinned);
+  if (const auto step = step_facts(desk.session, desk.look)) {
+    result["step"] = {{"radiosity", list(step->radiosity)}, {"unshot", list(step->unshot)}};
+  }
   result["arrivals"] = json::array();
   for (const Arrival& arrival : facts.arrivals) {
     result["arrivals"].push_back(
@@ -129,12 +134,18 @@ json mix_json(const Session& session) {
 }
 
 json look_json(const Desk& desk) {
-  json result = {{"quantity", std::string(show_name(desk.look))},
+  const ShowInfo& info = show_info(show_name(desk.look));
+  json result = {{"quantity", std::string(info.name)},
+                 {"caption", caption_with_unit(info, desk.session.model().bands)},
+                 {"definition", std::string(info.definition)},
                  {"stops", number(desk.look.stops)},
                  {"exposure", number(desk.exposure * std::exp2(desk.look.stops))},
                  {"log", desk.look.logarithmic},
                  {"smooth", desk.look.smooth},
                  {"edges", desk.look.edges},
+                 {"outlines", desk.look.outlines},
+                 {"isolines", desk.look.isolines},
+                 {"map", std::string(io::color_map_name(desk.look.map))},
                  {"hide_backs", desk.look.hide_backs},
                  {"back_outlines", desk.look.back_outlines},
                  {"axes", desk.look.axes},
@@ -144,8 +155,11 @@ json look_json(const Desk& desk) {
     result["legend"] = {{"title", desk.legend->title},
                         {"low", number(desk.legend->scale.low)},
                         {"high", number(desk.legend->scale.high)},
+                        {"ticks", desk.legend->ticks},
+                        {"fit", desk.legend->fit},
                         {"least", number(desk.legend->least)},
                         {"greatest", number(desk.legend->greatest)},
+                        {"iso_numbers", desk.iso_numbers.size()},
                         {"log", desk.legend->scale.logarithmic}};
   }
   return result;
@@ -193,17 +207,65 @@ json camera_json(const Desk& desk) {
           {"fov", number(camera.vertical_fov * 180 / radiosity::kPi)}};
 }
 
+json views_json(const Desk& desk) {
+  json names = json::array();
+  for (const SavedView& view : desk.views) names.push_back(view.name);
+  return names;
+}
+
+json surfaces_json(const Desk& desk) {
+  const auto optional = [](const std::optional<double>& value) {
+    return value ? number(*value) : json(nullptr);
+  };
+  std::vector<SurfaceTotal> totals = surface_totals(desk.session);
+  sort(totals, desk.surface_order);
+  json list = json::array();
+  for (const SurfaceTotal& total : totals) {
+    list.push_back({{"name", total.name},
+                    {"material", total.material},
+                    {"patches", total.n_patches},
+                    {"area", number(total.area)},
+                    {"flux", optional(total.flux)},
+                    {"irradiance", optional(total.irradiance)},
+                    {"heat", optional(total.heat)},
+                    {"shown", !desk.look.hidden.contains(total.surface)},
+                    {"marked", desk.marked_surface == total.surface}});
+  }
+  return list;
+}
+
+json tape_json(const Desk& desk) {
+  const auto difference = desk.tape.difference();
+  if (!difference) return nullptr;
+  return {{"from", list(*desk.tape.from)},
+          {"to", list(*desk.tape.to)},
+          {"difference", list(*difference)},
+          {"distance", number(difference->norm())}};
+}
+
 json iteration_json(const Desk& desk) {
   const IterationRecord* record = desk.session.iteration();
   if (record == nullptr || record->frames.empty()) return nullptr;
   json frames = json::array();
   for (const auto& frame : record->frames) {
-    frames.push_back(
-        {{"iteration", frame->iteration}, {"unshot_share", number(frame->unshot_share)}});
+    frames.push_back({{"iteration", frame->iteration},
+                      {"work", number(frame->work)},
+                      {"unshot_share", number(frame->unshot_share)},
+                      {"shooter", frame->shooter ? json(*frame->shooter) : json(nullptr)}});
   }
   json bounds = json::array();
   for (const double bound : record->bounds) bounds.push_back(number(bound));
+  json compared = json::array();
+  for (const auto& other : desk.session.compared()) {
+    compared.push_back(std::string(radiosity::method_name(other->method)));
+  }
   return {{"method", std::string(radiosity::method_name(record->method))},
+          {"text", watched_text(desk.session, desk.look)},
+          {"stale", desk.session.is_iteration_stale()},
+          {"compared", compared},
+          {"playing", desk.watching.is_playing},
+          {"speed", number(desk.watching.speed)},
+          {"log", desk.watching.is_logarithmic},
           {"complete", record->is_complete},
           {"step", std::min(desk.look.step, record->frames.size() - 1)},
           {"frames", frames},
@@ -244,6 +306,9 @@ json state_report(const Desk& desk) {
           {"comparison", comparison_json(desk)},
           {"open_patches", open_patches_json(session)},
           {"camera", camera_json(desk)},
+          {"views", views_json(desk)},
+          {"tape", tape_json(desk)},
+          {"surfaces", surfaces_json(desk)},
           {"region",
            {{"left", desk.region.left},
             {"top", desk.region.top},

@@ -2,8 +2,12 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
+#include "radiosity/base/geometry.h"
 #include "radiosity/solve/solution.h"
 
 namespace viewer {
@@ -11,9 +15,12 @@ namespace viewer {
 /// A moment of an iteration.
 struct IterationFrame {
   int iteration = 0;          ///< steps so far; of Southwell: shots
+  double work = 0;            ///< operator products that these cost; n shots count as one
   Eigen::MatrixXf radiosity;  ///< W/m², n x b
   Eigen::MatrixXf unshot;     ///< light that has arrived and is not passed on yet, W/m², n x b
   double unshot_share = 0;    ///< Σ A |unshot| / Σ A M_e
+  /// Of Southwell: the patch that shoots next, which has the most unshot power; none at the end.
+  std::optional<radiosity::Index> shooter = {};
 };
 
 /// How an iteration went, to step through. Has a frame for each of its first steps, then for ever
@@ -21,10 +28,15 @@ struct IterationFrame {
 struct IterationRecord {
   radiosity::Method method = radiosity::Method::jacobi;
   std::vector<std::shared_ptr<const IterationFrame>> frames;
-  std::vector<double> steps;   ///< of the curve: iteration
+  std::vector<double> work;    ///< of the curve: operator products, by which methods compare
   std::vector<double> bounds;  ///< of the curve: bound on the relative error, or relative residual
   bool is_complete = false;
 };
+
+/// "conjugate gradients", "Jacobi"...
+std::string_view method_title(radiosity::Method method);
+/// What the light after so many steps is: "light after 3 reflections", "after 120 shots".
+std::string step_text(radiosity::Method method, int iteration);
 
 /// Builds the record of one solve from its steps (`SolveOptions::on_step`).
 class IterationRecorder {
@@ -39,11 +51,15 @@ class IterationRecorder {
   void finish(const radiosity::Solution& solution);
 
  private:
-  void add_frame(int iteration, const Eigen::MatrixXd& radiosity, const Eigen::MatrixXd& unshot);
+  /// The work of which `products` is the solver's count: without what all methods begin with.
+  [[nodiscard]] double work_of(double products) const { return products - first_products_; }
+  void add_frame(int iteration, double work, const Eigen::MatrixXd& radiosity,
+                 const Eigen::MatrixXd& unshot);
 
   Eigen::VectorXd area_;
   double emitted_;
   std::size_t most_frames_;
+  double first_products_ = 0;
   IterationRecord record_;
 };
 

@@ -123,6 +123,12 @@ class Session {
   void record_iteration(radiosity::Method method);
   void forget_iteration();
   [[nodiscard]] const IterationRecord* iteration() const { return iteration_.get(); }
+  /// Whether lamps or materials have changed since it was begun: it is of other light.
+  [[nodiscard]] bool is_iteration_stale() const { return iteration_mix_ != versions_.mix; }
+  /// Curves, without frames, of other methods that were recorded of the same light.
+  [[nodiscard]] const std::vector<std::shared_ptr<const IterationRecord>>& compared() const {
+    return compared_;
+  }
 
   // Console.
   void tell(const std::string& text) { add_message(false, text); }
@@ -147,6 +153,7 @@ class Session {
 
   void find_row();
   void forget_light_path();
+  void keep_curve(radiosity::Method next);
   void take_file(OpenedFile file, Clock::time_point start);
   void start_preview();
   void start_shooting();
@@ -178,6 +185,8 @@ class Session {
   std::shared_ptr<const LightPath> light_path_;
   bool has_asked_ = false;  // for the light path; it may have failed
   std::shared_ptr<const IterationRecord> iteration_;
+  int iteration_mix_ = 0;  // Versions::mix that it is of
+  std::vector<std::shared_ptr<const IterationRecord>> compared_;
   std::deque<Message> messages_;
   Versions versions_;
   double unshot_share_ = 1;

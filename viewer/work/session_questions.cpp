@@ -73,12 +73,28 @@ void Session::forget_light_path() {
   asking_.cancel();
 }
 
+/// Of the record that makes room for one by another method, as long as it is of the same light.
+void Session::keep_curve(radiosity::Method next) {
+  if (is_iteration_stale()) {
+    compared_.clear();
+    return;
+  }
+  if (iteration_ && !iteration_->work.empty()) {
+    auto curve = std::make_shared<IterationRecord>(*iteration_);
+    curve->frames.clear();
+    compared_.push_back(std::move(curve));
+  }
+  std::erase_if(compared_, [&](const auto& record) { return record->method == next; });
+}
+
 void Session::record_iteration(radiosity::Method method) {
   if (!model_.transport) {
     tell_error("iterations can be watched once the form factors are known");
     return;
   }
+  keep_curve(method);
   iteration_.reset();
+  iteration_mix_ = versions_.mix;
   ++versions_.iteration;
   recording_.start([this, method, model = model_, mix = mix_](const Worker::Context& context) {
     const Scene scene = with_reflectance(*model.scene, mix);
@@ -113,6 +129,7 @@ void Session::record_iteration(radiosity::Method method) {
 void Session::forget_iteration() {
   recording_.cancel();
   iteration_.reset();
+  compared_.clear();
   ++versions_.iteration;
 }
 

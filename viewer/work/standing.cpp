@@ -50,4 +50,14 @@ Standing standing(const Session& session) {
   return {};
 }
 
+std::string accuracy_text(const Session& session) {
+  if (!session.has_result() || !session.light()->relative_error) return "";
+  const double reached = *session.light()->relative_error;
+  if (reached == 0) return "";
+  std::string text = fmt::format("± {:.2g} % reached (2 σ)", 100 * reached);
+  // A file does not tell.
+  if (!session.model().scene) return text;
+  return text + fmt::format(", {:.2g} % asked", 100 * session.options().tolerance);
+}
+
 }  // namespace viewer

@@ -15,4 +15,7 @@ struct Standing {
 
 Standing standing(const Session& session);
 
+/// What was reached and what was asked: "± 0.8 % reached (2 σ), 1 % asked"; "" until it is known.
+std::string accuracy_text(const Session& session);
+
 }  // namespace viewer

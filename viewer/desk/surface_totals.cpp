@@ -1,0 +1,109 @@
+#include "viewer/desk/surface_totals.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+#include "radiosity/solve/quantity.h"
+
+namespace viewer {
+namespace {
+
+using radiosity::Index;
+
+constexpr std::array<std::string_view, 5> kColumns = {"name", "area", "flux", "irradiance", "heat"};
+
+std::optional<double> value_of(const SurfaceTotal& total, TotalColumn column) {
+  switch (column) {
+    case TotalColumn::name:
+      break;
+    case TotalColumn::area:
+      return total.area;
+    case TotalColumn::flux:
+      return total.flux;
+    case TotalColumn::irradiance:
+      return total.irradiance;
+    case TotalColumn::heat:
+      return total.heat;
+  }
+  return std::nullopt;
+}
+
+/// Adds what the light gives each surface; weights of the bands as the eye has them, or 1.
+void add_light(std::vector<SurfaceTotal>& totals, const Session& session) {
+  const radiosity::PatchMesh& mesh = *session.model().mesh;
+  const radiosity::Solution& solution = session.light()->solution;
+  const bool is_thermal = session.is_thermal();
+  const Eigen::VectorXd weights =
+      is_thermal ? Eigen::VectorXd(Eigen::VectorXd::Ones(solution.radiosity.cols()))
+                 : radiosity::luminous_weights(session.model().bands);
+  const Eigen::VectorXd leaving = solution.radiosity * weights;
+  const Eigen::VectorXd arriving = solution.irradiance * weights;
+  std::vector<double> flux(totals.size());
+  std::vector<double> arrived(totals.size());
+  for (Index i = 0; i < mesh.size(); ++i) {
+    flux[mesh.surface[i]] += mesh.area[i] * leaving[i];
+    arrived[mesh.surface[i]] += mesh.area[i] * arriving[i];
+  }
+  for (std::size_t s = 0; s < totals.size(); ++s) {
+    if (!(totals[s].area > 0)) continue;
+    totals[s].flux = flux[s];
+    totals[s].irradiance = arrived[s] / totals[s].area;
+    if (is_thermal) totals[s].heat = flux[s] - arrived[s];
+  }
+}
+
+}  // namespace
+
+std::vector<SurfaceTotal> surface_totals(const Session& session) {
+  if (!session.is_open()) return {};
+  const Model& model = session.model();
+  const radiosity::PatchMesh& mesh = *model.mesh;
+  std::vector<SurfaceTotal> totals(mesh.surface_names.size());
+  for (std::size_t s = 0; s < totals.size(); ++s) {
+    totals[s].surface = static_cast<std::int32_t>(s);
+    totals[s].name = mesh.surface_names[s];
+    if (model.scene) {
+      totals[s].material = model.scene->materials[model.scene->surfaces[s].material].name;
+    }
+  }
+  for (Index i = 0; i < mesh.size(); ++i) {
+    SurfaceTotal& total = totals[mesh.surface[i]];
+    ++total.n_patches;
+    total.area += mesh.area[i];
+  }
+  if (session.light() != nullptr) add_light(totals, session);
+  return totals;
+}
+
+std::optional<TotalColumn> total_column_named(std::string_view name) {
+  const auto* found = std::find(kColumns.begin(), kColumns.end(), name);
+  if (found == kColumns.end()) return std::nullopt;
+  return static_cast<TotalColumn>(found - kColumns.begin());
+}
+
+void sort(std::vector<SurfaceTotal>& totals, const TotalOrder& order) {
+  std::stable_sort(totals.begin(), totals.end(), [&](const SurfaceTotal& a, const SurfaceTotal& b) {
+    if (order.column == TotalColumn::name) {
+      return order.is_falling ? b.name < a.name : a.name < b.name;
+    }
+    const auto value = value_of(a, order.column);
+    const auto other = value_of(b, order.column);
+    if (!value || !other) return value.has_value() && !other.has_value();
+    return order.is_falling ? *value > *other : *value < *other;
+  });
+}
+
+std::optional<std::int32_t> surface_named(const radiosity::PatchMesh& mesh,
+                                          const std::string& name) {
+  const auto& names = mesh.surface_names;
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found != names.end()) return static_cast<std::int32_t>(found - names.begin());
+  std::int32_t index = -1;
+  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), index);
+  const bool is_index = error == std::errc() && end == name.data() + name.size() && index >= 0 &&
+                        static_cast<std::size_t>(index) < names.size();
+  return is_index ? std::optional(index) : std::nullopt;
+}
+
+}  // namespace viewer
