@@ -60,7 +60,8 @@ def test_trimesh():
 
 def test_pyvista():
     pyvista = pytest.importorskip("pyvista")
-    box = pyvista.Cube().triangulate().flip_normals()
+    box = pyvista.Cube().triangulate()
+    box.faces = box.faces.reshape(-1, 4)[:, [0, 3, 2, 1]].ravel()  # seen from within
     F = rad.form_factors(box)
     assert F.row_sums == pytest.approx(1, abs=1e-9)
     shown = F.patches.to_pyvista(light=np.arange(12))

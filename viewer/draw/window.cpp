@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -37,9 +38,20 @@ std::string& last_glfw_error() {
   return error;
 }
 
+/// GLFW 3.4 asks Wayland first, whose library complains on the terminal where it is not there; and
+/// VTK's GLEW knows X11 only, which Wayland has, too.
+void prefer_x11() {
+#ifdef GLFW_PLATFORM_X11
+  if (std::getenv("DISPLAY") != nullptr || std::getenv("XDG_RUNTIME_DIR") == nullptr) {
+    glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+  }
+#endif
+}
+
 /// GLFW itself, for as long as there is a window.
 struct Library {
   Library() {
+    prefer_x11();
     glfwSetErrorCallback([](int, const char* text) { last_glfw_error() = text; });
     if (glfwInit() == GLFW_FALSE) {
       throw WindowError("there is no display to open a window on (" + last_glfw_error() +
