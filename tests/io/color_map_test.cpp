@@ -159,7 +159,7 @@ TEST(ColorMap, GrowsLighterEvenly) {
 // Differences of either sign look alike but for their hue, and none looks like nothing.
 TEST(ColorMap, OfDifferencesIsLightestInTheMiddle) {
   const auto color = [](double position) {
-    return io::map_color(position, io::ColorMap::cool_warm);
+    return io::map_color(position, io::ColorMap::diverging);
   };
   const io::Rgb middle = color(0.5);
   EXPECT_EQ(middle[0], middle[1]);

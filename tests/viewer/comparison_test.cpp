@@ -86,7 +86,7 @@ TEST_F(Comparisons, DifferencesHaveAScaleAboutZeroAndTheirColours) {
                              .exposure = 1,
                              .subtracted = viewer::subtracted_light(desk)});
   ASSERT_TRUE(painting.legend);
-  EXPECT_EQ(painting.legend->map, io::ColorMap::cool_warm);
+  EXPECT_EQ(painting.legend->map, io::ColorMap::diverging);
   EXPECT_FALSE(painting.legend->scale.logarithmic);
   EXPECT_EQ(painting.legend->scale.low, -painting.legend->scale.high);
   EXPECT_LT(painting.legend->least, 0);

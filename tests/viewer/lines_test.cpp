@@ -159,6 +159,19 @@ TEST(SurfaceLine, IsDrawnIfASurfaceFacesTheCamera) {
   EXPECT_FALSE(is_drawn(line, Vec3(0, 1, 1), viewer::Backs::hidden));
 }
 
+// As far as a sloping surface recedes within a pixel, and no further.
+TEST(SurfaceLine, IsRaisedByWhatItsSurfacesRecede) {
+  const SurfaceLine line{.ends = {Vec3(0, 0, 0), Vec3(1e-9, 0, 0)},
+                         .normals = {Vec3::UnitZ(), Vec3::UnitZ()}};
+  const auto raised = [&](const Vec3& position) {
+    return (raised_ends(line, position, 0.001)[0] - line.ends[0]).norm();
+  };
+  EXPECT_EQ(raised(Vec3(0, 0, 2)), 0);
+  EXPECT_NEAR(raised(Vec3(2, 0, 2)), 0.001 * Vec3(2, 0, 2).norm(), 1e-12);
+  EXPECT_NEAR(raised(Vec3(2, 0, 1e-4)), 0.02, 1e-9);  // a hundredth of the distance at most
+  EXPECT_EQ(raised(Vec3(2, 0, -1)), 0);
+}
+
 /// What a camera 1.25 m above the middle of the slope sees, which fills the picture but for its
 /// border; 50 x 50 pixels.
 class SlopePictures : public ::testing::Test {

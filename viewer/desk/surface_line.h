@@ -22,4 +22,9 @@ enum class Backs { hidden, shown };
 /// Whether a camera at `position` sees it, if nothing is in between.
 bool is_drawn(const SurfaceLine& line, const radiosity::Vec3& position, Backs backs);
 
+/// Its ends nearer to the camera by what the surfaces it lies on recede within a pixel, whose width
+/// is `pixel` at unit distance: else these would hide it where they slope.
+std::array<radiosity::Vec3, 2> raised_ends(const SurfaceLine& line, const radiosity::Vec3& position,
+                                           double pixel);
+
 }  // namespace viewer

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "viewer/desk/ray_picture.h"
@@ -29,6 +30,7 @@ using radiosity::PatchMesh;
 using radiosity::Vec3;
 
 constexpr int kMapColors = 256;
+constexpr int kLeastHeight = 100;  // pixels
 
 /// 8-bit sRGB as VTK takes it.
 std::array<double, 3> shares(const io::Rgb& color) {
@@ -110,10 +112,6 @@ SceneView::SceneView() : parts_(std::make_unique<Parts>()) {
   parts.edge_actor->GetProperty()->LightingOff();
   parts.edge_actor->GetProperty()->SetColor(shares(kEdgeColor).data());
   parts.edge_actor->VisibilityOff();
-  // Before the surfaces that they lie on, whatever their slope.
-  for (vtkPolyDataMapper* mapper : {parts.edge_mapper.Get(), parts.line_mapper.Get()}) {
-    mapper->SetRelativeCoincidentTopologyLineOffsetParameters(-1, -3);
-  }
   parts.line_mapper->SetInputData(parts.lines);
   parts.line_mapper->SetScalarModeToUseCellData();
   parts.line_mapper->SetColorModeToDirectScalars();
@@ -305,6 +303,8 @@ void SceneView::update_lines() {
   if (!parts.are_lines_stale) return;
   parts.are_lines_stale = false;
   const Backs backs = parts.back_actor->GetVisibility() == 0 ? Backs::hidden : Backs::shown;
+  const double pixel =
+      2 * std::tan(parts.camera.vertical_fov / 2) / std::max(parts.region.height, kLeastHeight);
   std::vector<Vec3> ends;
   vtkNew<vtkCellArray> cells;
   vtkNew<vtkUnsignedCharArray> colors;
@@ -312,7 +312,8 @@ void SceneView::update_lines() {
   for (const SurfaceLine& line : parts.all_lines) {
     if (!is_drawn(line, parts.camera.position, backs)) continue;
     const auto first = static_cast<vtkIdType>(ends.size());
-    ends.insert(ends.end(), line.ends.begin(), line.ends.end());
+    const std::array<Vec3, 2> raised = raised_ends(line, parts.camera.position, pixel);
+    ends.insert(ends.end(), raised.begin(), raised.end());
     const std::array<vtkIdType, 2> ids = {first, first + 1};
     cells->InsertNextCell(2, ids.data());
     colors->InsertNextTypedTuple(line.color.data());

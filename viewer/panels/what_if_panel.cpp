@@ -146,9 +146,14 @@ void draw_what_if_panel(Desk& desk) {
   if (ImGui::Button("Redo")) session.redo_mix();
   ImGui::EndDisabled();
   ImGui::TextDisabled("%s", session.is_thermal() ? "Sources" : "Lamps");
+  // Else the first lamp and the first material would be one to ImGui, and move together.
+  ImGui::PushID("lamps");
   for (std::size_t e = 0; e < session.mix().emitters.size(); ++e) draw_emitter(desk, e);
+  ImGui::PopID();
   ImGui::TextDisabled("Materials, mean reflectance");
+  ImGui::PushID("materials");
   for (std::size_t m = 0; m < session.mix().reflectance.size(); ++m) draw_material(desk, m);
+  ImGui::PopID();
 }
 
 }  // namespace viewer
