@@ -2,8 +2,8 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
-#include "io/picture/color_map.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "viewer/desk/desk.h"
 #include "viewer/desk/patch_points.h"
@@ -30,6 +30,8 @@ class PinnedView {
   SceneView view_;
   std::shared_ptr<const radiosity::PatchMesh> mesh_;
   std::unique_ptr<PatchPoints> points_;
+  HiddenSurfaces hidden_;
+  std::vector<SurfaceLine> outlines_;
   std::optional<Painted> painted_;
 };
 
