@@ -4,6 +4,7 @@
 #include <imgui.h>
 #include <imgui_impl_glfw.h>
 
+#include <algorithm>
 #include <set>
 #include <utility>
 
@@ -25,6 +26,17 @@ bool may_open_dialog(int key, int modifiers) {
          key == GLFW_KEY_ESCAPE;
 }
 
+/// From 1.87 on ImGui spreads events over frames by itself, which a fast click needs: down in one,
+/// up in the next. Keys are in order here, and must not lag behind those that the viewer takes at
+/// once: they wait for that.
+#if IMGUI_VERSION_NUM >= 18700
+constexpr int kClickFrames = 2;
+void set_trickling(bool is_on) { ImGui::GetIO().ConfigInputTrickleEventQueue = is_on; }
+#else
+constexpr int kClickFrames = 0;
+void set_trickling(bool /*is_on*/) {}
+#endif
+
 }  // namespace
 
 WindowEvents& WindowEvents::of(GLFWwindow* window) {
@@ -37,8 +49,10 @@ WindowEvents::WindowEvents(GLFWwindow* window) : window_(window) {
     of(source).dropped_.insert(of(source).dropped_.end(), paths, paths + n);
     of(source).has_any_ = true;
   });
-  glfwSetMouseButtonCallback(window,
-                             [](GLFWwindow* source, int, int, int) { of(source).has_any_ = true; });
+  glfwSetMouseButtonCallback(window, [](GLFWwindow* source, int, int, int) {
+    of(source).has_any_ = true;
+    of(source).waiting_frames_ = std::max(of(source).waiting_frames_, kClickFrames);
+  });
   const auto note_place = [](GLFWwindow* source, double, double) { of(source).has_any_ = true; };
   glfwSetCursorPosCallback(window, note_place);
   glfwSetScrollCallback(window, note_place);
@@ -72,6 +86,7 @@ void WindowEvents::forward(const KeyEvent& event) {
 }
 
 void WindowEvents::forward_keys() {
+  set_trickling(true);
   if (waiting_frames_ > 0) {
     --waiting_frames_;
     return;
@@ -84,6 +99,7 @@ void WindowEvents::forward_keys() {
     if (is_over && pressed.contains(event.key)) return;
     waiting_.pop_front();
     forward(event);
+    set_trickling(false);
     if (event.letter != 0 || is_over) continue;
     if (event.key >= GLFW_KEY_ESCAPE) pressed.insert(event.key);  // below are those with letters
     if (may_open_dialog(event.key, event.modifiers)) {
