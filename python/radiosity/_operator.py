@@ -9,7 +9,7 @@ import scipy.sparse.linalg
 
 from . import _arguments, _core, _interop
 from ._errors import InputError, SolveError
-from ._mesh import core_scene, Mesh, Scene
+from ._mesh import core_scene
 from ._progress import reporter
 
 
@@ -369,7 +369,7 @@ def factors_from_points(mesh, points, normals, *, rest=False, threads: int = 0, 
     zero = np.flatnonzero(lengths == 0)
     if zero.size:
         raise InputError(f"normals[{zero[0]}] is 0")
-    polygons = _assembled_polygons(mesh)
+    polygons = _core.polygons_of(core_scene(mesh))
     with reporter(progress) as report:
         shares = _core.factors_from_points(
             polygons, places, directions / lengths[:, np.newaxis], report,
@@ -378,10 +378,6 @@ def factors_from_points(mesh, points, normals, *, rest=False, threads: int = 0, 
     if not rest:
         return shares[:, :-2]
     return shares[:, :-2], shares[:, -2], shares[:, -1]
-
-
-def _assembled_polygons(mesh):
-    return _core.polygons_of(core_scene(mesh))
 
 
 def _assembled(mesh, *, threads, progress, **options) -> _core.Operator:

@@ -8,7 +8,7 @@ import numpy as np
 
 from . import _arguments, _core
 from ._errors import InputError
-from ._mesh import Scene, core_scene
+from ._mesh import Scene, core_scene, read_scene
 from ._operator import Patches, Transport, operator_of
 from ._progress import reporter
 from ._solve import Light
@@ -94,8 +94,6 @@ class Study:
         progress=None,
     ):
         if isinstance(scene, (str, os.PathLike)):
-            from ._mesh import read_scene
-
             scene = read_scene(scene)
         self._scene = core_scene(scene)
         self._options = _arguments.study_options(
