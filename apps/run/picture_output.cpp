@@ -7,8 +7,8 @@
 #include "io/picture/false_color.h"
 #include "io/picture/image_file.h"
 #include "radiosity/base/error.h"
-#include "radiosity/picture/gathered_picture.h"
 #include "radiosity/solve/quantity.h"
+#include "study/study_picture.h"
 
 namespace apps {
 namespace {
@@ -40,17 +40,6 @@ ShownScale write_false_color_picture(const std::string& path, const study::Study
   return {std::string(field.info.name), field.unit, scale};
 }
 
-Image draw(const study::Study& solved, const Camera& camera, bool gathers,
-           const RenderOptions& options) {
-  const Solution& solution = solved.solution;
-  if (!gathers) {
-    return render(solved.mesh, solved.visibility, solution.radiosity, camera, options);
-  }
-  const FinalGather gather(solved.mesh, solution.radiosity);
-  return render_gathered(gather, solved.visibility, {solution.exitance, solution.reflectance},
-                         camera, options);
-}
-
 }  // namespace
 
 std::optional<ShownScale> write_picture(const std::string& path, const study::Study& solved,
@@ -62,7 +51,9 @@ std::optional<ShownScale> write_picture(const std::string& path, const study::St
   if (options.false_color.quantity) {
     return write_false_color_picture(path, solved, options, camera, render_options, interruption);
   }
-  const Image image = draw(solved, camera, options.gather, render_options);
+  const Image image = study::draw(
+      solved, camera, options.gather ? study::Shading::gathered : study::Shading::interpolated,
+      render_options);
   progress.check();
   refuse_empty(image);
   io::ImageOptions image_options = options.image;

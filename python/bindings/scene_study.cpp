@@ -20,10 +20,10 @@
 #include "python/bindings/operator.h"
 #include "python/bindings/work.h"
 #include "radiosity/base/error.h"
-#include "radiosity/picture/gathered_picture.h"
 #include "radiosity/picture/render.h"
 #include "radiosity/solve/quantity.h"
 #include "study/study.h"
+#include "study/study_picture.h"
 
 namespace python {
 namespace {
@@ -91,7 +91,7 @@ QuantityField field_of(const study::Study& study, const std::string& name, doubl
 /// How a picture is taken.
 struct PictureOptions {
   RenderOptions render;
-  bool gathers = false;
+  study::Shading shading = study::Shading::interpolated;
   std::optional<double> exposure;
   std::optional<Camera> camera;
 };
@@ -101,13 +101,7 @@ Image draw(const study::Study& study, const PictureOptions& options, const Progr
   render_options.progress = progress;
   const std::optional<Camera>& given = options.camera ? options.camera : study.scene.camera;
   const Camera camera = given ? *given : fit_camera(study.mesh, fit_camera(study.mesh));
-  const Solution& solution = study.solution;
-  if (!options.gathers) {
-    return render(study.mesh, study.visibility, solution.radiosity, camera, render_options);
-  }
-  const FinalGather gather(study.mesh, solution.radiosity);
-  return render_gathered(gather, study.visibility, {solution.exitance, solution.reflectance},
-                         camera, render_options);
+  return study::draw(study, camera, options.shading, render_options);
 }
 
 io::ImageOptions image_options(const study::Study& study, const PictureOptions& options) {
@@ -163,10 +157,11 @@ void bind_study(py::module_& module) {
   py::class_<PictureOptions>(module, "PictureOptions")
       .def(py::init([](int width, int height, int samples, bool gathers,
                        std::optional<double> exposure, const std::optional<Camera>& camera) {
-        return PictureOptions{.render = {.width = width, .height = height, .samples = samples},
-                              .gathers = gathers,
-                              .exposure = exposure,
-                              .camera = camera};
+        return PictureOptions{
+            .render = {.width = width, .height = height, .samples = samples},
+            .shading = gathers ? study::Shading::gathered : study::Shading::interpolated,
+            .exposure = exposure,
+            .camera = camera};
       }));
   py::class_<KeptStudy>(module, "Study")
       .def_property_readonly("operator", &operator_of)
