@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "radiosity/base/parallel.h"
-#include "radiosity/exchange/visible_fraction.h"
 #include "radiosity/visibility/cluster_visibility.h"
 
 namespace radiosity {
@@ -49,72 +48,13 @@ BlockMaker::BlockMaker(const ExchangeEvaluator& evaluator, const ClusterPolynomi
       polynomials_(polynomials),
       areas_(areas),
       progress_(progress),
-      shapes_(evaluator, areas) {}
+      shapes_(evaluator, areas),
+      sampler_(evaluator.tree(), shapes_, areas) {}
 
 double BlockMaker::action_error(std::int32_t a, std::int32_t b, double density_error) const {
   const double area_a = polynomials_.area(a);
   const double area_b = polynomials_.area(b);
   return density_error * std::sqrt(area_a * area_b * (area_a + area_b) / shapes_.total_area());
-}
-
-std::size_t BlockMaker::n_pairs_of(const Item& item) const {
-  const Cluster& ca = evaluator_.tree().clusters[item.a];
-  const Cluster& cb = evaluator_.tree().clusters[item.b];
-  return static_cast<std::size_t>((ca.end - ca.begin) * (cb.end - cb.begin));
-}
-
-/// Adds samples until there are n, or takes all pairs if these are few: true.
-template <typename Density>
-bool BlockMaker::add_samples(const Item& item, std::size_t n, const Density& density,
-                             std::vector<DensitySample>& samples) const {
-  const Cluster& ca = evaluator_.tree().clusters[item.a];
-  const Cluster& cb = evaluator_.tree().clusters[item.b];
-  const std::size_t n_pairs = n_pairs_of(item);
-  const auto& order = evaluator_.tree().order;
-  const auto add = [&](std::int32_t row, std::int32_t column, double weight) {
-    samples.push_back({row, column, density(order[row], order[column]), weight});
-  };
-  if (n_pairs <= 2 * n) {
-    if (samples.size() == n_pairs && samples[0].weight != 1) return true;
-    samples.clear();
-    for (Index r = ca.begin; r < ca.end; ++r) {
-      for (Index c = cb.begin; c < cb.end; ++c) {
-        add(static_cast<std::int32_t>(r), static_cast<std::int32_t>(c),
-            areas_[order[r]] * areas_[order[c]]);
-      }
-    }
-    return true;
-  }
-  // Evenly spread in both. (Roberts 2018, the R2 sequence)
-  constexpr double kFirst = 0.7548776662466927;
-  constexpr double kSecond = 0.5698402909980532;
-  const std::uint64_t seed = pair_seed(1, item.a, item.b);
-  const double shift_a = static_cast<double>(seed & 0xffffffU) / 0x1000000;
-  const double shift_b = static_cast<double>(seed >> 32U & 0xffffffU) / 0x1000000;
-  while (samples.size() < n) {
-    const auto k = static_cast<double>(samples.size());
-    double whole = 0;
-    const std::int32_t row = shapes_.place_at(item.a, std::modf(shift_a + k * kFirst, &whole));
-    const std::int32_t column = shapes_.place_at(item.b, std::modf(shift_b + k * kSecond, &whole));
-    add(row, column, 1);
-  }
-  return false;
-}
-
-/// Adds the pairs of the clusters' furthest patches, where kernels peak.
-template <typename Density>
-void BlockMaker::add_corners(const Item& item, const Density& density,
-                             std::vector<DensitySample>& samples) const {
-  const auto& order = evaluator_.tree().order;
-  const ClusterShapes::Extremes& of_a = shapes_.extremes(item.a);
-  const ClusterShapes::Extremes& of_b = shapes_.extremes(item.b);
-  for (int r = 0; r < of_a.n; ++r) {
-    for (int c = 0; c < of_b.n; ++c) {
-      const std::int32_t row = of_a.places[r];
-      const std::int32_t column = of_b.places[c];
-      samples.push_back({row, column, density(order[row], order[column]), 1});
-    }
-  }
 }
 
 void BlockMaker::accept(const Item& item, DegreePair degrees, const BlockFit& fit, double error,
@@ -126,15 +66,15 @@ void BlockMaker::accept(const Item& item, DegreePair degrees, const BlockFit& fi
 
 bool BlockMaker::fit_visible(const Item& item, double limit, BlockFitter& fitter,
                              MadeBlocks& made) const {
-  const auto n_pairs = static_cast<double>(n_pairs_of(item));
+  const auto n_pairs = static_cast<double>(sampler_.n_pairs(item.a, item.b));
   const int most = std::min(
       {kVisibleDegree, polynomials_.most_degree(item.a), polynomials_.most_degree(item.b)});
   fitter.start(item.a, item.b, most);
-  const auto density = [&](std::int32_t i, std::int32_t j) {
+  const PairSampler::Density density = [&](std::int32_t i, std::int32_t j) {
     return evaluator_.unoccluded(i, j) / (areas_[i] * areas_[j]);
   };
   std::vector<DensitySample> samples;
-  add_corners(item, density, samples);
+  sampler_.add_corners(item.a, item.b, density, samples);
   const std::size_t n_corners = samples.size();
   int before = 0;
   for (int degree = 0; degree <= most; ++degree) {
@@ -142,7 +82,8 @@ bool BlockMaker::fit_visible(const Item& item, double limit, BlockFitter& fitter
     const int n = n_coefficients(polynomials_.counts(item.a), polynomials_.counts(item.b), degrees);
     if (degree > 0 && (n == before || 2 * n > n_pairs)) return false;
     before = n;
-    const bool are_all = add_samples(item, n_corners + visible_samples(n), density, samples);
+    const bool are_all =
+        sampler_.add(item.a, item.b, n_corners + visible_samples(n), density, samples);
     const BlockFit fit = fitter.fit(degrees, samples, are_all);
     const double error = action_error(item.a, item.b, fit.error);
     if (error <= limit && fit.lowest >= 0) {
@@ -167,11 +108,11 @@ double BlockMaker::unseen(const Item& item) const {
 }
 
 bool BlockMaker::fit_sampled(Item& item, double limit, Worker& worker, MadeBlocks& made) const {
-  const auto n_pairs = static_cast<double>(n_pairs_of(item));
+  const auto n_pairs = static_cast<double>(sampler_.n_pairs(item.a, item.b));
   const int most = std::min(
       {kSampledDegree, polynomials_.most_degree(item.a), polynomials_.most_degree(item.b)});
   worker.fitter.start(item.a, item.b, most);
-  const auto density = [&](std::int32_t i, std::int32_t j) {
+  const PairSampler::Density density = [&](std::int32_t i, std::int32_t j) {
     ++made.census.samples;
     return evaluator_.entry(i, j, item.between, worker.exchange).value / (areas_[i] * areas_[j]);
   };
@@ -186,7 +127,8 @@ bool BlockMaker::fit_sampled(Item& item, double limit, Worker& worker, MadeBlock
   };
   const auto attempt = [&](DegreePair degrees) {
     Trial trial{.degrees = degrees, .n = count(degrees)};
-    const bool are_all = add_samples(item, sampled_samples(trial.n), density, item.samples);
+    const bool are_all =
+        sampler_.add(item.a, item.b, sampled_samples(trial.n), density, item.samples);
     trial.fit = worker.fitter.fit(degrees, item.samples, are_all);
     trial.off = trial.fit.error;
     if (are_all) return trial;

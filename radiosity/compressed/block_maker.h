@@ -10,6 +10,7 @@
 #include "radiosity/compressed/cluster_polynomials.h"
 #include "radiosity/compressed/cluster_shapes.h"
 #include "radiosity/compressed/made_blocks.h"
+#include "radiosity/compressed/pair_sampler.h"
 #include "radiosity/exchange/exchange_evaluator.h"
 
 namespace radiosity {
@@ -21,6 +22,8 @@ class BlockMaker {
   /// All must outlive this.
   BlockMaker(const ExchangeEvaluator& evaluator, const ClusterPolynomials& polynomials,
              const std::vector<double>& areas, const Progress& progress);
+  BlockMaker(const BlockMaker&) = delete;
+  BlockMaker& operator=(const BlockMaker&) = delete;
 
   /// What a density error, in common to a block, comes to in F 1, next to 1: root of the mean
   /// square over all area.
@@ -48,7 +51,6 @@ class BlockMaker {
     ExchangeEvaluator::Worker exchange;
     BlockFitter fitter;
   };
-  [[nodiscard]] std::size_t n_pairs_of(const Item& item) const;
   [[nodiscard]] MadeBlocks make(Items items, double limit, BlockStore* store) const;
   [[nodiscard]] MadeBlocks make_part(Item item, double limit) const;
   void work(Item item, double limit, Worker& worker, MadeBlocks& made, Items& open) const;
@@ -57,12 +59,6 @@ class BlockMaker {
   [[nodiscard]] double unseen(const Item& item) const;
   void evaluate_near(const Item& item, ExchangeEvaluator::Worker& worker, MadeBlocks& made) const;
   void divide(const Item& item, Items& open) const;
-  template <typename Density>
-  bool add_samples(const Item& item, std::size_t n, const Density& density,
-                   std::vector<DensitySample>& samples) const;
-  template <typename Density>
-  void add_corners(const Item& item, const Density& density,
-                   std::vector<DensitySample>& samples) const;
   void accept(const Item& item, DegreePair degrees, const BlockFit& fit, double error,
               MadeBlocks& made) const;
 
@@ -71,6 +67,7 @@ class BlockMaker {
   const std::vector<double>& areas_;
   const Progress& progress_;
   ClusterShapes shapes_;
+  PairSampler sampler_;
 };
 
 }  // namespace radiosity

@@ -20,9 +20,9 @@ struct ExpectedLight {
 
 /// Makes a compressed operator in rounds, until its verified error is no more than
 /// TransportOptions::tolerance or rounds no longer help (CompressionReport tells). Same input, same
-/// bits, at any number of threads. KnownPairs are not used. Throws MemoryShortage if it will not fit
-/// into memory; OutputError if the work file can't be written, or is to be gone on with and belongs
-/// to another computation; Interrupted if asked to stop.
+/// bits, at any number of threads. KnownPairs are not used. Throws MemoryShortage if it will not
+/// fit into memory; OutputError if the work file can't be written, or is to be gone on with and
+/// belongs to another computation; Interrupted if asked to stop.
 std::unique_ptr<CompressedTransport> make_compressed_transport(const PatchMesh& mesh,
                                                                const Visibility& visibility,
                                                                const TransportOptions& options = {},
