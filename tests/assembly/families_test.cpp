@@ -174,14 +174,13 @@ TEST_P(Families, HaveTheSameFactorsWithAnyDigits) {
     const FamilyScene scene = regular_scene(GetParam(), seed);
     const auto exact = surface_factors_of(scene, {}, kTolerance);
     ASSERT_TRUE(exact);
-    for (const Digits digits : {Digits::six, Digits::single}) {
-      const FamilyScene rounded = vary(scene, {.digits = digits});
-      const auto factors = surface_factors_of(rounded, {}, kTolerance);
-      ASSERT_TRUE(factors) << rounded.name;
-      std::string where;
-      EXPECT_LE(unexplained_difference(*exact, *factors, where), 1e-5)
-          << rounded.name << ", " << where;
-    }
+    const FamilyScene rounded =
+        vary(scene, {.digits = seed % 2 == 0 ? Digits::six : Digits::single});
+    const auto factors = surface_factors_of(rounded, {}, kTolerance);
+    ASSERT_TRUE(factors) << rounded.name;
+    std::string where;
+    EXPECT_LE(unexplained_difference(*exact, *factors, where), 1e-5)
+        << rounded.name << ", " << where;
   }
 }
 
@@ -194,7 +193,7 @@ TEST_P(Families, HaveTheSameFactorsHoweverDivided) {
     ASSERT_TRUE(whole);
     const FamilyScene shuffled =
         vary(scene, {.is_shuffled = true, .is_triangular = seed % 3 == 0, .seed = seed});
-    for (const long n_patches : {0L, 80L, 200L}) {
+    for (const long n_patches : {0L, seed % 2 == 0 ? 200L : 80L}) {
       const auto factors = surface_factors_of(
           shuffled, n_patches == 0 ? std::nullopt : std::optional(n_patches), kTolerance);
       ASSERT_TRUE(factors);

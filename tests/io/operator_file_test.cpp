@@ -44,7 +44,7 @@ class OperatorFile : public OutputFolder {
  protected:
   static void SetUpTestSuite() {
     const Scene scene = io::read_scene(RADIOSITY_SCENES "/cornell-box.json");
-    mesh_ = new PatchMesh(meshing::make_patches(scene, {.n_patches = 700}));
+    mesh_ = new PatchMesh(meshing::make_patches(scene, {.n_patches = 350}));
     const Visibility visibility(*mesh_);
     compressed_ = make_compressed_transport(*mesh_, visibility, {.tolerance = kTolerance},
                                             {exitance(scene, *mesh_), reflectance(scene, *mesh_)})

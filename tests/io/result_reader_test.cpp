@@ -109,6 +109,24 @@ class ResultReader : public OutputFolder {
       polydata.GetCellData()->GetArray(array)->SetComponent(row, 0, value);
     });
   }
+
+  /// A file in words whose first polygon begins with this point. VTK must not write such a one
+  /// itself: from 9.3 on it looks up all points on the way.
+  [[nodiscard]] std::filesystem::path with_first_corner(const std::string& point) const {
+    const PatchMesh mesh = odd_box();
+    const std::filesystem::path path = folder() / "corner.vtp";
+    vtkNew<vtkXMLPolyDataWriter> writer;
+    writer->SetInputData(io::make_polydata(mesh, make_solution(mesh, 3)));
+    writer->SetFileName(path.c_str());
+    writer->SetDataModeToAscii();
+    writer->Write();
+    std::string text = file_bytes(path);
+    const std::size_t array = text.find("Name=\"connectivity\"", text.find("<Polys>"));
+    const std::size_t first = text.find_first_of("0123456789", text.find('>', array));
+    text.replace(first, text.find_first_not_of("0123456789", first) - first, point);
+    write_bytes(path, text);
+    return path;
+  }
 };
 
 TEST_F(ResultReader, GivesBackWhatWasWritten) {
@@ -319,14 +337,9 @@ TEST_F(ResultReader, ExplainsValuesThatMakeNoSense) {
                     polydata.GetPoints()->GetData()->SetComponent(4, 2, nan);
                   })),
                   "point 4 is not finite");
-  EXPECT_CONTAINS(error_of(changed([](vtkPolyData& polydata) {
-                    polydata.GetPolys()->GetConnectivityArray()->SetComponent(0, 0, 5000);
-                  })),
+  EXPECT_CONTAINS(error_of(with_first_corner("5000")),
                   "polygon 0 uses point 5000, but the file has");
-  EXPECT_CONTAINS(error_of(changed([](vtkPolyData& polydata) {
-                    polydata.GetPolys()->GetConnectivityArray()->SetComponent(0, 0, -1);
-                  })),
-                  "polygon 0 uses point -1");
+  EXPECT_CONTAINS(error_of(with_first_corner("-1")), "polygon 0 uses point -1");
 }
 
 TEST_F(ResultReader, ExplainsCellsAndArraysThatDoNotFit) {

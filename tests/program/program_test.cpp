@@ -498,11 +498,11 @@ TEST_F(Program, RenderWritesAPicture) {
 TEST_F(Program, RefinesUntilTheToleranceIsMetOrThePatchesAreSpent) {
   const std::string scene = RADIOSITY_SCENES "/cornell-box.json";
   const Outcome met =
-      run({"solve", scene, "--adaptive", "--tolerance", "0.1", "--json", "--quiet"});
+      run({"solve", scene, "--adaptive", "--tolerance", "0.15", "--json", "--quiet"});
   ASSERT_EQ(met.exit_code, 0) << met.err;
   const Json accurate = Json::parse(met.out);
   EXPECT_TRUE(accurate["refinement"]["accurate"]);
-  EXPECT_LE(accurate["refinement"]["error"], 0.1);
+  EXPECT_LE(accurate["refinement"]["error"], 0.15);
   EXPECT_GT(accurate["discretisation"]["error"], 0);
   EXPECT_TRUE(accurate["warnings"].empty());
 
@@ -514,12 +514,13 @@ TEST_F(Program, RefinesUntilTheToleranceIsMetOrThePatchesAreSpent) {
   EXPECT_LE(coarse["patches"], 600);
   EXPECT_NE(spent.err.find("are spent"), std::string::npos) << spent.err;
 
-  const Outcome compressed = run({"solve", scene, "--adaptive", "--tolerance", "0.1", "--transport",
-                                  "compressed", "--patches", "1000000", "--json", "--quiet"});
+  const Outcome compressed =
+      run({"solve", scene, "--adaptive", "--tolerance", "0.15", "--transport", "compressed",
+           "--patches", "1000000", "--json", "--quiet"});
   ASSERT_EQ(compressed.exit_code, 0) << compressed.err;
   const Json made = Json::parse(compressed.out);
   EXPECT_TRUE(made["refinement"]["accurate"]);
-  EXPECT_LE(made["form_factors"]["compressed"]["verified_error"], 0.1);
+  EXPECT_LE(made["form_factors"]["compressed"]["verified_error"], 0.15);
 
   EXPECT_EQ(run({"solve", scene, "--adaptive", "--as-is"}).exit_code, 2);
   EXPECT_EQ(run({"solve", scene, "--adaptive", "--max-edge", "0.1"}).exit_code, 2);

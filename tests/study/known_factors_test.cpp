@@ -30,8 +30,9 @@ study::KnownFactors known_factors(const Scene& scene,
 }
 
 std::string refusal(const Scene& scene, const study::StudyOptions& options) {
+  static const study::KnownFactors known = known_factors(known_room());
   try {
-    study::check_known(scene, known_factors(known_room()), options, {});
+    study::check_known(scene, known, options, {});
     return "";
   } catch (const SolveError& error) {
     return error.what();

@@ -109,7 +109,7 @@ TEST(Session, TellsHowFarItCanBeTrusted) {
 // answers what lamps and materials would do.
 TEST(Session, GoesOnWithRoughFormFactorsUntilTheyAreMade) {
   viewer::Session session(
-      {.patches = {.n_patches = 5000}, .transport = radiosity::TransportKind::compressed});
+      {.patches = {.n_patches = 3000}, .transport = radiosity::TransportKind::compressed});
   session.open(kBox);
   const auto is_rough = [&] {
     return session.light() != nullptr && session.light()->factor_error.has_value();
