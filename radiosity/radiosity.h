@@ -54,6 +54,7 @@
 #include "radiosity/scene/scenario.h"
 #include "radiosity/scene/scene.h"
 #include "radiosity/solve/discretisation_error.h"
+#include "radiosity/solve/exchange_network.h"
 #include "radiosity/solve/importance.h"
 #include "radiosity/solve/quantity.h"
 #include "radiosity/solve/quantity_summary.h"
