@@ -223,6 +223,10 @@ std::vector<Seed> seeds(const std::string& format, const std::filesystem::path& 
     if (format == "csv") std::swap(seed.files[0], seed.files[1]);  // the first is damaged
     return {seed};
   }
+  if (format == "vtk") {
+    return {{{{"a.vtk", legacy_vtk(4, VtkValues::text)}}},
+            {{{"a.vtk", legacy_vtk(5, VtkValues::binary)}}}};
+  }
   if (format == "vtu") return {{{{"a.vtu", kVtu}}}};
   if (format == "vtp") return {{{{"a.vtp", vtp(folder)}}}};
   if (format == "h5") {
@@ -273,8 +277,8 @@ std::string read_fault(const std::filesystem::path& path, bool& was_read) {
 }  // namespace
 
 const std::vector<std::string>& fuzz_formats() {
-  static const std::vector<std::string> formats = {"obj", "ply",  "stl", "off", "msh", "gltf",
-                                                   "glb", "json", "csv", "vtu", "vtp", "h5"};
+  static const std::vector<std::string> formats = {
+      "obj", "ply", "stl", "off", "msh", "gltf", "glb", "json", "csv", "vtk", "vtu", "vtp", "h5"};
   return formats;
 }
 

@@ -62,6 +62,39 @@ inline const std::string kVtu = R"(<?xml version="1.0"?>
 </Piece></UnstructuredGrid></VTKFile>
 )";
 
+enum class VtkValues { text, binary };
+
+/// The same grid as a legacy VTK file, of version 4.2 or 5.1.
+inline std::string legacy_vtk(int version, VtkValues kind) {
+  const bool is_binary = kind == VtkValues::binary;
+  const auto put = [&](const auto& values) {
+    std::string text;
+    for (const auto value : values) {
+      text += is_binary ? bytes(value, std::endian::big) : std::to_string(value) + ' ';
+    }
+    return text + '\n';
+  };
+  const std::vector<double> points = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 0, 1, 1, 0, 1,
+                                      1, 1, 1, 0, 1, 1, 0, 0, 2, 0, 1, 2, 1, 1, 2};
+  std::string cells;
+  if (version < 5) {
+    cells = "CELLS 4 16\n" +
+            put(std::vector<std::int32_t>{3, 0, 1, 2, 2, 0, 1, 4, 3, 4, 5, 6, 3, 7, 8, 9});
+  } else {
+    cells = "CELLS 5 12\nOFFSETS vtktypeint64\n" + put(std::vector<std::int64_t>{0, 3, 5, 9, 12}) +
+            "CONNECTIVITY vtktypeint64\n" +
+            put(std::vector<std::int64_t>{0, 1, 2, 0, 1, 3, 4, 5, 6, 7, 8, 9});
+  }
+  return "# vtk DataFile Version " + std::to_string(version) + ".2\na grid\n" +
+         (is_binary ? "BINARY" : "ASCII") + "\nDATASET UNSTRUCTURED_GRID\nPOINTS 10 double\n" +
+         put(points) + cells + "CELL_TYPES 4\n" + put(std::vector<std::int32_t>{5, 3, 9, 5}) +
+         "POINT_DATA 10\nSCALARS height double 1\nLOOKUP_TABLE default\n" +
+         put(std::vector<double>(10, 0.5)) +
+         "CELL_DATA 4\nFIELD FieldData 2\nheat%20flux 1 4 float\n" +
+         put(std::vector<float>(4, 0.25F)) + "METADATA\nINFORMATION 0\n\nsurface 1 4 int\n" +
+         put(std::vector<std::int32_t>{3, 0, 3, 8});
+}
+
 inline const std::string kPlyHeader =
     "element material 1\nproperty uchar shininess\nproperty list uchar int maps\n"
     "element vertex 4\nproperty float quality\nproperty double x\nproperty double y\n"
