@@ -209,7 +209,12 @@ std::vector<Seed> seeds(const std::string& format, const std::filesystem::path& 
   const std::pair<std::string, std::string> bin = {"data.bin", gltf_buffer()};
   if (format == "obj") return {{{{"a.obj", kObj}, mtl}}};
   if (format == "off") return {{{{"a.off", kOff}}}};
-  if (format == "msh") return {{{{"a.msh", kMsh2}}}, {{{"a.msh", kMsh41}}}};
+  if (format == "msh") {
+    return {{{{"a.msh", kMsh2}}},
+            {{{"a.msh", kMsh41}}},
+            {{{"a.msh", binary_msh(2, std::endian::little)}}},
+            {{{"a.msh", binary_msh(4, std::endian::big)}}}};
+  }
   if (format == "stl") return {{{{"a.stl", kAsciiStl}}}, {{{"a.stl", binary_stl()}}}};
   if (format == "ply") {
     return {{{{"a.ply", kAsciiPly}}},
