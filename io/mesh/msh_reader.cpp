@@ -64,7 +64,7 @@ class MshReader {
       const std::string& section = source_.section();
       if (section == "PhysicalNames") read_physical_names();
       if (section == "Entities") read_entities();
-      if (section == "Nodes") {
+      if (section == "Nodes" || section == "ParametricNodes") {
         is_old() ? read_nodes() : read_node_blocks();
         has_nodes = true;
       }
@@ -143,13 +143,24 @@ class MshReader {
   }
 
   void read_nodes() {
+    const bool is_parametric = source_.section() == "ParametricNodes";
     Words head = source_.next_line();
     constexpr int kBytes = 28;
     for (std::uint64_t n = source_.count(head, "the number of nodes", kBytes); n > 0; --n) {
       source_.next_record();
       const std::int64_t tag = source_.integer("a node");
       add_node(tag, source_.point());
+      if (!source_.is_binary() || !is_parametric) continue;
+      const std::int64_t dimension = source_.integer("a dimension");
+      source_.integer("an entity");
+      skip_parameters(dimension);
     }
+  }
+
+  /// Of a binary node, as many as what it lies on has dimensions.
+  void skip_parameters(std::int64_t dimension) {
+    if (dimension < 0 || dimension > 3) source_.fail(fmt::format("has dimension {}", dimension));
+    for (std::int64_t k = 0; k < dimension; ++k) source_.number("a parameter");
   }
 
   void read_node_blocks() {
@@ -162,7 +173,6 @@ class MshReader {
       const std::int64_t dimension = source_.integer("a dimension");
       source_.integer("an entity");
       const bool is_parametric = source_.integer("whether nodes have parameters") != 0;
-      if (dimension < 0 || dimension > 3) source_.fail(fmt::format("has dimension {}", dimension));
       tags.clear();
       for (std::uint64_t k = source_.count("a number of nodes", 32); k > 0; --k) {
         source_.next_record();
@@ -171,8 +181,7 @@ class MshReader {
       for (const std::int64_t tag : tags) {
         source_.next_record();
         add_node(tag, source_.point());
-        if (!source_.is_binary() || !is_parametric) continue;
-        for (std::int64_t k = 0; k < dimension; ++k) source_.number("a parameter");
+        if (source_.is_binary() && is_parametric) skip_parameters(dimension);
       }
     }
   }

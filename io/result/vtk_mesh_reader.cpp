@@ -42,16 +42,24 @@ std::vector<std::size_t> outline(int type, std::size_t n) {
   constexpr int kQuadraticQuad = 23;
   constexpr int kBiquadraticQuad = 28;
   constexpr int kBiquadraticTriangle = 34;
+  constexpr int kLagrangeTriangle = 69;
+  constexpr int kLagrangeQuad = 70;
+  constexpr int kBezierTriangle = 76;
+  constexpr int kBezierQuad = 77;
   std::size_t n_corners = 0;
   switch (type) {
     case kTriangle:
     case kQuadraticTriangle:
     case kBiquadraticTriangle:
+    case kLagrangeTriangle:
+    case kBezierTriangle:
       n_corners = 3;
       break;
     case kQuad:
     case kQuadraticQuad:
     case kBiquadraticQuad:
+    case kLagrangeQuad:
+    case kBezierQuad:
       n_corners = 4;
       break;
     case kPixel:

@@ -197,6 +197,7 @@ class VtpReader {
     array.format = tag.attribute("format");
     array.values.type = tag.attribute("type");
     const std::string label = fmt::format("array {}", in_quotes(array.name));
+    if (array.values.type == "Bit") return std::nullopt;  // for nothing that is read
     const std::size_t size = vtp_type_size(array.values.type);
     if (size == 0) damaged(fmt::format("{} has the type {}", label, in_quotes(array.values.type)));
     const std::uint64_t n_rows = count(tag, "NumberOfTuples", label);

@@ -48,6 +48,27 @@ TEST_F(MshReader, ReadsBinaryFilesOfBothVersionsAndOrders) {
   }
 }
 
+TEST_F(MshReader, ReadsParametricNodesOfTheOldVersion) {
+  std::string text = kMsh2;
+  for (auto at = text.find("Nodes"); at != std::string::npos; at = text.find("Nodes", at + 11)) {
+    text.replace(at, 5, "ParametricNodes");
+  }
+  text.replace(text.find("1 0 0 0\n"), 8, "1 0 0 0 2 5 0.25 0.75\n");
+  EXPECT_EQ(read("a.msh", text).n_polygons(), 3);
+  std::string binary =
+      "$MeshFormat\n2.2 1 8\n" + bytes(1) + "\n$EndMeshFormat\n$ParametricNodes\n3\n";
+  for (int k = 0; k < 3; ++k) {
+    binary += bytes(k + 1) + bytes(k == 1 ? 1. : 0.) + bytes(k == 2 ? 1. : 0.) + bytes(0.);
+    binary += bytes(k) + bytes(4);  // on a point, a curve, a surface
+    for (int parameter = 0; parameter < k; ++parameter) binary += bytes(0.5);
+  }
+  binary += "\n$EndParametricNodes\n$Elements\n1\n" + bytes(2) + bytes(1) + bytes(0) + bytes(1) +
+            bytes(1) + bytes(2) + bytes(3) + "\n$EndElements\n";
+  const Scene scene = read("a.msh", binary);
+  ASSERT_EQ(scene.n_polygons(), 1);
+  EXPECT_EQ(scene.vertices[scene.polygon(0)[2]], Vec3(0, 1, 0));
+}
+
 TEST_F(MshReader, SkipsBinarySectionsThatItDoesNotKnow) {
   std::string content = binary_msh(4, std::endian::little);
   content.insert(content.find("$Nodes"),

@@ -44,6 +44,16 @@ TEST_F(VtkMeshReader, ReadsPolygonsOfGrids) {
   EXPECT_CONTAINS(scene.warnings.back(), "cell 1 is of type 3; only polygons are read");
 }
 
+TEST_F(VtkMeshReader, TakesTheCornersOfHigherOrdersAndPassesBitsOver) {
+  std::string content = kVtu;
+  content.replace(content.find("5 3 9 5"), 7, "69 68 70 76");
+  content.insert(content.find("<CellData>") + 10,
+                 R"(<DataArray type="Bit" Name="flags" format="ascii">1 0 1 1</DataArray>)");
+  const Scene scene = read("a.vtu", content);
+  ASSERT_EQ(scene.n_polygons(), 3);
+  EXPECT_EQ(scene.polygon(1).size(), 4U);
+}
+
 TEST_F(VtkMeshReader, ReadsPolyDataWithValuesOfLinesBefore) {
   const Scene scene = read("a.vtp", kVtp);
   ASSERT_EQ(scene.n_polygons(), 2);
