@@ -1,5 +1,6 @@
 #pragma once
 
+#include "radiosity/picture/light_atlas.h"
 #include "radiosity/picture/render.h"
 #include "radiosity/scene/scene.h"
 #include "study/study.h"
@@ -15,5 +16,10 @@ enum class Shading {
 /// The radiance that a camera sees of a study that is solved. Throws Interrupted.
 radiosity::Image draw(const Study& study, const radiosity::Camera& camera, Shading shading,
                       const radiosity::RenderOptions& options = {});
+
+/// The radiance at the texels of an atlas of its patches. Of `options` only the crease angle and
+/// progress count. Throws Interrupted.
+radiosity::Image draw_lightmap(const Study& study, const radiosity::LightAtlas& atlas,
+                               Shading shading, const radiosity::RenderOptions& options = {});
 
 }  // namespace study

@@ -15,7 +15,8 @@ import subprocess
 import sys
 import time
 
-EXTENSIONS = {".obj", ".ply", ".stl", ".off", ".gltf", ".glb", ".msh", ".json"}
+EXTENSIONS = {".obj", ".ply", ".stl", ".off", ".gltf", ".glb", ".msh", ".vtk", ".vtp",
+              ".vtu", ".json"}
 LONGEST = 60  # s
 
 

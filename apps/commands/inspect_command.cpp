@@ -2,12 +2,17 @@
 
 #include <CLI/App.hpp>
 
+#include "apps/options/camera_options.h"
 #include "apps/run/scene_input.h"
 #include "apps/run/shown_events.h"
 #include "apps/summary/json_summary.h"
 #include "apps/summary/summary.h"
 #include "apps/summary/text_summary.h"
+#include "apps/terminal/output_files.h"
+#include "io/base/extension.h"
+#include "io/scene/mitsuba_writer.h"
 #include "io/scene/scene_file.h"
+#include "io/scene/scene_writer.h"
 #include "meshing/inspect/inspect.h"
 #include "meshing/patches/patches.h"
 #include "radiosity/base/parallel.h"
@@ -35,10 +40,43 @@ InspectCommand::InspectCommand(CLI::App& program, Interruption& interruption)
   CLI::App* command =
       program.add_subcommand("inspect", "Show what a scene holds and what is wrong with it");
   add_common_options(*command, common_);
+  command
+      ->add_option(
+          "-o,--output", common_.outputs,
+          "Write the scene to this file: .json (own format, all in one) or .xml (for the "
+          "path tracer Mitsuba 3, with a .ply beside it for each surface); may be repeated")
+      ->check([](const std::string& path) {
+        return check_extension(path, {".json", ".xml"});
+      })
+      ->type_name("FILE")
+      ->allow_extra_args(false);
   command->callback([this] { run(); });
 }
 
+std::vector<std::string> InspectCommand::write(const radiosity::Scene& scene,
+                                               const radiosity::Progress& progress) const {
+  std::vector<std::string> written;
+  for (const std::string& output : common_.outputs) {
+    if (io::lower_case_extension(output) != ".xml") {
+      const auto lock = interruption_.hold();
+      io::write_scene(output, scene);
+      written.push_back(output);
+      continue;
+    }
+    const radiosity::PatchMesh mesh = meshing::make_patches(scene, {.progress = progress});
+    std::vector<std::string> files = {output};
+    for (const auto& file : io::mitsuba_meshes(output, mesh)) files.push_back(file.string());
+    check_outputs(files, common_.scene);
+    check_against_inputs(files, scene.files);
+    const auto lock = interruption_.hold();
+    io::write_mitsuba(output, scene, mesh, choose_camera(scene, mesh, {}).camera);
+    written.insert(written.end(), files.begin(), files.end());
+  }
+  return written;
+}
+
 void InspectCommand::run() const {
+  check_outputs(common_.outputs, common_.scene);
   TerminalProgress terminal(terminal_style(common_));
   const radiosity::ThreadLimit threads(common_.n_threads);
   const study::StudyEvents events = shown_events(terminal, interruption_);
@@ -46,8 +84,9 @@ void InspectCommand::run() const {
   meshing::Inspection inspection = meshing::inspect(scene);
   inspection.closed = scene.closed ? *scene.closed : encloses(scene, events.progress);
   events.progress.check();
-  print(common_.json ? inspect_json(scene, inspection, terminal.warnings())
-                     : inspect_text(scene, inspection));
+  const std::vector<std::string> written = write(scene, events.progress);
+  print(common_.json ? inspect_json(scene, inspection, written, terminal.warnings())
+                     : inspect_text(scene, inspection, written));
 }
 
 }  // namespace apps

@@ -1,7 +1,12 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "apps/options/common_options.h"
 #include "apps/terminal/interruption.h"
+#include "radiosity/base/progress.h"
+#include "radiosity/scene/scene.h"
 
 namespace CLI {
 class App;
@@ -9,7 +14,8 @@ class App;
 
 namespace apps {
 
-/// `radiosity inspect SCENE`: counts and measures a scene and reports its flaws.
+/// `radiosity inspect SCENE`: counts and measures a scene, reports its flaws and may write
+/// it in other formats.
 /// Adds itself to the program and runs when that is parsed; must outlive the parsing.
 class InspectCommand {
  public:
@@ -19,6 +25,9 @@ class InspectCommand {
 
  private:
   void run() const;
+  /// Writes the scene to the outputs; returns all files that this made.
+  std::vector<std::string> write(const radiosity::Scene& scene,
+                                 const radiosity::Progress& progress) const;
 
   Interruption& interruption_;
   CommonOptions common_;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "apps/run/assembled_scene.h"
+#include "apps/run/lightmap_output.h"
 #include "apps/run/picture_check.h"
 #include "apps/run/picture_output.h"
 #include "apps/run/shown_events.h"
@@ -18,6 +19,7 @@
 #include "io/result/scenario_csv.h"
 #include "io/scene/scenario_file.h"
 #include "radiosity/base/parallel.h"
+#include "radiosity/picture/light_atlas.h"
 #include "study/scenarios.h"
 
 namespace apps {
@@ -83,6 +85,8 @@ SolveCommand::SolveCommand(CLI::App& program, Interruption& interruption)
       ->needs(scenarios);
   add_quantity_options(*command, quantities_);
   add_picture_options(*command, picture_);
+  add_lightmap_options(*command, lightmap_);
+  command->get_option("--atlas")->excludes(scenarios);
   command->callback([this] { run(); });
 }
 
@@ -95,6 +99,7 @@ void SolveCommand::run() const {
   check_outputs(common.outputs, common_.scene);
   if (scenarios_) check_against_inputs(common.outputs, {*scenarios_});
   check_false_color(picture_.false_color);
+  check_lightmap(lightmap_, common_.outputs);
   TerminalProgress terminal(terminal_style(common_));
   const radiosity::ThreadLimit threads(common_.n_threads);
   study::StudyEvents events = shown_events(terminal, interruption_);
@@ -111,7 +116,7 @@ void SolveCommand::run() const {
   const io::ResultOptions options = {.wavelengths = solved.scene.bands.wavelengths,
                                      .quantities = fields(solved, quantities),
                                      .camera = solved.scene.camera};
-  SolveSummary summary = {.solved = solved, .outputs = common_.outputs, .operator_file = operator_};
+  SolveSummary summary = {.solved = solved, .outputs = common.outputs, .operator_file = operator_};
   for (const auto& field : options.quantities) {
     summary.quantities.push_back(radiosity::summarize(field, solved.mesh));
   }
@@ -120,8 +125,12 @@ void SolveCommand::run() const {
 }
 
 std::vector<std::string> SolveCommand::all_outputs(const std::vector<Scenario>& scenarios) const {
-  if (scenarios.empty()) return common_.outputs;
   std::vector<std::string> outputs;
+  if (scenarios.empty()) {
+    outputs = common_.outputs;
+    outputs.insert(outputs.end(), lightmap_.atlases.begin(), lightmap_.atlases.end());
+    return outputs;
+  }
   for (const std::string& output : common_.outputs) {
     if (is_factor_file(output)) outputs.push_back(output);
   }
@@ -160,7 +169,11 @@ std::optional<ShownScale> SolveCommand::write_results(const study::Study& solved
                                                       const io::ResultOptions& options,
                                                       const radiosity::Progress& progress) const {
   std::optional<ShownScale> shown;
+  if (lightmap_.wanted) {
+    write_lightmap(solved, outputs, lightmap_, picture_, progress, interruption_);
+  }
   for (const std::string& output : outputs) {
+    if (lightmap_.wanted && is_glb(output)) continue;
     if (is_picture(output)) {
       shown = write_picture(output, solved, picture_, progress, interruption_);
     } else if (!is_factor_file(output)) {
@@ -213,6 +226,8 @@ void SolveCommand::check_all(const radiosity::Scene& scene, const study::Patches
     quantities.insert(quantities.end(), shown.begin(), shown.end());
   }
   check_photometry(scene, quantities, picture_.photometry, terminal);
+  // Refuses more polygons than there is room for; patches made later have the same.
+  if (lightmap_.wanted) (void)radiosity::make_light_atlas(patches.mesh, lightmap_.size);
 }
 
 }  // namespace apps

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "apps/options/common_options.h"
+#include "apps/options/lightmap_options.h"
 #include "apps/terminal/interruption.h"
 #include "apps/terminal/terminal_progress.h"
 #include "io/result/result_file.h"
@@ -53,6 +54,7 @@ class SolveCommand {
   std::optional<std::string> scenarios_;
   std::optional<std::string> table_;
   PictureOptions picture_;
+  LightmapOptions lightmap_;
   QuantityOptions quantities_;
 };
 

@@ -55,8 +55,10 @@ radiosity::TransportKind transport_named(const std::string& name) {
 
 void add_common_options(CLI::App& command, CommonOptions& options) {
   command
-      .add_option("SCENE", options.scene,
-                  "Scene file: .json (own format), .obj, .ply, .stl, .off, .gltf, .glb, .msh, .vtp or .vtu")
+      .add_option(
+          "SCENE", options.scene,
+          "Scene file: .json (own format), .obj, .ply, .stl, .off, .gltf, .glb, .msh, .vtk, "
+          ".vtp or .vtu")
       ->required()
       ->type_name("");
   command

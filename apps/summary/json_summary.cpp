@@ -286,6 +286,7 @@ std::string factor_row_json(const FactorRow& row, const std::vector<std::string>
 }
 
 std::string inspect_json(const radiosity::Scene& scene, const meshing::Inspection& inspection,
+                         const std::vector<std::string>& outputs,
                          const std::vector<std::string>& warnings) {
   return text({{"vertices", inspection.n_vertices},
                {"polygons", inspection.n_polygons},
@@ -300,6 +301,7 @@ std::string inspect_json(const radiosity::Scene& scene, const meshing::Inspectio
                {"bands", scene.bands.count()},
                {"surfaces", surfaces(scene, inspection)},
                {"findings", findings(inspection)},
+               {"outputs", outputs},
                {"warnings", warnings}});
 }
 

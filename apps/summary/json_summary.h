@@ -35,6 +35,7 @@ std::string factor_row_json(const FactorRow& row, const std::vector<std::string>
 
 /// The JSON object that `inspect` prints.
 std::string inspect_json(const radiosity::Scene& scene, const meshing::Inspection& inspection,
+                         const std::vector<std::string>& outputs,
                          const std::vector<std::string>& warnings);
 
 }  // namespace apps

@@ -334,7 +334,8 @@ std::string factors_from_text(const FactorsFrom& factors, const std::vector<std:
   return text;
 }
 
-std::string inspect_text(const radiosity::Scene& scene, const meshing::Inspection& inspection) {
+std::string inspect_text(const radiosity::Scene& scene, const meshing::Inspection& inspection,
+                         const std::vector<std::string>& outputs) {
   std::string text = line("scene", one_line(scene.source));
   text += line("vertices", fmt::format("{}", inspection.n_vertices));
   text +=
@@ -350,7 +351,9 @@ std::string inspect_text(const radiosity::Scene& scene, const meshing::Inspectio
                            inspection.closed ? "meets fronts only" : "escapes or meets backs",
                            inspection.n_boundary_edges));
   text += line("bands", fmt::format("{}", fmt::join(band_names(scene.bands), ", ")));
-  return text + surface_table(scene, inspection) + finding_lines(inspection);
+  text += surface_table(scene, inspection) + finding_lines(inspection);
+  for (const std::string& output : outputs) text += line("written", one_line(output));
+  return text;
 }
 
 }  // namespace apps

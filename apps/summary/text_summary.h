@@ -29,6 +29,7 @@ std::string factors_from_text(const FactorsFrom& factors, const std::vector<std:
 std::string factor_row_text(const FactorRow& row, const std::vector<std::string>& outputs);
 
 /// What `inspect` found: counts and measures, the surfaces, then each finding on one line.
-std::string inspect_text(const radiosity::Scene& scene, const meshing::Inspection& inspection);
+std::string inspect_text(const radiosity::Scene& scene, const meshing::Inspection& inspection,
+                         const std::vector<std::string>& outputs);
 
 }  // namespace apps

@@ -42,6 +42,8 @@ bool is_picture(const fs::path& path) {
 
 bool is_factor_file(const fs::path& path) { return io::lower_case_extension(path) == ".h5"; }
 
+bool is_glb(const fs::path& path) { return io::lower_case_extension(path) == ".glb"; }
+
 std::string check_extension(const std::string& path, const std::vector<std::string>& allowed) {
   if (contains(allowed, io::lower_case_extension(path))) return "";
   return fmt::format("found '{}', expected a file name ending in one of {}", path,

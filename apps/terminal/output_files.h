@@ -11,6 +11,9 @@ bool is_picture(const std::filesystem::path& path);
 /// Whether it holds form factors (.h5).
 bool is_factor_file(const std::filesystem::path& path);
 
+/// Whether it is glTF of one file (.glb).
+bool is_glb(const std::filesystem::path& path);
+
 /// Extensions that `solve` writes; `render` writes the pictures only. `form-factors` writes .h5
 /// and, for the factors between surfaces, .csv.
 const std::vector<std::string>& result_extensions();

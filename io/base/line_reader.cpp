@@ -114,6 +114,12 @@ bool LineReader::next_content() {
   return false;
 }
 
+void LineReader::skip_to(std::uint64_t offset) {
+  file_.clear();
+  file_.seekg(static_cast<std::streamoff>(offset));
+  offset_ = offset;
+}
+
 void LineReader::fail(const std::string& message) const {
   throw radiosity::SceneError(
       printable(fmt::format("{}:{}: {}", path_.string(), first_line_number_, message)));

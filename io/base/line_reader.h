@@ -66,6 +66,9 @@ class LineReader {
   /// without its comment. False at the end of the file.
   bool next_content();
 
+  /// Goes to a byte of the file, whose line `next_line` is to read; lines are counted on.
+  void skip_to(std::uint64_t offset);
+
   [[nodiscard]] std::string_view line() const { return line_; }
   [[nodiscard]] long line_number() const { return first_line_number_; }
   /// Bytes of the file and bytes up to the end of the current line.

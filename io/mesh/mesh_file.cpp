@@ -32,7 +32,7 @@ FileScene read_by_extension(const std::filesystem::path& path, MeshMaterials mat
   if (extension == ".off") return read_off(path, progress);
   if (extension == ".ply") return read_ply(path, progress);
   if (extension == ".stl") return read_stl(path, progress);
-  if (extension == ".vtp" || extension == ".vtu") {
+  if (extension == ".vtk" || extension == ".vtp" || extension == ".vtu") {
     if (radiosity_io_read_vtk_mesh == nullptr) {
       fail(path, "this program was built without VTK, which " + extension + " files need");
     }
@@ -46,7 +46,7 @@ FileScene read_by_extension(const std::filesystem::path& path, MeshMaterials mat
     return file;
   }
   fail(path, fmt::format("unknown extension \"{}\", expected .obj, .off, .ply, .stl, .gltf, "
-                         ".glb, .msh, .vtp, .vtu or .json",
+                         ".glb, .msh, .vtk, .vtp, .vtu or .json",
                          extension));
 }
 

@@ -7,7 +7,7 @@
 
 namespace io {
 
-/// Reads a mesh by its extension: .obj, .off, .ply, .stl, .gltf, .glb, .msh, .vtp or .vtu.
+/// Reads a mesh by its extension: .obj, .off, .ply, .stl, .gltf, .glb, .msh, .vtk, .vtp or .vtu.
 /// Coordinates are in the file's unit, and so is Scene::precision, found from their digits;
 /// Surface::material is -1 where the file names no material; Scene::bands is RGB. Polygons may have
 /// fewer than three corners, or be bad otherwise. Throws SceneError, also if the file holds no

@@ -13,7 +13,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "io/base/line_reader.h"
+#include "io/mesh/msh_source.h"
 #include "io/mesh/surface_index.h"
 
 namespace io {
@@ -44,29 +44,38 @@ int corners_of_type(std::int64_t type) {
   }
 }
 
+/// Nodes of a cell of Gmsh's type, from 1 on; 0 if there is no such type.
+constexpr std::array<int, 110> kNodesOfTypes = {
+    2,   3,   4,    4,  8,  6,  5,  3,  6,  9,  10,  27,  18,  14,  1,   8,   20,  15,  13,
+    0,   10,  0,    15, 0,  21, 4,  5,  6,  20, 35,  56,  0,   0,   0,   0,   16,  25,  36,
+    0,   0,   0,    28, 36, 45, 55, 66, 49, 64, 81,  100, 121, 0,   0,   0,   0,   0,   0,
+    0,   0,   0,    0,  7,  8,  9,  10, 11, 0,  0,   0,   0,   84,  120, 165, 220, 286, 0,
+    0,   0,   0,    0,  0,  0,  0,  0,  0,  0,  0,   0,   0,   40,  75,  64,  125, 216, 343,
+    512, 729, 1000, 0,  0,  0,  0,  0,  0,  0,  126, 196, 288, 405, 550};
+
 class MshReader {
  public:
   MshReader(const std::filesystem::path& path, const radiosity::Progress& progress)
-      : lines_(path, progress), surfaces_(scene_, path.stem().string()) {}
+      : source_(path, progress), surfaces_(scene_, path.stem().string()) {}
 
   FileScene read() {
-    read_format();
     bool has_nodes = false;
-    while (next_section()) {
-      if (section_ == "PhysicalNames") read_physical_names();
-      if (section_ == "Entities") read_entities();
-      if (section_ == "Nodes") {
+    while (source_.next_section()) {
+      const std::string& section = source_.section();
+      if (section == "PhysicalNames") read_physical_names();
+      if (section == "Entities") read_entities();
+      if (section == "Nodes" || section == "ParametricNodes") {
         is_old() ? read_nodes() : read_node_blocks();
         has_nodes = true;
       }
-      if (section_ == "Elements") {
-        if (!has_nodes) lines_.fail("has elements before its nodes");
+      if (section == "Elements") {
+        if (!has_nodes) source_.fail("has elements before its nodes");
         is_old() ? read_elements() : read_element_blocks();
       }
-      leave_section();
+      source_.leave_section();
     }
     if (scene_.n_polygons() == 0 && n_left_out_ > 0) {
-      lines_.fail(fmt::format(
+      source_.fail(fmt::format(
           "has no triangles or quads, but {} other cells: save the surface mesh, too (in Gmsh, a "
           "physical group of surfaces)",
           n_left_out_));
@@ -75,62 +84,15 @@ class MshReader {
   }
 
  private:
-  [[nodiscard]] bool is_old() const { return version_ < 3; }
+  [[nodiscard]] bool is_old() const { return source_.version() < 3; }
 
-  /// The next line of the section, which must be there.
-  Words next() {
-    if (!lines_.next_line()) lines_.fail(fmt::format("file ends in ${}", section_));
-    return Words(lines_.line());
-  }
-
-  std::int64_t count(Words& words, std::string_view what) {
-    const std::int64_t n = lines_.integer(words, what);
-    if (n < 0) lines_.fail(fmt::format("found {} as {}, expected 0 or more", n, what));
-    return n;
-  }
-
-  void read_format() {
-    if (!next_section() || section_ != "MeshFormat") {
-      lines_.fail("is no mesh of Gmsh: expected $MeshFormat");
-    }
-    lines_.recognise();
-    Words words = next();
-    version_ = lines_.number(words, "the version");
-    const bool is_known = (version_ >= 2 && version_ < 3) || (version_ >= 4.1 && version_ < 5);
-    if (!is_known) {
-      lines_.fail(
-          fmt::format("has version {:g}, expected 2 or 4.1 (gmsh -format msh41)", version_));
-    }
-    if (lines_.integer(words, "the kind of file") != 0) {
-      lines_.fail("is binary, expected text (in Gmsh, Mesh.Binary = 0)");
-    }
-    leave_section();
-  }
-
-  bool next_section() {
-    while (lines_.next_line()) {
-      const std::string_view line = trimmed(lines_.line());
-      if (line.starts_with('$')) {
-        section_ = line.substr(1);
-        return true;
-      }
-      if (!line.empty()) lines_.fail("expected $ and the name of a section");
-    }
-    return false;
-  }
-
-  void leave_section() {
-    while (trimmed(lines_.line()) != "$End" + section_) {
-      if (!lines_.next_line()) lines_.fail(fmt::format("file ends in ${}", section_));
-    }
-  }
-
+  /// As text in binary files, too.
   void read_physical_names() {
-    Words head = next();
-    for (std::int64_t n = count(head, "the number of names"); n > 0; --n) {
-      Words words = next();
-      const std::int64_t dimension = lines_.integer(words, "a dimension");
-      const std::int64_t tag = lines_.integer(words, "a number");
+    Words head = source_.next_line();
+    for (std::uint64_t n = source_.count(head, "the number of names", 1); n > 0; --n) {
+      Words words = source_.next_line();
+      const std::int64_t dimension = source_.integer(words, "a dimension");
+      const std::int64_t tag = source_.integer(words, "a number");
       std::string_view name = words.rest();
       if (name.size() >= 2 && name.front() == '"' && name.back() == '"') {
         name = name.substr(1, name.size() - 2);
@@ -141,105 +103,185 @@ class MshReader {
 
   /// The physical groups of the surfaces.
   void read_entities() {
-    Words head = next();
-    std::array<std::int64_t, 4> n{};
-    for (std::int64_t& each : n) each = count(head, "a number of entities");
-    for (std::int64_t k = n[0] + n[1]; k > 0; --k) next();
-    for (std::int64_t k = n[2]; k > 0; --k) {
-      Words words = next();
-      const std::int64_t tag = lines_.integer(words, "an entity");
-      for (int side = 0; side < 6; ++side) lines_.number(words, "a side of its box");
-      const std::int64_t n_groups = count(words, "its number of groups");
-      if (n_groups > 0) group_of_[tag] = lines_.integer(words, "a group");
+    source_.next_record();
+    std::array<std::uint64_t, 4> n{};
+    for (std::uint64_t& each : n) each = source_.count("a number of entities", 8);
+    for (std::uint64_t k = n[0]; k > 0; --k) skip_entity(3, 1);
+    for (std::uint64_t k = n[1]; k > 0; --k) skip_entity(6, 2);
+    for (std::uint64_t k = n[2]; k > 0; --k) {
+      source_.next_record();
+      const std::int64_t tag = source_.integer("an entity");
+      for (int side = 0; side < 6; ++side) source_.number("a side of its box");
+      const std::uint64_t n_groups = source_.count("its number of groups", 4);
+      for (std::uint64_t g = 0; g < n_groups; ++g) {
+        const std::int64_t group = source_.integer("a group");
+        if (g == 0) group_of_[tag] = group;
+      }
+      if (source_.is_binary()) skip_list();
+    }
+  }
+
+  /// A point or curve: its number, coordinates, and lists of groups and of what bounds it.
+  void skip_entity(int n_coordinates, int n_lists) {
+    source_.next_record();
+    if (!source_.is_binary()) return;
+    source_.integer("an entity");
+    for (int k = 0; k < n_coordinates; ++k) source_.number("a coordinate");
+    for (int k = 0; k < n_lists; ++k) skip_list();
+  }
+
+  void skip_list() {
+    for (std::uint64_t k = source_.count("the length of a list", 4); k > 0; --k) {
+      source_.integer("an item of a list");
     }
   }
 
   void add_node(std::int64_t tag, const radiosity::Vec3& point) {
     const auto place = static_cast<std::int32_t>(scene_.vertices.size());
-    if (!nodes_.emplace(tag, place).second) lines_.fail(fmt::format("node {} stands twice", tag));
+    if (!nodes_.emplace(tag, place).second) source_.fail(fmt::format("node {} stands twice", tag));
     scene_.vertices.push_back(point);
   }
 
   void read_nodes() {
-    Words head = next();
-    for (std::int64_t n = count(head, "the number of nodes"); n > 0; --n) {
-      Words words = next();
-      const std::int64_t tag = lines_.integer(words, "a node");
-      add_node(tag, lines_.point(words));
+    const bool is_parametric = source_.section() == "ParametricNodes";
+    Words head = source_.next_line();
+    constexpr int kBytes = 28;
+    for (std::uint64_t n = source_.count(head, "the number of nodes", kBytes); n > 0; --n) {
+      source_.next_record();
+      const std::int64_t tag = source_.integer("a node");
+      add_node(tag, source_.point());
+      if (!source_.is_binary() || !is_parametric) continue;
+      const std::int64_t dimension = source_.integer("a dimension");
+      source_.integer("an entity");
+      skip_parameters(dimension);
     }
+  }
+
+  /// Of a binary node, as many as what it lies on has dimensions.
+  void skip_parameters(std::int64_t dimension) {
+    if (dimension < 0 || dimension > 3) source_.fail(fmt::format("has dimension {}", dimension));
+    for (std::int64_t k = 0; k < dimension; ++k) source_.number("a parameter");
   }
 
   void read_node_blocks() {
-    Words head = next();
+    source_.next_record();
     std::vector<std::int64_t> tags;
-    for (std::int64_t n = count(head, "the number of blocks"); n > 0; --n) {
-      Words block = next();
-      lines_.integer(block, "a dimension");
-      lines_.integer(block, "an entity");
-      lines_.integer(block, "whether nodes have parameters");
+    const std::uint64_t n_blocks = source_.count("the number of blocks", 20);
+    if (source_.is_binary()) skip_totals();
+    for (std::uint64_t n = n_blocks; n > 0; --n) {
+      source_.next_record();
+      const std::int64_t dimension = source_.integer("a dimension");
+      source_.integer("an entity");
+      const bool is_parametric = source_.integer("whether nodes have parameters") != 0;
       tags.clear();
-      for (std::int64_t k = count(block, "a number of nodes"); k > 0; --k) {
-        Words words = next();
-        tags.push_back(lines_.integer(words, "a node"));
+      for (std::uint64_t k = source_.count("a number of nodes", 32); k > 0; --k) {
+        source_.next_record();
+        tags.push_back(source_.large("a node"));
       }
       for (const std::int64_t tag : tags) {
-        Words words = next();
-        add_node(tag, lines_.point(words));
+        source_.next_record();
+        add_node(tag, source_.point());
+        if (source_.is_binary() && is_parametric) skip_parameters(dimension);
       }
     }
+  }
+
+  /// The number of all nodes or elements, the least and the largest of their numbers.
+  void skip_totals() {
+    for (int k = 0; k < 3; ++k) source_.large("a number of all blocks");
   }
 
   void read_elements() {
-    Words head = next();
-    for (std::int64_t n = count(head, "the number of elements"); n > 0; --n) {
-      Words words = next();
-      lines_.integer(words, "an element");
-      const std::int64_t type = lines_.integer(words, "its type");
-      std::int64_t group = 0;
-      std::int64_t entity = 0;
-      const std::int64_t n_tags = count(words, "its number of tags");
-      for (std::int64_t k = 0; k < n_tags; ++k) {
-        const std::int64_t tag = lines_.integer(words, "a tag");
-        if (k == 0) group = tag;
-        if (k == 1) entity = tag;
+    Words head = source_.next_line();
+    std::uint64_t n = source_.count(head, "the number of elements", 8);
+    while (n > 0) {
+      // Binary elements of one type follow its number.
+      std::uint64_t n_alike = 1;
+      std::int64_t type = 0;
+      std::int64_t n_tags = 0;
+      source_.next_record();
+      if (source_.is_binary()) {
+        type = source_.integer("a type");
+        const std::int64_t found = source_.integer("a number of elements");
+        n_tags = source_.integer("their number of tags");
+        if (found < 1 || static_cast<std::uint64_t>(found) > n) {
+          source_.fail(
+              fmt::format("found {} elements of type {}, expected 1 to {}", found, type, n));
+        }
+        n_alike = static_cast<std::uint64_t>(found);
       }
-      add_element(type, group, entity, words);
+      for (std::uint64_t k = 0; k < n_alike; ++k) {
+        source_.integer("an element");
+        if (!source_.is_binary()) {
+          type = source_.integer("its type");
+          n_tags = source_.integer("its number of tags");
+        }
+        read_element(type, n_tags);
+      }
+      n -= n_alike;
     }
+  }
+
+  /// From its tags on.
+  void read_element(std::int64_t type, std::int64_t n_tags) {
+    if (n_tags < 0) source_.fail(fmt::format("found {} as a number of tags", n_tags));
+    std::int64_t group = 0;
+    std::int64_t entity = 0;
+    for (std::int64_t k = 0; k < n_tags; ++k) {
+      const std::int64_t tag = source_.integer("a tag");
+      if (k == 0) group = tag;
+      if (k == 1) entity = tag;
+    }
+    add_element(type, group, entity);
   }
 
   void read_element_blocks() {
-    Words head = next();
-    for (std::int64_t n = count(head, "the number of blocks"); n > 0; --n) {
-      Words block = next();
-      lines_.integer(block, "a dimension");
-      const std::int64_t entity = lines_.integer(block, "an entity");
-      const std::int64_t type = lines_.integer(block, "a type");
+    source_.next_record();
+    const std::uint64_t n_blocks = source_.count("the number of blocks", 20);
+    if (source_.is_binary()) skip_totals();
+    for (std::uint64_t n = n_blocks; n > 0; --n) {
+      source_.next_record();
+      source_.integer("a dimension");
+      const std::int64_t entity = source_.integer("an entity");
+      const std::int64_t type = source_.integer("a type");
       const auto group = group_of_.find(entity);
-      for (std::int64_t k = count(block, "a number of elements"); k > 0; --k) {
-        Words words = next();
-        lines_.integer(words, "an element");
-        add_element(type, group == group_of_.end() ? 0 : group->second, entity, words);
+      for (std::uint64_t k = source_.count("a number of elements", 16); k > 0; --k) {
+        source_.next_record();
+        source_.large("an element");
+        add_element(type, group == group_of_.end() ? 0 : group->second, entity);
       }
     }
   }
 
-  /// `words` are the rest of its line, the nodes.
-  void add_element(std::int64_t type, std::int64_t group, std::int64_t entity, Words& words) {
+  std::int64_t node() { return is_old() ? source_.integer("a node") : source_.large("a node"); }
+
+  /// The rest of its record are the nodes, of which text need not be read to the end.
+  void add_element(std::int64_t type, std::int64_t group, std::int64_t entity) {
     const int n = corners_of_type(type);
+    std::array<std::int32_t, 4> corners{};
+    for (int k = 0; k < n; ++k) {
+      const std::int64_t tag = node();
+      const auto found = nodes_.find(tag);
+      if (found == nodes_.end()) source_.fail(fmt::format("node {} is not there", tag));
+      corners[k] = found->second;
+    }
+    if (source_.is_binary()) {
+      for (int k = n; k < nodes_of_type(type); ++k) node();
+    }
     if (n == 0) {
       ++n_left_out_;
       return;
     }
-    std::array<std::int32_t, 4> corners{};
-    for (int k = 0; k < n; ++k) {
-      const std::int64_t node = lines_.integer(words, "a node");
-      const auto found = nodes_.find(node);
-      if (found == nodes_.end()) lines_.fail(fmt::format("node {} is not there", node));
-      corners[k] = found->second;
-    }
     // Turned round in the group.
     if (group < 0) std::reverse(corners.begin(), corners.begin() + n);
     scene_.add_polygon(std::span(corners).first(n), surface(std::abs(group), entity));
+  }
+
+  [[nodiscard]] int nodes_of_type(std::int64_t type) const {
+    const bool is_known = type >= 1 && type <= std::ssize(kNodesOfTypes);
+    const int n = is_known ? kNodesOfTypes[static_cast<std::size_t>(type - 1)] : 0;
+    if (n == 0) source_.fail(fmt::format("has cells of type {}, which is not known", type));
+    return n;
   }
 
   std::int32_t surface(std::int64_t group, std::int64_t entity) {
@@ -253,11 +295,9 @@ class MshReader {
     return last_surface_ = surfaces_.find_or_add(name, -1);
   }
 
-  LineReader lines_;
+  MshSource source_;
   Scene scene_;
   SurfaceIndex surfaces_;
-  double version_ = 0;
-  std::string section_;
   std::map<std::int64_t, std::string> names_;      // of physical groups of surfaces
   std::map<std::int64_t, std::int64_t> group_of_;  // by surface entity; negative: turned round
   std::unordered_map<std::int64_t, std::int32_t> nodes_;

@@ -27,25 +27,6 @@ using radiosity::Image;
 using radiosity::Index;
 using radiosity::OutputError;
 
-/// The bytes of a PNG file. Throws OutputError with libpng's reason.
-std::vector<std::uint8_t> encode_png(const fs::path& path, const RgbPicture& picture) {
-  png_image header = {};
-  header.version = PNG_IMAGE_VERSION;
-  header.width = static_cast<png_uint_32>(picture.width);
-  header.height = static_cast<png_uint_32>(picture.height);
-  header.format = PNG_FORMAT_RGB;
-
-  std::vector<std::uint8_t> file(PNG_IMAGE_PNG_SIZE_MAX(header));
-  png_alloc_size_t size = file.size();
-  if (png_image_write_to_memory(&header, file.data(), &size, 0, picture.bytes.data(), 0, nullptr) ==
-      0) {
-    throw OutputError(fmt::format("{}: cannot encode the picture: {}", path.string(),
-                                  static_cast<const char*>(header.message)));
-  }
-  file.resize(size);
-  return file;
-}
-
 /// The names by which other programs know the bands: R, G, B, or band.0, band.1...
 std::string channel_name(Index band, Index n_bands, const ImageOptions& options) {
   if (n_bands == 1) return options.channel;
@@ -102,6 +83,24 @@ void write_image(const fs::path& path, const Image& image, const ImageOptions& o
     throw OutputError(fmt::format("{}: cannot write a picture as '{}', expected .png or .exr",
                                   path.string(), extension));
   }
+}
+
+std::vector<std::uint8_t> encode_png(const fs::path& path, const RgbPicture& picture) {
+  png_image header = {};
+  header.version = PNG_IMAGE_VERSION;
+  header.width = static_cast<png_uint_32>(picture.width);
+  header.height = static_cast<png_uint_32>(picture.height);
+  header.format = PNG_FORMAT_RGB;
+
+  std::vector<std::uint8_t> file(PNG_IMAGE_PNG_SIZE_MAX(header));
+  png_alloc_size_t size = file.size();
+  if (png_image_write_to_memory(&header, file.data(), &size, 0, picture.bytes.data(), 0, nullptr) ==
+      0) {
+    throw OutputError(fmt::format("{}: cannot encode the picture: {}", path.string(),
+                                  static_cast<const char*>(header.message)));
+  }
+  file.resize(size);
+  return file;
 }
 
 void write_png(const fs::path& path, const RgbPicture& picture) {

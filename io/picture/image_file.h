@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -30,6 +31,9 @@ RgbPicture srgb_picture(const radiosity::Image& image, const ImageOptions& optio
 /// are). Written beside and renamed into place. Throws OutputError.
 void write_image(const std::filesystem::path& path, const radiosity::Image& image,
                  const ImageOptions& options = {});
+
+/// The bytes of a PNG file with these pixels. Throws OutputError naming `path`.
+std::vector<std::uint8_t> encode_png(const std::filesystem::path& path, const RgbPicture& picture);
 
 /// Writes pixels as they are. Beside and renamed into place, too. Throws OutputError.
 void write_png(const std::filesystem::path& path, const RgbPicture& picture);

@@ -3,12 +3,10 @@
 #include <filesystem>
 
 #include "io/result/color_ply.h"
+#include "io/result/glb_file.h"
 #include "radiosity/scene/patch_mesh.h"
 
 namespace io {
-
-/// Which axis of the scene points upwards; that of glTF is y.
-enum class UpAxis { y, z };
 
 /// Writes the patches as binary glTF 2.0 that shows the colours as they are (vertex colours, linear
 /// as glTF wants them, in 16 bits; KHR_materials_unlit), with a node for each surface.

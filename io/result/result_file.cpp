@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cassert>
-#include <cmath>
 #include <string>
 
 #include "io/base/extension.h"
@@ -15,9 +14,6 @@
 
 namespace io {
 namespace {
-
-/// Of a camera's `up`, from which on the z axis is taken to point upwards.
-constexpr double kSteep = 0.9;
 
 CornerColors shown_colors(const radiosity::PatchMesh& mesh, const radiosity::Solution& solution,
                           const ResultOptions& options) {
@@ -46,9 +42,7 @@ void write(const std::filesystem::path& path, const radiosity::PatchMesh& mesh,
   } else if (extension == ".ply") {
     write_color_ply(path, mesh, shown_colors(mesh, solution, options));
   } else if (extension == ".glb") {
-    const bool is_z_up = options.camera && std::abs(options.camera->up.z()) > kSteep;
-    write_color_glb(path, mesh, shown_colors(mesh, solution, options),
-                    is_z_up ? UpAxis::z : UpAxis::y);
+    write_color_glb(path, mesh, shown_colors(mesh, solution, options), up_axis(options.camera));
   } else {
     throw radiosity::OutputError(
         fmt::format("{}: cannot write a result as '{}', expected .vtp, .csv, .ply or .glb",

@@ -5,19 +5,23 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
-#include <map>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "io/base/extension.h"
 #include "io/base/line_reader.h"
 #include "io/mesh/file_scene.h"
 #include "io/mesh/read_vtk_mesh.h"
+#include "io/mesh/surface_index.h"
+#include "io/result/vtk_cell_materials.h"
+#include "io/result/vtk_legacy_file.h"
 #include "io/result/vtp_file.h"
+#include "io/result/vtp_values.h"
 
-// Polygons of VTK XML as other programs write it.
+// Polygons of VTK files as other programs write them.
 namespace io {
 namespace {
 
@@ -26,37 +30,6 @@ using radiosity::Scene;
 /// Arrays of cells that name surfaces by number, in the order in which they are looked for.
 constexpr std::array<const char*, 4> kSurfaceArrays = {"surface", "gmsh:physical",
                                                        "gmsh:geometrical", "cell_tags"};
-
-template <typename T, typename As>
-As value_at(const VtpArray& array, std::size_t k) {
-  T value{};
-  std::memcpy(&value, array.bytes.data() + k * sizeof(T), sizeof(T));
-  return static_cast<As>(value);
-}
-
-/// The k-th value of an array of numbers.
-template <typename As>
-As number(const VtpArray& array, std::size_t k) {
-  const std::string& type = array.type;
-  if (type == "Int8") return value_at<std::int8_t, As>(array, k);
-  if (type == "UInt8") return value_at<std::uint8_t, As>(array, k);
-  if (type == "Int16") return value_at<std::int16_t, As>(array, k);
-  if (type == "UInt16") return value_at<std::uint16_t, As>(array, k);
-  if (type == "Int32") return value_at<std::int32_t, As>(array, k);
-  if (type == "UInt32") return value_at<std::uint32_t, As>(array, k);
-  if (type == "Int64") return value_at<std::int64_t, As>(array, k);
-  if (type == "UInt64") return value_at<std::uint64_t, As>(array, k);
-  if (type == "Float32") return value_at<float, As>(array, k);
-  return value_at<double, As>(array, k);
-}
-
-bool is_whole(const VtpArray& array) {
-  return !array.type.starts_with("Float") && array.type != "String" && array.n_components == 1;
-}
-
-std::size_t n_values(const VtpArray& array) {
-  return array.bytes.size() / vtp_type_size(array.type);
-}
 
 /// The corners that count of a cell of VTK's type with n of them, in their order round it; none if
 /// it is no polygon.
@@ -69,16 +42,24 @@ std::vector<std::size_t> outline(int type, std::size_t n) {
   constexpr int kQuadraticQuad = 23;
   constexpr int kBiquadraticQuad = 28;
   constexpr int kBiquadraticTriangle = 34;
+  constexpr int kLagrangeTriangle = 69;
+  constexpr int kLagrangeQuad = 70;
+  constexpr int kBezierTriangle = 76;
+  constexpr int kBezierQuad = 77;
   std::size_t n_corners = 0;
   switch (type) {
     case kTriangle:
     case kQuadraticTriangle:
     case kBiquadraticTriangle:
+    case kLagrangeTriangle:
+    case kBezierTriangle:
       n_corners = 3;
       break;
     case kQuad:
     case kQuadraticQuad:
     case kBiquadraticQuad:
+    case kLagrangeQuad:
+    case kBezierQuad:
       n_corners = 4;
       break;
     case kPixel:
@@ -98,13 +79,20 @@ std::vector<std::size_t> outline(int type, std::size_t n) {
 class VtkMeshReader {
  public:
   explicit VtkMeshReader(const std::filesystem::path& path)
-      : path_(path), file_(read_vtk_xml(path)) {}
+      : path_(path),
+        file_(lower_case_extension(path) == ".vtk" ? read_vtk_legacy(path) : read_vtk_xml(path)),
+        materials_(file_, path_),
+        surfaces_(scene_, path.stem().string()) {}
 
   FileScene read() {
     read_points();
     find_surfaces();
     read_polygons();
+    if (!materials_.empty()) scene_.bands = materials_.bands();
     FileScene result{std::move(scene_), {}};
+    if (!materials_.left_out().empty()) {
+      result.scene.warnings.push_back(path_.string() + ": " + materials_.left_out());
+    }
     left_out_.report("only polygons are read", result.repairs);
     return result;
   }
@@ -146,16 +134,15 @@ class VtkMeshReader {
 
   std::int32_t surface(std::size_t cell) {
     const std::int64_t tag = numbers_ == nullptr ? 0 : number<std::int64_t>(*numbers_, cell);
-    const auto [entry, is_new] =
-        surfaces_.try_emplace(tag, static_cast<std::int32_t>(scene_.surfaces.size()));
-    if (is_new) {
-      const bool is_named = tag >= 0 && tag < std::ssize(names_);
-      std::string name = is_named              ? names_[tag]
-                         : numbers_ == nullptr ? path_.stem().string()
-                                               : fmt::format("surface {}", tag);
-      scene_.surfaces.push_back({.name = std::move(name), .material = -1, .two_sided = false});
-    }
-    return entry->second;
+    const int material = materials_.find_or_add(cell, scene_);
+    if (last_surface_ >= 0 && tag == last_tag_ && material == last_material_) return last_surface_;
+    const bool is_named = tag >= 0 && tag < std::ssize(names_);
+    std::string name = is_named              ? names_[tag]
+                       : numbers_ == nullptr ? path_.stem().string()
+                                             : fmt::format("surface {}", tag);
+    last_tag_ = tag;
+    last_material_ = material;
+    return last_surface_ = surfaces_.find_or_add(name, material);
   }
 
   const VtpArray& cell_list(const char* name) const {
@@ -206,7 +193,11 @@ class VtkMeshReader {
   Scene scene_;
   const VtpArray* numbers_ = nullptr;  // of the surfaces
   std::vector<std::string> names_;     // by number, if they have any
-  std::map<std::int64_t, std::int32_t> surfaces_;
+  VtkCellMaterials materials_;
+  SurfaceIndex surfaces_;
+  std::int64_t last_tag_ = 0;
+  int last_material_ = -1;
+  std::int32_t last_surface_ = -1;  // none yet
   RepairCount left_out_;
 };
 

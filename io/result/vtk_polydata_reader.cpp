@@ -22,6 +22,7 @@
 
 #include "io/base/line_reader.h"
 #include "io/result/vtp_file.h"
+#include "io/result/vtp_values.h"
 
 namespace io {
 namespace {

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cstring>
 #include <fstream>
 #include <limits>
 #include <optional>
@@ -14,58 +12,18 @@
 #include "io/base/line_reader.h"
 #include "io/base/printable.h"
 #include "io/result/vtp_data.h"
+#include "io/result/vtp_values.h"
 #include "io/result/xml_scanner.h"
 
 namespace io {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::size_t>, 11> kTypes = {{{"Int8", 1},
-                                                                              {"UInt8", 1},
-                                                                              {"Int16", 2},
-                                                                              {"UInt16", 2},
-                                                                              {"Int32", 4},
-                                                                              {"UInt32", 4},
-                                                                              {"Int64", 8},
-                                                                              {"UInt64", 8},
-                                                                              {"Float32", 4},
-                                                                              {"Float64", 8},
-                                                                              {"String", 1}}};
 constexpr std::string_view kAppended = "<AppendedData";
 constexpr std::uint64_t kMost = std::numeric_limits<std::int32_t>::max();  // points, cells, rows
 /// All values together may be so many times the file. Single arrays that are all alike shrink
 /// more, but never all.
 constexpr std::uint64_t kMostExpansion = 100;
 constexpr std::uint64_t kSmallValues = 1 << 24;  // bytes that any file may expand to
-
-template <typename T>
-bool append_number(std::string_view word, std::string& bytes) {
-  const auto value = parse_number<T>(word);
-  if (!value) return false;
-  bytes.append(reinterpret_cast<const char*>(&*value), sizeof(T));
-  return true;
-}
-
-/// A number given as a text, as a value of the type.
-bool append_text(std::string_view word, const std::string& type, std::string& bytes) {
-  if (type == "Int8") return append_number<std::int8_t>(word, bytes);
-  // Of texts VTK writes the letters' codes, signed.
-  if (type == "String" && word.starts_with('-')) return append_number<std::int8_t>(word, bytes);
-  if (type == "UInt8" || type == "String") return append_number<std::uint8_t>(word, bytes);
-  if (type == "Int16") return append_number<std::int16_t>(word, bytes);
-  if (type == "UInt16") return append_number<std::uint16_t>(word, bytes);
-  if (type == "Int32") return append_number<std::int32_t>(word, bytes);
-  if (type == "UInt32") return append_number<std::uint32_t>(word, bytes);
-  if (type == "Int64") return append_number<std::int64_t>(word, bytes);
-  if (type == "UInt64") return append_number<std::uint64_t>(word, bytes);
-  return type == "Float32" ? append_number<float>(word, bytes) : append_number<double>(word, bytes);
-}
-
-void swap_bytes(std::string& bytes, std::size_t size) {
-  for (std::size_t k = 0; k + size <= bytes.size(); k += size) {
-    std::reverse(bytes.begin() + static_cast<std::ptrdiff_t>(k),
-                 bytes.begin() + static_cast<std::ptrdiff_t>(k + size));
-  }
-}
 
 class VtpReader {
  public:
@@ -239,6 +197,7 @@ class VtpReader {
     array.format = tag.attribute("format");
     array.values.type = tag.attribute("type");
     const std::string label = fmt::format("array {}", in_quotes(array.name));
+    if (array.values.type == "Bit") return std::nullopt;  // for nothing that is read
     const std::size_t size = vtp_type_size(array.values.type);
     if (size == 0) damaged(fmt::format("{} has the type {}", label, in_quotes(array.values.type)));
     const std::uint64_t n_rows = count(tag, "NumberOfTuples", label);
@@ -300,7 +259,7 @@ class VtpReader {
     std::string bytes;
     Words words(clean);
     for (auto word = words.next(); !word.empty(); word = words.next()) {
-      if (!append_text(word, array.values.type, bytes)) return std::nullopt;
+      if (!append_value(word, array.values.type, bytes)) return std::nullopt;
     }
     if (array.n_bytes && bytes.size() != *array.n_bytes) return std::nullopt;
     return bytes;
@@ -316,7 +275,7 @@ class VtpReader {
     if (!bytes) return std::nullopt;
     allowance_ -= bytes->size();
     if (encoding_.order != std::endian::native) {
-      swap_bytes(*bytes, vtp_type_size(array.values.type));
+      reverse_bytes(*bytes, vtp_type_size(array.values.type));
     }
     return bytes;
   }
@@ -351,12 +310,6 @@ class VtpReader {
 };
 
 }  // namespace
-
-std::size_t vtp_type_size(const std::string& type) {
-  const auto* const entry = std::find_if(kTypes.begin(), kTypes.end(),
-                                         [&](const auto& known) { return known.first == type; });
-  return entry == kTypes.end() ? 0 : entry->second;
-}
 
 VtpFile read_vtp(const std::filesystem::path& path) {
   return VtpReader(path, VtpReader::Accepts::polygons).read();

@@ -5,15 +5,9 @@
 #include <map>
 #include <string>
 
-namespace io {
+#include "io/result/vtp_values.h"
 
-/// An array of a VTK XML file.
-struct VtpArray {
-  std::string type;                ///< VTK's name: "Float64", "Int32", "String"...
-  std::uint64_t n_components = 1;  ///< values in a row
-  std::string bytes;               ///< the values, row by row, as this machine has them; of texts
-                                   ///< the characters, a zero byte after each
-};
+namespace io {
 
 enum class VtkKind {
   polygons,     ///< PolyData, .vtp
@@ -33,9 +27,6 @@ struct VtpFile {
   Arrays cells;     ///< a row for each cell
   Arrays fields;
 };
-
-/// Bytes of a value of VTK's type of this name; 0 if there is none. 1 for texts.
-std::size_t vtp_type_size(const std::string& type);
 
 /// Reads VTK XML of one piece: values as text, in base64, or appended raw or in base64; not
 /// compressed, or by zlib or LZ4. VTK's own reader follows what a damaged file says into any part

@@ -21,6 +21,9 @@ namespace io {
 namespace {
 
 using radiosity::Bands;
+using radiosity::Emission;
+using radiosity::Index;
+using radiosity::Material;
 using radiosity::Progress;
 using radiosity::Scene;
 using radiosity::Surface;
@@ -135,19 +138,45 @@ bool is_mirrored(const JsonItem& item) {
   return transform && read_transform(*transform).linear().determinant() < 0;
 }
 
+/// Whether values for each band of a mesh are values for the scene's, but for one that is for all.
+bool fit(const Bands& of_mesh, const Bands& of_scene) {
+  return of_mesh.kind == of_scene.kind && of_mesh.wavelengths == of_scene.wavelengths;
+}
+
+const char* kind_name(const Bands& bands) {
+  switch (bands.kind) {
+    case Bands::Kind::grey:
+      return "grey";
+    case Bands::Kind::rgb:
+      return "RGB";
+    case Bands::Kind::wavelengths:
+      break;
+  }
+  return "wavelengths";
+}
+
 /// Indices of the mesh's materials in the scene, to which they are appended.
 std::vector<int> add_materials(const JsonItem& item, const Scene& mesh, const std::string& file,
                                Scene& scene) {
-  if (!mesh.materials.empty() && scene.bands.kind != Bands::Kind::rgb) {
-    item.fail(fmt::format(
-        "the materials of {} have 3 bands (RGB), the scene has {} ({}); give "
-        "the surface a \"material\"",
-        file, scene.bands.count(), scene.bands.kind == Bands::Kind::grey ? "grey" : "wavelengths"));
-  }
+  const bool is_for_all = mesh.bands.kind == Bands::Kind::grey;
   std::vector<int> indices;
   for (const auto& material : mesh.materials) {
+    const bool is_hot = material.emission.kind == Emission::Kind::temperature;
+    if (!fit(mesh.bands, scene.bands) && (!is_for_all || is_hot)) {
+      item.fail(
+          fmt::format("the materials of {} have {} bands ({}), the scene has {} ({}); give "
+                      "the surface a \"material\"",
+                      file, mesh.bands.count(), kind_name(mesh.bands), scene.bands.count(),
+                      kind_name(scene.bands)));
+    }
     indices.push_back(static_cast<int>(scene.materials.size()));
     scene.materials.push_back(material);
+    if (fit(mesh.bands, scene.bands)) continue;
+    const Index n = scene.bands.count();
+    Material& added = scene.materials.back();
+    added.reflectance = Eigen::VectorXd::Constant(n, material.reflectance[0]);
+    if (added.emission.kind == Emission::Kind::none) continue;
+    added.emission.value = Eigen::VectorXd::Constant(n, material.emission.value[0]);
   }
   return indices;
 }
@@ -205,7 +234,8 @@ void add_mesh(const JsonItem& item, const Surface& given, const std::filesystem:
   const std::string file = item.at("mesh").text();
   if (lower_case_extension(file) == ".json") {
     item.at("mesh").fail(
-        "is a scene, expected a mesh file: .obj, .off, .ply, .stl, .gltf, .glb, .msh, .vtp, .vtu");
+        "is a scene, expected a mesh file: .obj, .off, .ply, .stl, .gltf, .glb, .msh, .vtk, .vtp, "
+        ".vtu");
   }
   const FileScene read =
       read_mesh(folder / file,

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "io/picture/image_file.h"
+#include "io/result/lightmap_glb.h"
 #include "io/result/operator_file.h"
 #include "io/result/result_file.h"
 #include "python/bindings/arrays.h"
@@ -20,6 +21,7 @@
 #include "python/bindings/operator.h"
 #include "python/bindings/work.h"
 #include "radiosity/base/error.h"
+#include "radiosity/picture/light_atlas.h"
 #include "radiosity/picture/render.h"
 #include "radiosity/solve/quantity.h"
 #include "study/study.h"
@@ -94,6 +96,7 @@ struct PictureOptions {
   study::Shading shading = study::Shading::interpolated;
   std::optional<double> exposure;
   std::optional<Camera> camera;
+  std::optional<int> lightmap;  ///< texels a side, if it is one
 };
 
 Image draw(const study::Study& study, const PictureOptions& options, const Progress& progress) {
@@ -120,6 +123,21 @@ py::array image(const KeptStudy& kept, const PictureOptions& options, const py::
       .reshape({py::ssize_t{picture.height}, py::ssize_t{picture.width}, py::ssize_t{3}});
 }
 
+/// The light on all surfaces, to a .glb that shows it or as a picture.
+void write_lightmap(const std::filesystem::path& path, const study::Study& study,
+                    const PictureOptions& options, const Progress& progress) {
+  const LightAtlas atlas = make_light_atlas(study.mesh, *options.lightmap);
+  RenderOptions render_options = options.render;
+  render_options.progress = progress;
+  const Image lightmap = study::draw_lightmap(study, atlas, options.shading, render_options);
+  if (path.extension() == ".glb") {
+    io::write_lightmap_glb(path, study.mesh, atlas, lightmap, image_options(study, options),
+                           io::up_axis(study.scene.camera));
+  } else {
+    io::write_image(path, lightmap, image_options(study, options));
+  }
+}
+
 /// Writes a result by its extension.
 void write(const KeptStudy& kept, const std::filesystem::path& path,
            const std::vector<std::string>& quantities, double efficacy,
@@ -136,6 +154,8 @@ void write(const KeptStudy& kept, const std::filesystem::path& path,
                          {.tolerance = study.factor_tolerance,
                           .geometry = study::geometry_fingerprint(study.scene)},
                          events.progress);
+    } else if (picture.lightmap) {
+      write_lightmap(path, study, picture, events.progress);
     } else if (path.extension() == ".png" || path.extension() == ".exr") {
       io::write_image(path, draw(study, picture, events.progress), image_options(study, picture));
     } else {
@@ -156,12 +176,14 @@ void bind_study(py::module_& module) {
   py::class_<Camera>(module, "Camera").def(py::init(&camera_of));
   py::class_<PictureOptions>(module, "PictureOptions")
       .def(py::init([](int width, int height, int samples, bool gathers,
-                       std::optional<double> exposure, const std::optional<Camera>& camera) {
+                       std::optional<double> exposure, const std::optional<Camera>& camera,
+                       std::optional<int> lightmap) {
         return PictureOptions{
             .render = {.width = width, .height = height, .samples = samples},
             .shading = gathers ? study::Shading::gathered : study::Shading::interpolated,
             .exposure = exposure,
-            .camera = camera};
+            .camera = camera,
+            .lightmap = lightmap};
       }));
   py::class_<KeptStudy>(module, "Study")
       .def_property_readonly("operator", &operator_of)

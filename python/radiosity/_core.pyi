@@ -80,6 +80,7 @@ class PictureOptions:
         gathers: bool,
         exposure: Optional[float],
         camera: Optional[Camera],
+        lightmap: Optional[int],
     ) -> None: ...
 
 class Study:

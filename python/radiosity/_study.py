@@ -206,17 +206,23 @@ class Study:
         exposure: Optional[float] = None,
         camera: Optional[Camera] = None,
         efficacy: float = _core.WHITE_EFFICACY,
+        lightmap: Optional[int] = None,
     ) -> None:
         """Write a file by its extension, as `radiosity solve -o` does.
 
-        .vtp (ParaView; if this was built with VTK), .csv, .ply or .glb (vertex colours), .png or .exr (a picture), .h5 (the
-        form factors).
+        .vtp (ParaView; if this was built with VTK), .csv, .ply or .glb (vertex colours), .png or
+        .exr (a picture), .h5 (the form factors).
+
+        With `lightmap`, texels a side at most, a .glb shows a picture of the light on all surfaces,
+        and a .png or .exr is that picture; `gather` and `exposure` are its.
         """
         path = os.fspath(path)
+        if lightmap is not None and not path.endswith((".glb", ".png", ".exr")):
+            raise InputError(f"lightmap: found the file {path!r}, expected .glb, .png or .exr")
         if not path.endswith(".h5"):
             self.solve()
         core = self._assembled()
-        options = self._picture(width, height, samples, gather, exposure, camera)
+        options = self._picture(width, height, samples, gather, exposure, camera, lightmap)
         with reporter(self._progress) as report:
             core.write(
                 path,
@@ -227,7 +233,7 @@ class Study:
                 self._threads,
             )
 
-    def _picture(self, width, height, samples, gather, exposure, camera):
+    def _picture(self, width, height, samples, gather, exposure, camera, lightmap=None):
         width = _arguments.count("width", width, least=1)
         height = width if height is None else _arguments.count("height", height, least=1)
         samples = _arguments.count("samples", samples, least=1)
@@ -237,8 +243,18 @@ class Study:
             exposure = _arguments.number("exposure", exposure, above=0)
         if camera is not None and not isinstance(camera, Camera):
             raise InputError(f"camera: found {type(camera).__name__}, expected radiosity.Camera")
+        if lightmap is not None:
+            lightmap = _arguments.count("lightmap", lightmap, least=16)
+            if lightmap > 8192:
+                raise InputError(f"lightmap: found {lightmap}, expected at most 8192")
         return _core.PictureOptions(
-            width, height, samples, bool(gather), exposure, None if camera is None else camera._core
+            width,
+            height,
+            samples,
+            bool(gather),
+            exposure,
+            None if camera is None else camera._core,
+            lightmap,
         )
 
     def _assembled(self):

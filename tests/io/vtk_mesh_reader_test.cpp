@@ -44,12 +44,89 @@ TEST_F(VtkMeshReader, ReadsPolygonsOfGrids) {
   EXPECT_CONTAINS(scene.warnings.back(), "cell 1 is of type 3; only polygons are read");
 }
 
+TEST_F(VtkMeshReader, TakesTheCornersOfHigherOrdersAndPassesBitsOver) {
+  std::string content = kVtu;
+  content.replace(content.find("5 3 9 5"), 7, "69 68 70 76");
+  content.insert(content.find("<CellData>") + 10,
+                 R"(<DataArray type="Bit" Name="flags" format="ascii">1 0 1 1</DataArray>)");
+  const Scene scene = read("a.vtu", content);
+  ASSERT_EQ(scene.n_polygons(), 3);
+  EXPECT_EQ(scene.polygon(1).size(), 4U);
+}
+
 TEST_F(VtkMeshReader, ReadsPolyDataWithValuesOfLinesBefore) {
   const Scene scene = read("a.vtp", kVtp);
   ASSERT_EQ(scene.n_polygons(), 2);
   ASSERT_EQ(scene.surfaces.size(), 2U);
   EXPECT_EQ(scene.surfaces[0].name, "surface 1");
   EXPECT_EQ(scene.surfaces[1].name, "surface 2");
+}
+
+/// The grid with values of its cells, "name type columns" with these numbers.
+std::string grid_with(const std::vector<std::pair<std::string, std::string>>& arrays) {
+  std::string content = kVtu;
+  for (const auto& [head, numbers] : arrays) {
+    const std::size_t blank = head.find(' ');
+    content.insert(content.find("<CellData>") + 10,
+                   "<DataArray type=\"Float64\" Name=\"" + head.substr(0, blank) +
+                       "\" NumberOfComponents=\"" + head.substr(blank + 1) +
+                       "\" format=\"ascii\">" + numbers + "</DataArray>");
+  }
+  return content;
+}
+
+TEST_F(VtkMeshReader, TakesMaterialsFromCells) {
+  const Scene scene =
+      read("a.vtu", grid_with({{"reflectance 3", "0.5 0.25 0 0 0 0 0.5 0.25 0 0.75 0.75 0.75"},
+                               {"radiance 1", "0 0 2 0"}}));
+  EXPECT_EQ(scene.bands.kind, radiosity::Bands::Kind::rgb);
+  ASSERT_EQ(scene.surfaces.size(), 3U);
+  EXPECT_EQ(scene.surfaces[0].name, "surface 3");
+  EXPECT_EQ(scene.surfaces[1].name, "surface 3:material 2");
+  EXPECT_EQ(scene.surfaces[2].name, "surface 8");
+  const auto material = [&](int s) { return scene.materials[scene.surfaces[s].material]; };
+  EXPECT_EQ(material(0).reflectance, Eigen::Vector3d(0.5, 0.25, 0));
+  EXPECT_EQ(material(0).emission.kind, radiosity::Emission::Kind::none);
+  EXPECT_EQ(material(1).reflectance, material(0).reflectance);
+  EXPECT_EQ(material(1).emission.kind, radiosity::Emission::Kind::radiance);
+  EXPECT_EQ(material(1).emission.value, Eigen::Vector3d(2, 2, 2));
+  EXPECT_EQ(material(2).reflectance, Eigen::Vector3d(0.75, 0.75, 0.75));
+}
+
+TEST_F(VtkMeshReader, TakesTemperaturesWithEmissivities) {
+  const Scene scene =
+      read("a.vtu",
+           grid_with({{"emissivity 1", "0.75 1 0.75 0.5"}, {"temperature 1", "300 0 300 400"}}));
+  EXPECT_EQ(scene.bands.kind, radiosity::Bands::Kind::grey);
+  ASSERT_EQ(scene.surfaces.size(), 2U);
+  const auto& wall = scene.materials[scene.surfaces[0].material];
+  EXPECT_EQ(wall.reflectance[0], 0.25);
+  EXPECT_EQ(wall.emission.kind, radiosity::Emission::Kind::temperature);
+  EXPECT_EQ(wall.emission.value[0], 300);
+  // As those of a scene, for a grey one; for others only without temperatures.
+  const std::string mesh = R"({"bands": "rgb", "surfaces": [{"name": "a", "mesh": "a.vtu"}]})";
+  EXPECT_CONTAINS(error_of("a.json", mesh), "have 1 bands (grey), the scene has 3 (RGB)");
+  (void)file("a.vtu", grid_with({{"emissivity 1", "0.75 1 0.75 0.5"}}));
+  const Scene in_color = read("b.json", mesh);
+  EXPECT_EQ(in_color.materials[0].reflectance, Eigen::Vector3d(0.25, 0.25, 0.25));
+}
+
+TEST_F(VtkMeshReader, ExplainsBadMaterials) {
+  const auto error = [&](const std::vector<std::pair<std::string, std::string>>& arrays) {
+    return error_of(file("a.vtu", grid_with(arrays)));
+  };
+  EXPECT_CONTAINS(error({{"reflectance 1", "0 0 1.5 0"}}), "cell 2: reflectance 1.5 is outside");
+  EXPECT_CONTAINS(error({{"emissivity 1", "1 1 1 1"}, {"temperature 1", "1 1 nan 1"}}),
+                  "cell 2: temperature is nan");
+  EXPECT_CONTAINS(error({{"reflectance 2", "0 0 0 0 0 0 0 0"}}), "2 columns, expected 1, or 3");
+  EXPECT_CONTAINS(error({{"emissivity 1", "1 1 1 1"}, {"reflectance 1", "0 0 0 0"}}),
+                  "has both \"reflectance\" and \"emissivity\"");
+  EXPECT_CONTAINS(
+      error(
+          {{"reflectance 1", "0 0 0 0"}, {"exitance 1", "1 1 1 1"}, {"temperature 1", "1 1 1 1"}}),
+      "has both \"exitance\" and \"temperature\"");
+  const Scene scene = read("a.vtu", grid_with({{"temperature 1", "1 1 1 1"}}));
+  EXPECT_CONTAINS(scene.warnings.front(), "has \"temperature\", but neither \"reflectance\"");
 }
 
 TEST_F(VtkMeshReader, ReadsWhatIsWrittenAsAResult) {
@@ -68,6 +145,8 @@ TEST_F(VtkMeshReader, ReadsWhatIsWrittenAsAResult) {
   ASSERT_EQ(scene.n_polygons(), 2);
   EXPECT_EQ(scene.surfaces[1].name, "east wall");
   EXPECT_EQ(scene.vertices[scene.polygon(1)[2]], Vec3(1, 1, 1));
+  EXPECT_EQ(scene.materials[scene.surfaces[1].material].reflectance, Eigen::VectorXd::Ones(1));
+  EXPECT_EQ(scene.materials[scene.surfaces[1].material].emission.value, Eigen::VectorXd::Ones(1));
 }
 
 TEST_F(VtkMeshReader, ExplainsBadFiles) {

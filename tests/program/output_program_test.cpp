@@ -234,4 +234,36 @@ TEST_F(Outputs, NamesAreNoFormulasInSpreadsheets) {
   EXPECT_EQ(outcome.out.find("'=HYPERLINK"), std::string::npos);
 }
 
+TEST_F(Outputs, ScenesAreWrittenInOtherFormats) {
+  const std::string scene = write_cube(0.5, 2);
+  const Outcome outcome =
+      run({"inspect", scene, "-o", result("b.json"), "-o", result("b.xml"), "--quiet"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  std::vector<std::string> expected = {"b.0.ply", "b.json", "b.xml"};
+  EXPECT_EQ(results(), expected);
+  // The same scene, and as Mitsuba has it the same surfaces.
+  const auto area = [&](const std::string& file) {
+    const std::string text = run({"inspect", file, "--quiet"}).out;
+    const std::size_t start = text.find("\narea");
+    return start == std::string::npos ? text
+                                      : text.substr(start, text.find('\n', start + 1) - start);
+  };
+  EXPECT_EQ(area(result("b.json")), area(scene));
+  EXPECT_EQ(area(result("b.0.ply")), area(scene));
+  const std::string xml = contents(result("b.xml"));
+  EXPECT_NE(xml.find(R"(<rgb name="radiance" value="2, 2, 2"/>)"), std::string::npos) << xml;
+  EXPECT_NE(xml.find(R"(<rgb name="reflectance" value="0.5, 0.5, 0.5"/>)"), std::string::npos);
+  EXPECT_NE(xml.find(R"(<string name="filename" value="b.0.ply"/>)"), std::string::npos);
+}
+
+TEST_F(Outputs, MeshesBesideAnXmlReplaceNoInput) {
+  write_file("c.0.ply", contents(folder() / "a.ply"));
+  write_file("c.json", R"({"materials": {"m": {"reflectance": 0.5, "radiance": 1}},
+    "surfaces": [{"name": "s", "material": "m", "mesh": "c.0.ply"}]})");
+  const std::string before = contents(folder() / "c.0.ply");
+  expect_error(run({"inspect", path("c.json"), "-o", path("c.xml"), "--quiet"}), 1, "c.0.ply");
+  EXPECT_EQ(contents(folder() / "c.0.ply"), before);
+  EXPECT_FALSE(fs::exists(folder() / "c.xml"));
+}
+
 }  // namespace

@@ -206,4 +206,37 @@ TEST_F(Pictures, CanBeGathered) {
   EXPECT_EQ(render(scene, gathered).exit_code, 2);
 }
 
+TEST_F(Pictures, LightmapsGoToGlbAndAtlas) {
+  const std::string scene = write_room();
+  const Outcome outcome =
+      run({"solve", scene, "--patches", "100", "--lightmap", "--lightmap-size", "64", "--atlas",
+           result("a.exr"), "--atlas", result("a.png"), "-o", result("a.glb"), "--json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(results(), (std::vector<std::string>{"a.exr", "a.glb", "a.png"}));
+  EXPECT_EQ(Json::parse(outcome.out)["outputs"].size(), 3U);
+  const std::string glb = contents(result("a.glb"));
+  EXPECT_NE(glb.find("TEXCOORD_0"), std::string::npos);
+  EXPECT_NE(glb.find(contents(result("a.png"))), std::string::npos);
+}
+
+TEST_F(Pictures, LightmapsThatNothingWouldShowAreRefused) {
+  const std::string scene = write_room();
+  expect_error(run({"solve", scene, "--lightmap", "-o", result("a.ply")}), 2, "--atlas");
+  expect_error(run({"solve", scene, "--atlas", result("a.png")}), 2, "--lightmap");
+  expect_error(run({"solve", scene, "--lightmap", "--atlas", result("a.glb")}), 2, ".exr");
+  // Before the long work.
+  std::string triangles;
+  for (int k = 0; k < 17; ++k) {
+    const std::string z = std::to_string(k);
+    triangles += "v 0 0 " + z + "\nv 1 0 " + z + "\nv 0 1 " + z + "\nf -3 -2 -1\n";
+  }
+  const Outcome outcome = run({"solve", write_file("many.obj", triangles), "--lightmap",
+                               "--lightmap-size", "16", "-o", result("a.glb"), "--quiet"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.err.find("a lightmap of 16 x 16 texels has no room for 17 polygons"),
+            std::string::npos)
+      << outcome.err;
+  EXPECT_TRUE(results().empty());
+}
+
 }  // namespace

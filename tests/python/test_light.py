@@ -58,6 +58,11 @@ def test_a_study_has_the_bits_of_the_command_line(tmp_path, scenes, program):
     for name in ("b.csv", "b.ply", "b.png", "b.vtp", "b.h5"):
         study.write(tmp_path / name, width=64, height=48)
         assert (tmp_path / name).read_bytes() == (tmp_path / ("a" + name[1:])).read_bytes(), name
+    study.write(tmp_path / "c.glb", lightmap=64)
+    study.write(tmp_path / "c.png", lightmap=64)
+    assert (tmp_path / "c.png").read_bytes() in (tmp_path / "c.glb").read_bytes()
+    with pytest.raises(rad.InputError, match="expected .glb, .png or .exr"):
+        study.write(tmp_path / "c.vtp", lightmap=64)
     with open(tmp_path / "a.csv") as file:
         rows = list(csv.DictReader(file))
     assert [float(row["B_1"]) for row in rows] == light.radiosity[:, 1].tolist()

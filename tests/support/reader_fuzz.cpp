@@ -209,7 +209,12 @@ std::vector<Seed> seeds(const std::string& format, const std::filesystem::path& 
   const std::pair<std::string, std::string> bin = {"data.bin", gltf_buffer()};
   if (format == "obj") return {{{{"a.obj", kObj}, mtl}}};
   if (format == "off") return {{{{"a.off", kOff}}}};
-  if (format == "msh") return {{{{"a.msh", kMsh2}}}, {{{"a.msh", kMsh41}}}};
+  if (format == "msh") {
+    return {{{{"a.msh", kMsh2}}},
+            {{{"a.msh", kMsh41}}},
+            {{{"a.msh", binary_msh(2, std::endian::little)}}},
+            {{{"a.msh", binary_msh(4, std::endian::big)}}}};
+  }
   if (format == "stl") return {{{{"a.stl", kAsciiStl}}}, {{{"a.stl", binary_stl()}}}};
   if (format == "ply") {
     return {{{{"a.ply", kAsciiPly}}},
@@ -222,6 +227,10 @@ std::vector<Seed> seeds(const std::string& format, const std::filesystem::path& 
     Seed seed{{{"a.json", kJson}, {"spectra.csv", kCsv}, {"square.off", kOff}}};
     if (format == "csv") std::swap(seed.files[0], seed.files[1]);  // the first is damaged
     return {seed};
+  }
+  if (format == "vtk") {
+    return {{{{"a.vtk", legacy_vtk(4, VtkValues::text)}}},
+            {{{"a.vtk", legacy_vtk(5, VtkValues::binary)}}}};
   }
   if (format == "vtu") return {{{{"a.vtu", kVtu}}}};
   if (format == "vtp") return {{{{"a.vtp", vtp(folder)}}}};
@@ -273,8 +282,8 @@ std::string read_fault(const std::filesystem::path& path, bool& was_read) {
 }  // namespace
 
 const std::vector<std::string>& fuzz_formats() {
-  static const std::vector<std::string> formats = {"obj", "ply",  "stl", "off", "msh", "gltf",
-                                                   "glb", "json", "csv", "vtu", "vtp", "h5"};
+  static const std::vector<std::string> formats = {
+      "obj", "ply", "stl", "off", "msh", "gltf", "glb", "json", "csv", "vtk", "vtu", "vtp", "h5"};
   return formats;
 }
 

@@ -47,6 +47,62 @@ inline const std::string kMsh41 =
     "0 0 2\n0 1 2\n1 1 2\n$EndNodes\n$Elements\n5 5 1 5\n0 1 15 1\n1 1\n1 4 1 1\n2 1 2\n2 5 2 1\n"
     "3 1 2 3\n2 5 3 1\n4 20 21 22 23\n2 8 2 1\n5 10 11 12\n$EndElements\n";
 
+/// The same in binary, of version 2 or 4.1.
+inline std::string binary_msh(int version, std::endian order) {
+  using Large = std::int64_t;
+  std::string text;
+  const auto put = [&](auto... values) { ((text += bytes(values, order)), ...); };
+  text = std::string("$MeshFormat\n") + (version == 2 ? "2.2" : "4.1") + " 1 8\n";
+  put(1);
+  text +=
+      "\n$EndMeshFormat\n$PhysicalNames\n2\n1 3 \"edge\"\n2 3 \"hot wall\"\n$EndPhysicalNames\n";
+  const std::vector<std::array<int, 4>> nodes = {
+      {1, 0, 0, 0},  {2, 1, 0, 0},  {3, 1, 1, 0},  {20, 0, 0, 1}, {21, 1, 0, 1},
+      {22, 1, 1, 1}, {23, 0, 1, 1}, {10, 0, 0, 2}, {11, 0, 1, 2}, {12, 1, 1, 2}};
+  const auto put_place = [&](const std::array<int, 4>& node) {
+    put(double(node[1]), double(node[2]), double(node[3]));
+  };
+  if (version == 2) {
+    text += "$Nodes\n10\n";
+    for (const auto& node : nodes) {
+      put(node[0]);
+      put_place(node);
+    }
+    text += "\n$EndNodes\n$Elements\n5\n";
+    put(15, 1, 2, 1, 0, 1, 1);
+    put(1, 1, 2, 2, 3, 4, 1, 2);
+    put(2, 1, 2, 3, 3, 5, 1, 2, 3);
+    put(3, 1, 2, 4, 3, 5, 20, 21, 22, 23);
+    put(2, 1, 2, 5, 0, 8, 10, 11, 12);
+    return text + "\n$EndElements\n";
+  }
+  text += "$Entities\n";
+  put(Large{1}, Large{1}, Large{2}, Large{0});
+  put(1, 0., 0., 0., Large{0});
+  put(4, 0., 0., 0., 1., 0., 0., Large{1}, 3, Large{2}, 1, -1);
+  put(5, 0., 0., 0., 1., 1., 0., Large{1}, 3, Large{1}, 4);
+  put(8, 0., 0., 2., 1., 1., 2., Large{0}, Large{0});
+  text += "\n$EndEntities\n$Nodes\n";
+  put(Large{2}, Large{10}, Large{1}, Large{23});
+  put(2, 5, 1, Large{7});  // with parameters, which are not read
+  for (int k = 0; k < 7; ++k) put(Large{nodes[k][0]});
+  for (int k = 0; k < 7; ++k) {
+    put_place(nodes[k]);
+    put(0.5, 0.5);
+  }
+  put(2, 8, 0, Large{3});
+  for (int k = 7; k < 10; ++k) put(Large{nodes[k][0]});
+  for (int k = 7; k < 10; ++k) put_place(nodes[k]);
+  text += "\n$EndNodes\n$Elements\n";
+  put(Large{5}, Large{5}, Large{1}, Large{5});
+  put(0, 1, 15, Large{1}, Large{1}, Large{1});
+  put(1, 4, 1, Large{1}, Large{2}, Large{1}, Large{2});
+  put(2, 5, 2, Large{1}, Large{3}, Large{1}, Large{2}, Large{3});
+  put(2, 5, 3, Large{1}, Large{4}, Large{20}, Large{21}, Large{22}, Large{23});
+  put(2, 8, 2, Large{1}, Large{5}, Large{10}, Large{11}, Large{12});
+  return text + "\n$EndElements\n";
+}
+
 /// The same triangles and quad, of surfaces 3 and 8, as VTK XML; and a line.
 inline const std::string kVtu = R"(<?xml version="1.0"?>
 <VTKFile type="UnstructuredGrid" version="0.1" byte_order="LittleEndian">
@@ -61,6 +117,39 @@ inline const std::string kVtu = R"(<?xml version="1.0"?>
 <CellData><DataArray type="Int32" Name="surface" format="ascii">3 0 3 8</DataArray></CellData>
 </Piece></UnstructuredGrid></VTKFile>
 )";
+
+enum class VtkValues { text, binary };
+
+/// The same grid as a legacy VTK file, of version 4.2 or 5.1.
+inline std::string legacy_vtk(int version, VtkValues kind) {
+  const bool is_binary = kind == VtkValues::binary;
+  const auto put = [&](const auto& values) {
+    std::string text;
+    for (const auto value : values) {
+      text += is_binary ? bytes(value, std::endian::big) : std::to_string(value) + ' ';
+    }
+    return text + '\n';
+  };
+  const std::vector<double> points = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 0, 1, 1, 0, 1,
+                                      1, 1, 1, 0, 1, 1, 0, 0, 2, 0, 1, 2, 1, 1, 2};
+  std::string cells;
+  if (version < 5) {
+    cells = "CELLS 4 16\n" +
+            put(std::vector<std::int32_t>{3, 0, 1, 2, 2, 0, 1, 4, 3, 4, 5, 6, 3, 7, 8, 9});
+  } else {
+    cells = "CELLS 5 12\nOFFSETS vtktypeint64\n" + put(std::vector<std::int64_t>{0, 3, 5, 9, 12}) +
+            "CONNECTIVITY vtktypeint64\n" +
+            put(std::vector<std::int64_t>{0, 1, 2, 0, 1, 3, 4, 5, 6, 7, 8, 9});
+  }
+  return "# vtk DataFile Version " + std::to_string(version) + ".2\na grid\n" +
+         (is_binary ? "BINARY" : "ASCII") + "\nDATASET UNSTRUCTURED_GRID\nPOINTS 10 double\n" +
+         put(points) + cells + "CELL_TYPES 4\n" + put(std::vector<std::int32_t>{5, 3, 9, 5}) +
+         "POINT_DATA 10\nSCALARS height double 1\nLOOKUP_TABLE default\n" +
+         put(std::vector<double>(10, 0.5)) +
+         "CELL_DATA 4\nFIELD FieldData 2\nheat%20flux 1 4 float\n" +
+         put(std::vector<float>(4, 0.25F)) + "METADATA\nINFORMATION 0\n\nsurface 1 4 int\n" +
+         put(std::vector<std::int32_t>{3, 0, 3, 8});
+}
 
 inline const std::string kPlyHeader =
     "element material 1\nproperty uchar shininess\nproperty list uchar int maps\n"
