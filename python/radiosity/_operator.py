@@ -291,6 +291,8 @@ def transport(
 ) -> Transport:
     """The transport operator of any number of patches, dense or compressed.
 
+    What is not told here is as of `form_factors`.
+
     Parameters
     ----------
     mesh : Mesh, Scene, or what `Mesh` takes
@@ -300,8 +302,6 @@ def transport(
         verified.
     kind : {'auto', 'dense', 'compressed'}
         'auto' is dense up to 10,000 patches.
-
-    Other parameters are those of `form_factors`.
     """
     core = _assembled(
         mesh,
