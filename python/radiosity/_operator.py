@@ -360,7 +360,7 @@ def factors_from_points(mesh, points, normals, *, rest=False, threads: int = 0, 
     >>> import radiosity as rad
     >>> roof = rad.Mesh([[-1, -1, 1], [-1, 1, 1], [1, 1, 1], [1, -1, 1]], [[0, 1, 2, 3]])
     >>> F = rad.factors_from_points(roof, [0, 0, 0], [0, 0, 1])
-    >>> round(F[0, 0], 6)  # 4/π (1/√2) arctan(1/√2)
+    >>> float(F[0, 0].round(6))  # 4/π (1/√2) arctan(1/√2)
     0.554126
     """
     places = _arguments.points("points", points)
