@@ -48,6 +48,25 @@ def test_ctrl_c_ends_work_within_a_second(n):
     assert errors.strip().endswith("KeyboardInterrupt")
 
 
+def test_points_are_interrupted():
+    class Enough(Exception):
+        pass
+
+    def stop(*_):
+        raise Enough
+
+    mesh = room_with_box(6)
+    places = 0.1 + 0.2 * np.random.default_rng(3).random((100_000, 3))
+    before = signal.signal(signal.SIGALRM, stop)
+    try:
+        signal.setitimer(signal.ITIMER_REAL, 0.2)
+        with pytest.raises(Enough):
+            rad.factors_from_points(mesh, places, [0, 0, 1])
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+
+
 def test_other_threads_run_meanwhile():
     counted = []
     stop = threading.Event()
