@@ -13,7 +13,16 @@ enum class Shading {
   gathered       ///< gathered anew at each point (radiosity::render_gathered)
 };
 
-/// The radiance that a camera sees of a study that is solved. Throws Interrupted.
+/// Throws SceneError, which says why, if the camera has no patch's emitting side before it. Takes
+/// no rays, so that it can be asked before the light is known. `aspect` is the width / height.
+void refuse_empty_view(const radiosity::Scene& scene, const radiosity::PatchMesh& mesh,
+                       const radiosity::Camera& camera, double aspect);
+
+/// Throws SceneError if no pixel shows anything.
+void refuse_empty(const radiosity::Image& image);
+
+/// The radiance that a camera sees of a study that is solved. Throws SceneError as the two above,
+/// and Interrupted.
 radiosity::Image draw(const Study& study, const radiosity::Camera& camera, Shading shading,
                       const radiosity::RenderOptions& options = {});
 

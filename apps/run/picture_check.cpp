@@ -5,6 +5,7 @@
 #include "radiosity/base/error.h"
 #include "radiosity/base/machine_memory.h"
 #include "radiosity/picture/camera_view.h"
+#include "study/study_picture.h"
 
 namespace apps {
 namespace {
@@ -35,25 +36,6 @@ void refuse_too_large_picture(const PictureOptions& options, radiosity::Index n_
       options.render.width, options.render.height, shown, bytes * 1e-9, memory * 1e-9));
 }
 
-void refuse_empty_picture(const radiosity::Scene& scene, const radiosity::PatchMesh& mesh,
-                          const Camera& camera, double aspect) {
-  const radiosity::ViewContent content = radiosity::view_content(mesh, camera, aspect);
-  if (content.fronts) return;
-  const std::string where = point_text(camera.position);
-  if (content.backs) {
-    throw radiosity::SceneError(
-        fmt::format("{}: the picture would be empty: from {} m in direction {} the camera has only "
-                    "backs of one-sided surfaces before it, which are not drawn",
-                    scene.source, where, point_text(camera.direction)));
-  }
-  const radiosity::Box3 box = radiosity::bounds(mesh);
-  throw radiosity::SceneError(fmt::format(
-      "{}: the picture would be empty: the camera at {} m looks in direction {}, past the scene, "
-      "which lies between {} and {} m",
-      scene.source, where, point_text(camera.direction), point_text(box.min()),
-      point_text(box.max())));
-}
-
 void warn_inside_solid(const study::Patches& patches, const Camera& camera,
                        TerminalProgress& terminal) {
   const auto around = radiosity::surroundings(patches.visibility, camera.position);
@@ -73,7 +55,7 @@ void check_picture(const radiosity::Scene& scene, const study::Patches& patches,
   refuse_too_large_picture(options, scene.bands.count());
   const auto [camera, is_placed] = choose_camera(scene, patches.mesh, options.camera);
   const double aspect = static_cast<double>(options.render.width) / options.render.height;
-  refuse_empty_picture(scene, patches.mesh, camera, aspect);
+  study::refuse_empty_view(scene, patches.mesh, camera, aspect);
   if (is_placed) {
     warn_inside_solid(patches, camera, terminal);
   } else {

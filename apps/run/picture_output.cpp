@@ -1,12 +1,9 @@
 #include "apps/run/picture_output.h"
 
-#include <algorithm>
-
 #include "apps/options/camera_options.h"
 #include "apps/options/quantity_options.h"
 #include "io/picture/false_color.h"
 #include "io/picture/image_file.h"
-#include "radiosity/base/error.h"
 #include "radiosity/solve/quantity.h"
 #include "study/study_picture.h"
 
@@ -14,14 +11,6 @@ namespace apps {
 namespace {
 
 using namespace radiosity;
-
-void refuse_empty(const Image& image) {
-  if (std::all_of(image.alpha.begin(), image.alpha.end(), [](float a) { return a == 0; })) {
-    throw SceneError(
-        "the picture would be empty: what the camera sees is smaller than a pixel; come closer, or "
-        "use more pixels or --samples");
-  }
-}
 
 ShownScale write_false_color_picture(const std::string& path, const study::Study& solved,
                                      const PictureOptions& options, const Camera& camera,
@@ -34,7 +23,7 @@ ShownScale write_false_color_picture(const std::string& path, const study::Study
   const Image image =
       render_values(solved.mesh, solved.visibility, shown.values, camera, render_options);
   render_options.progress.check();
-  refuse_empty(image);
+  study::refuse_empty(image);
   const auto lock = interruption.hold();
   const io::ColorScale scale = io::write_false_color(path, image, shown.options);
   return {std::string(field.info.name), field.unit, scale};
@@ -54,8 +43,6 @@ std::optional<ShownScale> write_picture(const std::string& path, const study::St
   const Image image = study::draw(
       solved, camera, options.gather ? study::Shading::gathered : study::Shading::interpolated,
       render_options);
-  progress.check();
-  refuse_empty(image);
   io::ImageOptions image_options = options.image;
   image_options.wavelengths = solved.scene.bands.wavelengths;
   const auto lock = interruption.hold();

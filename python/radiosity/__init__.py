@@ -10,6 +10,7 @@ Units are SI: metre, square metre, W/m² per band, kelvin. A surface acts on the
 corners run counter-clockwise; its back blocks light and does nothing else.
 """
 
+from . import _interpreter  # before _core
 from ._core import __version__
 from ._errors import (
     Error,

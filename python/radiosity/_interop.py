@@ -9,10 +9,15 @@ from ._errors import InputError, warn
 # meshio's names of cells that are polygons, and of those that may be left out.
 _POLYGONS = ("triangle", "quad", "polygon")
 _LEFT_OUT = ("vertex", "line", "line3")
+# VTK's numbers of the same: triangle, polygon, quad; vertices and lines.
+_VTK_POLYGONS = (5, 7, 9)
+_VTK_LEFT_OUT = (1, 2, 3, 4)
 
 
 def arrays_of(mesh):
     """Vertices, faces, surface and names (or None) of what has them."""
+    if hasattr(mesh, "points") and hasattr(mesh, "celltypes"):
+        return _of_grid(mesh)
     if hasattr(mesh, "points") and hasattr(mesh, "cells_dict"):
         return _of_meshio(mesh)
     if hasattr(mesh, "points") and hasattr(mesh, "faces"):
@@ -41,6 +46,30 @@ def _of_pyvista(mesh):
         surface = np.asarray(data["surface"])
     return SimpleNamespace(
         vertices=np.asarray(mesh.points), faces=faces, surface=surface, names=None
+    )
+
+
+def _of_grid(mesh):
+    """Of PyVista's UnstructuredGrid."""
+    kinds = np.asarray(mesh.celltypes)
+    chosen = np.flatnonzero(np.isin(kinds, _VTK_POLYGONS))
+    others = np.setdiff1d(kinds, _VTK_POLYGONS + _VTK_LEFT_OUT)
+    if not chosen.size:
+        raise InputError(
+            "the grid has no triangles, quads or polygons, but cells of VTK's kinds "
+            f"{sorted(set(kinds.tolist()))}: take its extract_surface()"
+        )
+    if others.size:
+        warn(f"left out cells that are no polygons, of VTK's kinds {others.tolist()}")
+    corners = np.asarray(mesh.cell_connectivity)
+    # Of PyVista before 0.49, where the newer name is missing.
+    first = np.asarray(mesh.cell_offsets if hasattr(mesh, "cell_offsets") else mesh.offset)
+    data = getattr(mesh, "cell_data", {})
+    return SimpleNamespace(
+        vertices=np.asarray(mesh.points),
+        faces=[corners[first[k] : first[k + 1]] for k in chosen],
+        surface=np.asarray(data["surface"])[chosen] if "surface" in data else None,
+        names=None,
     )
 
 

@@ -41,7 +41,7 @@ class Mesh:
     ...     [[0, 1, 2, 3], [4, 5, 6, 7]], surface=["floor", "roof"])
     >>> plates
     <radiosity.Mesh: 8 vertices, 2 faces, 2 surfaces>
-    >>> round(rad.form_factors(plates).matrix[0, 1], 6)  # Hamilton & Morgan: 0.199825
+    >>> float(rad.form_factors(plates).matrix[0, 1].round(6))  # Hamilton & Morgan: 0.199825
     0.199825
     """
 

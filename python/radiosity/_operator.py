@@ -291,6 +291,8 @@ def transport(
 ) -> Transport:
     """The transport operator of any number of patches, dense or compressed.
 
+    What is not told here is as of `form_factors`.
+
     Parameters
     ----------
     mesh : Mesh, Scene, or what `Mesh` takes
@@ -300,8 +302,6 @@ def transport(
         verified.
     kind : {'auto', 'dense', 'compressed'}
         'auto' is dense up to 10,000 patches.
-
-    Other parameters are those of `form_factors`.
     """
     core = _assembled(
         mesh,
@@ -360,7 +360,7 @@ def factors_from_points(mesh, points, normals, *, rest=False, threads: int = 0, 
     >>> import radiosity as rad
     >>> roof = rad.Mesh([[-1, -1, 1], [-1, 1, 1], [1, 1, 1], [1, -1, 1]], [[0, 1, 2, 3]])
     >>> F = rad.factors_from_points(roof, [0, 0, 0], [0, 0, 1])
-    >>> round(F[0, 0], 6)  # 4/π (1/√2) arctan(1/√2)
+    >>> float(F[0, 0].round(6))  # 4/π (1/√2) arctan(1/√2)
     0.554126
     """
     places = _arguments.points("points", points)

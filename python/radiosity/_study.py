@@ -54,6 +54,8 @@ class Camera:
 class Study:
     """A scene, its form factors and its light: what `radiosity solve` does.
 
+    Work is done when its result is asked for first; `solve()` does all of it.
+
     Parameters
     ----------
     scene : Scene, or path of a file
@@ -71,8 +73,6 @@ class Study:
     method : {'cg', 'jacobi', 'gauss-seidel', 'southwell', 'chebyshev'}
     memory, seed, threads, progress
         As of `form_factors`.
-
-    Work is done when its result is asked for first; `solve()` does all of it.
     """
 
     def __init__(
@@ -111,9 +111,9 @@ class Study:
         self._operator_file = None if operator is None else os.fspath(operator)
         self._threads = _arguments.count("threads", threads)
         self._progress = progress
-        self._core = None
-        self._light = None
-        self._transport = None
+        self._core: Optional[_core.Study] = None
+        self._light: Optional[Light] = None
+        self._transport: Optional[Transport] = None
 
     def __repr__(self) -> str:
         state = "solved" if self._light else "assembled" if self._core else "to be done"
@@ -159,7 +159,7 @@ class Study:
             lm/W of white light, for photometric quantities of RGB and grey bands.
         """
         self.solve()
-        values, _ = self._core.quantity(
+        values, _ = self._assembled().quantity(
             str(name), _arguments.number("efficacy", efficacy, above=0)
         )
         return values[:, 0] if values.shape[1] == 1 else values
@@ -192,7 +192,7 @@ class Study:
         self.solve()
         options = self._picture(width, height, samples, gather, exposure, camera)
         with reporter(self._progress) as report:
-            return self._core.image(options, report, self._threads)
+            return self._assembled().image(options, report, self._threads)
 
     def write(
         self,

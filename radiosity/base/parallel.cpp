@@ -4,6 +4,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_group.h>
 #include <tbb/task_scheduler_observer.h>
 #include <unistd.h>
 
@@ -49,9 +50,12 @@ LowPriority::~LowPriority() = default;
 
 void parallel_ranges(std::ptrdiff_t n, std::ptrdiff_t grain,
                      const std::function<void(std::ptrdiff_t, std::ptrdiff_t)>& body) {
+  // Otherwise an exception in a loop around this one would end it half-done, and it would return.
+  tbb::task_group_context context(tbb::task_group_context::isolated);
   tbb::parallel_for(
       tbb::blocked_range<std::ptrdiff_t>(0, n, grain),
-      [&](const tbb::blocked_range<std::ptrdiff_t>& range) { body(range.begin(), range.end()); });
+      [&](const tbb::blocked_range<std::ptrdiff_t>& range) { body(range.begin(), range.end()); },
+      context);
 }
 
 }  // namespace radiosity

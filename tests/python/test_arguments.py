@@ -143,6 +143,12 @@ def test_files(tmp_path, scenes):
         rad.Camera([0, 0, 0], look_at=[0, 0, 0])
     with pytest.raises(rad.InputError):
         rad.Camera([0, 0, 0], direction=[0, 1, 0])
+    away = rad.Camera([0.278, 0.273, -0.8], direction=[0, 0, -1])
+    with pytest.raises(rad.SceneError, match="would be empty.*past the scene"):
+        study.image(camera=away)
+    with pytest.raises(rad.SceneError, match="would be empty"):
+        study.write(tmp_path / "empty.png", camera=away)
+    assert not (tmp_path / "empty.png").exists()
     with pytest.raises(rad.SceneError):
         study.scene.changed(lights={"no such lamp": 0})
 

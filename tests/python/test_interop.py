@@ -48,6 +48,23 @@ def test_what_has_points_and_cells():
         rad.Mesh(like)
 
 
+def test_what_has_points_and_cells_of_vtk():
+    like = SimpleNamespace(
+        points=SQUARE,
+        celltypes=np.array([3, 5, 9]),
+        cell_connectivity=np.array([0, 1, 0, 1, 2, 0, 1, 2, 3]),
+        offset=np.array([0, 2, 5, 9]),
+        cell_data={"surface": np.array(["edge", "half", "all"])},
+        cells_dict={},
+    )
+    mesh = rad.Mesh(like)
+    assert mesh.faces.tolist() == [[0, 1, 2, -1], [0, 1, 2, 3]]
+    assert mesh.names == ["half", "all"]
+    like.celltypes = np.array([3, 10, 10])
+    with pytest.raises(rad.InputError, match="10.*extract_surface"):
+        rad.Mesh(like)
+
+
 def test_trimesh():
     trimesh = pytest.importorskip("trimesh")
     sphere = trimesh.creation.icosphere(subdivisions=2, radius=1)
@@ -67,6 +84,8 @@ def test_pyvista():
     assert F.row_sums == pytest.approx(1, abs=1e-9)
     shown = F.patches.to_pyvista(light=np.arange(12))
     assert shown.n_cells == 12 and shown["light"].tolist() == list(range(12))
+    grid = shown.cast_to_unstructured_grid()
+    assert (rad.form_factors(grid).matrix != F.matrix).nnz == 0
 
 
 def test_meshio(tmp_path):

@@ -2,6 +2,7 @@
 
 import csv
 import subprocess
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -117,3 +118,19 @@ def test_adaptive_patches(scenes):
 def test_window_is_asked_for_by_name(scenes):
     with pytest.raises(rad.OutputError, match="not installed"):
         rad.view(scenes / "cornell-box.json", program="no-such-radiosity")
+
+
+def test_window_gets_a_file_that_is_removed_afterwards(scenes, tmp_path):
+    program = tmp_path / "radiosity"
+    program.write_text(f'#!/bin/sh\necho "$2" >{tmp_path}/name\ncp "$2" {tmp_path}/seen-"${{2##*/}}"\n')
+    program.chmod(0o755)
+    study = rad.Study(scenes / "cornell-box.json", patches=100)
+    for what in (study, study.scene):
+        assert rad.view(what, program=program, wait=True).returncode == 0
+        assert not Path((tmp_path / "name").read_text().strip()).parent.exists()
+    seen = sorted(path for path in tmp_path.iterdir() if path.name.startswith("seen"))
+    assert seen  # a study without VTK is seen as its scene, in one file
+    for path in seen:
+        assert set(rad.read_scene(path).surface_names) == set(study.scene.surface_names)
+    with pytest.raises(rad.InputError, match="float"):
+        rad.view(1.0, program=program)
