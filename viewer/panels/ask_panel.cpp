@@ -7,6 +7,7 @@
 
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/solve/quantity.h"
+#include "viewer/desk/measuring.h"
 #include "viewer/desk/pinning.h"
 #include "viewer/panels/inks.h"
 #include "viewer/panels/panels.h"
@@ -247,7 +248,7 @@ void draw_path(Desk& desk) {
 void draw_tape(Desk& desk) {
   Tape& tape = desk.tape;
   bool is_in_hand = tape.is_in_hand;
-  if (ImGui::Checkbox("tape measure", &is_in_hand)) tape = {.is_in_hand = is_in_hand};
+  if (ImGui::Checkbox("tape measure", &is_in_hand)) take_tape(desk, is_in_hand);
   if (tape.is_in_hand && !tape.to) {
     ImGui::TextDisabled("%s", tape.from ? "click the other end" : "click two points");
   }
@@ -271,7 +272,7 @@ constexpr Key kKeys[] = {{"left drag", "turn about the point under the mouse"},
                          {"W A S D, Q E", "walk, down and up (Shift: faster)"},
                          {"click", "ask a patch"},
                          {"K", "tape measure: click two points"},
-                         {"Esc", "put it away; ask no patch"},
+                         {"Esc", "put it or the light meter away; ask no patch"},
                          {"F", "fit the scene"},
                          {"C", "the scene's camera"},
                          {"Z", "turn: y or z is up"},
