@@ -14,6 +14,7 @@
 #include "viewer/desk/picking.h"
 #include "viewer/desk/show_info.h"
 #include "viewer/desk/shown_scale.h"
+#include "viewer/desk/spectrum.h"
 #include "viewer/work/job_progress.h"
 
 namespace {
@@ -136,6 +137,26 @@ TEST(PatchFacts, NumbersAreAsAPersonWritesThem) {
   EXPECT_EQ(viewer::number_text(0.0567, 2), "0.057");
   EXPECT_EQ(viewer::numbers_text(Eigen::Vector2d(1, 20), true), "≈ 1.0  20");
   EXPECT_EQ(viewer::numbers_text(Eigen::VectorXd::LinSpaced(76, 1, 3)), "1.00 to 3.00");
+}
+
+TEST(Spectrum, TellsTheBandUnderTheMouse) {
+  radiosity::Bands bands;
+  bands.kind = radiosity::Bands::Kind::wavelengths;
+  bands.wavelengths = {400, 500, 550, 700};
+  EXPECT_EQ(viewer::nearest_band(bands, 300), 0);
+  EXPECT_EQ(viewer::nearest_band(bands, 524), 1);
+  EXPECT_EQ(viewer::nearest_band(bands, 526), 2);
+  EXPECT_EQ(viewer::nearest_band(bands, 900), 3);
+  viewer::PatchFacts facts;
+  facts.radiosity = Eigen::Vector4d(1, 2, 0.25, 3);
+  facts.irradiance = Eigen::Vector4d(5, 7.5, 1, 2);
+  facts.reflectance = Eigen::Vector4d(0.1, 0.2, 0.25, 0.4);
+  EXPECT_EQ(viewer::band_text(facts, bands, 2), "550 nm: B 0.250, H 1.00 W/(m² nm), ρ 0.250");
+  const viewer::SpectrumAxes axes = viewer::spectrum_axes(bands, facts.radiosity, facts.irradiance);
+  EXPECT_EQ(axes.wavelengths.low, 400);
+  EXPECT_EQ(axes.wavelengths.high, 700);
+  EXPECT_EQ(axes.values.low, 0);
+  EXPECT_GE(axes.values.high, 7.5);
 }
 
 viewer::WorkStatus stage(const char* name, double done) {

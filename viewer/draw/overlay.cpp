@@ -59,8 +59,18 @@ std::optional<radiosity::Hit> first_seen_towards(const Desk& desk, const Vec3& p
                     (point - origin).normalized());
 }
 
+/// Whether the work plane lies before a point, m.
+bool is_behind_plane(const Desk& desk, const Vec3& point) {
+  constexpr double kOnPlane = 1e-3;  // of the distance
+  const Vec3 origin = desk.camera.camera().position;
+  const double distance = (point - origin).norm();
+  const auto plane = plane_hit(desk, origin, (point - origin) / distance);
+  return plane && plane->distance < (1 - kOnPlane) * distance;
+}
+
 /// Whether the camera sees a point of a patch.
 bool is_seen_at(const Desk& desk, Index patch, const Vec3& point) {
+  if (is_behind_plane(desk, point)) return false;
   const auto hit = first_seen_towards(desk, point);
   return hit && hit->patch == patch;
 }
@@ -120,10 +130,8 @@ void draw_open_patches(const Desk& desk, ImDrawList& list, float scale) {
 /// Whether nothing lies before a point, m, of a surface or of its border, or of the work plane.
 bool is_place_seen(const Desk& desk, const Vec3& point) {
   constexpr double kRounding = 1e-3;  // of the distance
-  const Vec3 origin = desk.camera.camera().position;
-  const double distance = (point - origin).norm();
-  const auto plane = plane_hit(desk, origin, (point - origin) / distance);
-  if (plane && plane->distance < (1 - kRounding) * distance) return false;
+  if (is_behind_plane(desk, point)) return false;
+  const double distance = (point - desk.camera.camera().position).norm();
   const auto hit = first_seen_towards(desk, point);
   return !hit || hit->distance > (1 - kRounding) * distance;
 }

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "radiosity/scene/patch_mesh.h"
+#include "radiosity/solve/quantity.h"
 #include "radiosity/solve/solution.h"
 #include "viewer/desk/measuring.h"
 #include "viewer/desk/pinning.h"
@@ -75,7 +76,9 @@ json patch_json(const Desk& desk) {
                  {"material", facts.material},  {"polygon", facts.polygon},
                  {"area", number(facts.area)},  {"centroid", list(facts.centroid)},
                  {"normal", list(facts.normal)}};
+  if (facts.temperature) result["temperature"] = number(*facts.temperature);
   if (facts.has_light) {
+    result["bands"] = radiosity::band_names(desk.session.model().bands);
     result["radiosity"] = list(facts.radiosity);
     result["irradiance"] = list(facts.irradiance);
     result["exitance"] = list(facts.exitance);
@@ -270,6 +273,7 @@ json surfaces_json(const Desk& desk) {
                     {"flux", optional(total.flux)},
                     {"irradiance", optional(total.irradiance)},
                     {"heat", optional(total.heat)},
+                    {"temperature", optional(total.temperature)},
                     {"shown", !desk.look.hidden.contains(total.surface)},
                     {"marked", desk.marked_surface == total.surface}});
   }
