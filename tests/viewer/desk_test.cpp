@@ -266,6 +266,9 @@ TEST_F(Desks, SaveLampsThatCanBeSwitchedOnAgain) {
   desk.session.set_emitter(0, 0.6, false);
   desk.session.set_reflectance(0, Eigen::Vector3d(0.5, 0.4, 0.3));
   settle(desk.session);
+  const radiosity::Camera camera = desk.camera.camera();
+  viewer::save_view(desk.views, "from the door", camera);
+  viewer::fit_camera(desk);
   const std::string file = (folder() / "dark.json").string();
   viewer::save_scene(desk, file);
 
@@ -280,6 +283,12 @@ TEST_F(Desks, SaveLampsThatCanBeSwitchedOnAgain) {
   open(desk.session, file);
   viewer::update(desk);
   EXPECT_EQ(desk.session.light()->solution.radiosity.norm(), 0);
+  // Views are in the file, too.
+  ASSERT_EQ(desk.views.size(), 1U);
+  EXPECT_EQ(desk.views[0].name, "from the door");
+  EXPECT_NE(desk.camera.camera().position, camera.position);
+  viewer::use_view(desk, "from the door");
+  EXPECT_EQ(desk.camera.camera().position, camera.position);
   // Its exposure is found once there is light, and kept if it was known before.
   const viewer::PaintingTask dark = {.known = desk.session.known(), .look = desk.look};
   EXPECT_TRUE(viewer::make_painting(dark).is_spreading);

@@ -36,7 +36,7 @@ void greet(Desk& desk) {
   desk.look.range.reset();
   desk.look.logarithmic = is_wide(desk.look.show);
   desk.look.band.reset();
-  desk.views.clear();
+  desk.views = session.model().scene ? session.model().scene->views : std::vector<SavedView>{};
   desk.tape = {};
   desk.meter.reset();
   desk.is_meter_in_hand = false;
@@ -339,6 +339,7 @@ void save_scene(const Desk& desk, const std::string& path) {
   check_output(desk, path);
   radiosity::Scene scene = mixed_scene(*desk.session.model().scene, desk.session.mix());
   scene.camera = desk.camera.camera();
+  scene.views = desk.views;
   io::write_scene(path, scene);
 }
 

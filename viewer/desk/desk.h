@@ -48,7 +48,7 @@ struct Desk {
   Look look;
   Watching watching;
   CameraControl camera;
-  std::vector<SavedView> views;  ///< kept while the file is open
+  std::vector<SavedView> views;  ///< the file's and new ones, kept while it is open
   Tape tape;
   bool is_meter_in_hand = false;  ///< clicks add points to the light meter
   UpAxis up = UpAxis::y;
@@ -140,7 +140,7 @@ void save_result(const Desk& desk, const std::string& path);
 /// Begins to do so in the background, which may take seconds; the console tells when it is done, or
 /// why it is not. Throws OutputError if there is nothing to write, or where it must not go.
 void begin_save_result(Desk& desk, const std::string& path);
-/// Writes the scene as the mix has it, and with the camera as it stands, as .json. Throws
+/// Writes the scene as the mix has it, with the camera as it stands and all views, as .json. Throws
 /// OutputError, also if there is none.
 void save_scene(const Desk& desk, const std::string& path);
 

@@ -100,6 +100,7 @@ bool LightMeter::update(const Session& session, const Vec3& up) {
   if (is_empty()) {
     worker_.cancel();
     readings_.reset();
+    gathering_.reset();  // which holds hundreds of bytes for each patch
     begun_ = {};
     return true;
   }
