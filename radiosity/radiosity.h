@@ -45,6 +45,8 @@
 #include "radiosity/picture/final_gather.h"
 #include "radiosity/picture/gathered_picture.h"
 #include "radiosity/picture/lightmap.h"
+#include "radiosity/picture/measured_grid.h"
+#include "radiosity/picture/point_grid.h"
 #include "radiosity/picture/render.h"
 #include "radiosity/picture/shooting_preview.h"
 #include "radiosity/polygon/exchange_area.h"

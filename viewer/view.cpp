@@ -17,6 +17,7 @@
 #include "viewer/draw/overlay.h"
 #include "viewer/draw/painter.h"
 #include "viewer/draw/pinned_view.h"
+#include "viewer/draw/plane_painter.h"
 #include "viewer/draw/window.h"
 #include "viewer/panels/input.h"
 #include "viewer/panels/panels.h"
@@ -101,8 +102,8 @@ class Application final : public ScriptHost {
       }
     }
     // The status line tells how far the work is.
-    const bool is_working =
-        (!desk_.session.is_idle() && !desk_.session.is_paused()) || painter_.is_busy();
+    const bool is_working = (!desk_.session.is_idle() && !desk_.session.is_paused()) ||
+                            painter_.is_busy() || desk_.meter.is_busy();
     return is_hurried() || (window_.is_shown() && is_working);
   }
 
@@ -114,6 +115,7 @@ class Application final : public ScriptHost {
     input_.handle(desk_, panels_, keys, window_.scale());
     panels_.draw(desk_, keys, window_.width(), window_.height(), window_.scale());
     painter_.paint(desk_, view_);
+    plane_painter_.paint(desk_, view_);
     SceneView* pinned = pinned_view_.paint(desk_);
     const double split = pinned != nullptr ? drawn_split(desk_) : 0;
     view_.set_region(desk_.region, window_.width(), window_.height(), {.left = split});
@@ -122,11 +124,14 @@ class Application final : public ScriptHost {
       pinned->set_region(desk_.region, window_.width(), window_.height(), {.right = split});
       views_.push_back(pinned);
     }
-    const bool is_frugal = window_.is_software() && !desk_.session.is_idle();
+    const bool is_frugal =
+        window_.is_software() && (!desk_.session.is_idle() || desk_.meter.is_busy());
     const bool is_dirty = view_.is_dirty() || (pinned != nullptr && pinned->is_dirty());
     const bool is_moving = window_.is_software() && is_dirty && !desk_.screenshot;
     window_.set_antialiased(!is_frugal && !is_moving && painter_.is_exact());
-    backdrop_.draw(painter_.still(), desk_.region);
+    // It knows patches only.
+    const bool has_still = desk_.look.show != Show::work_plane;
+    backdrop_.draw(has_still ? painter_.still() : nullptr, desk_.region);
     guides_.draw(desk_, window_.scale());
     draw_overlay(desk_, window_.scale());
     draw_comparison(desk_, window_.scale());
@@ -211,6 +216,7 @@ class Application final : public ScriptHost {
   Backdrop backdrop_;
   Guides guides_;
   Painter painter_;
+  PlanePainter plane_painter_;
   Desk desk_;
   Panels panels_;
   Input input_;

@@ -69,10 +69,24 @@ void settle_up(Camera& camera, const CameraOptions& options) {
   camera.up = is_parallel(Vec3::UnitY(), camera.direction) ? Vec3::UnitZ() : Vec3::UnitY();
 }
 
+Camera view_named(const radiosity::Scene& scene, const std::string& name) {
+  std::string names;
+  for (const radiosity::View& view : scene.views) {
+    if (view.name == name) return view.camera;
+    names += fmt::format("{} '{}'", names.empty() ? "" : ",", view.name);
+  }
+  throw CLI::ValidationError(
+      "--view", names.empty() ? fmt::format("the scene has no views, so none called '{}'", name)
+                              : fmt::format("no view is called '{}'; there are{}", name, names));
+}
+
 }  // namespace
 
 void add_camera_options(CLI::App& command, CameraOptions& options) {
   const std::string what = "; default: the scene's";
+  command.add_option("--view", options.view, "One of the scene's views, by its name")
+      ->type_name("NAME")
+      ->group("Camera");
   add_vector(command, "--camera-position", options.position, "Where the camera stands, m" + what,
              check_point);
   auto* look_at = add_vector(command, "--look-at", options.look_at,
@@ -90,15 +104,17 @@ void add_camera_options(CLI::App& command, CameraOptions& options) {
 
 ChosenCamera choose_camera(const radiosity::Scene& scene, const radiosity::PatchMesh& mesh,
                            const CameraOptions& options) {
-  const bool has_position = options.position || scene.camera;
-  Camera camera = scene.camera.value_or(radiosity::fit_camera(mesh));
+  const std::optional<Camera> given =
+      options.view ? view_named(scene, *options.view) : scene.camera;
+  const bool has_position = options.position || given;
+  Camera camera = given.value_or(radiosity::fit_camera(mesh));
   if (options.fov) camera.vertical_fov = *options.fov * radiosity::kPi / 180;
   if (options.position) camera.position = *options.position;
   if (options.direction) {
     camera.direction = options.direction->stableNormalized();
   } else if (options.look_at) {
     aim(camera, *options.look_at);
-  } else if (options.position && !scene.camera) {
+  } else if (options.position && !given) {
     const Vec3 center = radiosity::bounds(mesh).center();
     if (camera.position != center) aim(camera, center);
   }

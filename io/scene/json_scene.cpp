@@ -99,6 +99,17 @@ Camera read_camera(const JsonItem& item, double unit) {
   return camera;
 }
 
+/// Cameras by name.
+std::vector<radiosity::View> read_views(const JsonItem& item, double unit) {
+  if (!item.value().is_object()) item.fail("expected an object of cameras by name");
+  std::vector<radiosity::View> views;
+  for (const auto& [name, camera] : item.value().items()) {
+    if (name.empty()) item.fail("has a view without a name");
+    views.push_back({name, read_camera(item.at(name), unit)});
+  }
+  return views;
+}
+
 /// The files that "csv" names in the materials, or in a part of them.
 void add_spectra(const Json& part, const std::filesystem::path& folder, Scene& scene) {
   if (!part.is_structured()) return;
@@ -147,6 +158,7 @@ FileScene read_json_scene(const std::filesystem::path& path, const ReadOptions& 
   add_surfaces(root.at("surfaces"), path.parent_path(), unit, options.progress, file);
   if (const auto precision = given_precision(root)) scene.precision = unit * *precision;
   if (const auto camera = root.find("camera")) scene.camera = read_camera(*camera, unit);
+  if (const auto views = root.find("views")) scene.views = read_views(*views, unit);
   if (const auto closed = root.find("closed")) scene.closed = closed->boolean();
   if (scene.n_polygons() == 0) fail(path, "has no polygons");
   return file;

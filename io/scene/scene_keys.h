@@ -8,7 +8,7 @@ namespace io::keys {
 
 inline constexpr auto kScene =
     std::to_array<std::string_view>({"$schema", "name", "description", "unit", "precision", "bands",
-                                     "materials", "surfaces", "camera", "closed"});
+                                     "materials", "surfaces", "camera", "views", "closed"});
 
 inline constexpr auto kEmission =
     std::to_array<std::string_view>({"radiance", "exitance", "power", "temperature"});

@@ -238,6 +238,17 @@ void write_surfaces(const Scene& scene, const std::vector<std::string>& material
   stream << "\n  ]";
 }
 
+void write_views(const Scene& scene, std::ostream& stream) {
+  UniqueNames names("view");
+  stream << ",\n  \"views\": {";
+  const char* separator = "\n    ";
+  for (const radiosity::View& view : scene.views) {
+    stream << std::exchange(separator, ",\n    ") << text(Json(names.add(view.name))) << ": "
+           << text(camera_json(view.camera));
+  }
+  stream << "\n  }";
+}
+
 void write_json(const Scene& scene, std::ostream& stream) {
   UniqueNames names("material");
   std::vector<std::string> material_names;
@@ -254,6 +265,7 @@ void write_json(const Scene& scene, std::ostream& stream) {
   write_materials(scene, material_names, stream);
   write_surfaces(scene, material_names, stream);
   if (scene.camera) stream << ",\n  \"camera\": " << text(camera_json(*scene.camera));
+  if (!scene.views.empty()) write_views(scene, stream);
   if (scene.closed) stream << ",\n  \"closed\": " << (*scene.closed ? "true" : "false");
   stream << "\n}\n";
 }

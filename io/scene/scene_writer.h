@@ -13,8 +13,8 @@ namespace io {
 ///  - the polygons of a surface follow each other, surface by surface, with vertices of their own
 ///    that are shared within the surface only;
 ///  - surfaces without polygons and vertices without use are left out;
-///  - names that are empty or stand twice are made up or get "-2", "-3"..., and bytes in them that
-///    are not UTF-8 are replaced;
+///  - names (of views, too) that are empty or stand twice are made up or get "-2", "-3"..., and
+///    bytes in them that are not UTF-8 are replaced;
 ///  - `source` and `warnings` are not stored.
 /// `scene` is as valid as if it had been read. Written beside and renamed into place. Throws
 /// OutputError.

@@ -67,6 +67,21 @@ Eigen::MatrixXd FinalGather::irradiance(std::span<const SurfacePoint> points) co
   return result.transpose();
 }
 
+Eigen::MatrixXd FinalGather::irradiance(std::span<const Vec3> points, const Vec3& normal) const {
+  const GatherScene& scene = implementation_->scene;
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(n_bands(), static_cast<Index>(points.size()));
+  if (points.empty()) return result.transpose();
+  std::vector<GatherPoint> places;
+  for (const Vec3& point : points) {
+    places.push_back({point - scene.center, static_cast<Index>(places.size())});
+  }
+  const HalfSpace plane = {normal, normal.dot(places.front().position)};
+  PointGather(scene).gather(plane, places, result);
+  return result.transpose();
+}
+
+Index FinalGather::n_bands() const { return implementation_->scene.radiosity.rows(); }
+
 void FinalGather::Implementation::keep_within_patch(std::int32_t patch, Vec3& x) const {
   const HalfSpace& plane = scene.planes[patch];
   const ConvexPolygon& polygon = scene.polygons[patch];

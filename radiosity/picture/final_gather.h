@@ -25,6 +25,10 @@ class FinalGather {
   /// many of them; a point by itself gets the exact sum. A point in the plane of a patch gets
   /// nothing from it, one inside a closed body nothing from without.
   [[nodiscard]] Eigen::MatrixXd irradiance(std::span<const SurfacePoint> points) const;
+  /// The same of points anywhere that lie in one plane, to the side that its normal of unit length
+  /// tells.
+  [[nodiscard]] Eigen::MatrixXd irradiance(std::span<const Vec3> points, const Vec3& normal) const;
+  [[nodiscard]] Index n_bands() const;
 
   /// Whether two patches lie in one plane and face the same way.
   [[nodiscard]] bool are_coplanar(std::int32_t i, std::int32_t j) const;

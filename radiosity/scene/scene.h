@@ -68,6 +68,12 @@ struct Camera {
   double vertical_fov = 0.6862;     ///< full angle, radian, in (0, π)
 };
 
+/// A camera that a person wants to come back to.
+struct View {
+  std::string name;
+  Camera camera;
+};
+
 /// Surfaces as the user gave them, in metres: polygons of three or more vertices in file order,
 /// counter-clockwise about the emitting side. Plain data; `io::read_scene` makes one and has
 /// checked it (finite coordinates, indices in range, 0 <= reflectance <= 1, emission >= 0).
@@ -89,6 +95,7 @@ struct Scene {
   /// unit in the last place of the file, m. 0 = exact but for the rounding of `double`.
   double precision = 0;
   std::optional<Camera> camera;
+  std::vector<View> views;            ///< other cameras, no two of one name
   std::optional<bool> closed;         ///< as declared by the user; absent = to be found out
   std::vector<std::string> warnings;  ///< what the reader noticed and the user should know
 

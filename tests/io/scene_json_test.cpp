@@ -63,6 +63,21 @@ TEST_F(SceneJson, ReadsEverything) {
   EXPECT_EQ(in_metres.camera->position, Vec3(0, 0, 100));
 }
 
+// Cameras by name, in the order of the file and in its unit.
+TEST_F(SceneJson, ReadsViews) {
+  const Scene views = read("a.json", scene(R"("unit": "mm", "views": {
+      "door": {"position": [0, 0, 2000], "look_at": [0, 0, 0], "vertical_fov_deg": 90},
+      "above": {"position": [0, 500, 0], "direction": [0, -2, 0]}}, )"));
+  ASSERT_EQ(views.views.size(), 2U);
+  EXPECT_EQ(views.views[0].name, "door");
+  EXPECT_EQ(views.views[0].camera.position, Vec3(0, 0, 2));
+  EXPECT_EQ(views.views[0].camera.direction, Vec3(0, 0, -1));
+  EXPECT_DOUBLE_EQ(views.views[0].camera.vertical_fov, kPi / 2);
+  EXPECT_EQ(views.views[1].name, "above");
+  EXPECT_EQ(views.views[1].camera.up, Vec3(0, 0, 1));
+  EXPECT_FALSE(views.camera.has_value());
+}
+
 TEST_F(SceneJson, ReadsMaterials) {
   const std::string grey = R"("bands": "grey", )";
   const Scene thermal = read("a.json", scene(grey, R"("emissivity": 0.8, "temperature": 300)"));
@@ -172,6 +187,10 @@ TEST_F(SceneJson, ExplainsBadStructure) {
       {scene(R"("bands": [], )"), "bands: has no wavelengths"},
       {scene(R"("camera": {"position": [0, 0, 0]}, )"), "camera: expected either \"look_at\""},
       {scene(R"("camera": {"direction": [0, 0, 1]}, )"), "camera: has no \"position\""},
+      {scene(R"("views": [], )"), "views: expected an object of cameras by name"},
+      {scene(R"("views": {"": {}}, )"), "views: has a view without a name"},
+      {scene(R"("views": {"door": {"direction": [0, 0, 1]}}, )"),
+       "views.door: has no \"position\""},
       {scene(R"("camera": {"position": [0, 0], "direction": [0, 0, 1]}, )"),
        "camera.position: expected three numbers [x, y, z], found a list of 2"},
       {scene(R"("camera": {"position": [0, 0, 0], "direction": [0, 0, 0]}, )"),

@@ -39,6 +39,12 @@ void expect_same_frame(const Scene& read, const Scene& scene) {
     EXPECT_EQ(read.materials[i].emission.kind, scene.materials[i].emission.kind);
     EXPECT_EQ(read.materials[i].emission.value, scene.materials[i].emission.value);
   }
+  ASSERT_EQ(read.views.size(), scene.views.size());
+  for (std::size_t k = 0; k < scene.views.size(); ++k) {
+    EXPECT_EQ(read.views[k].name, scene.views[k].name);
+    EXPECT_EQ(read.views[k].camera.position, scene.views[k].camera.position);
+    EXPECT_EQ(read.views[k].camera.vertical_fov, scene.views[k].camera.vertical_fov);
+  }
   ASSERT_EQ(read.camera.has_value(), scene.camera.has_value());
   if (!scene.camera) return;
   expect_same(read.camera->position, scene.camera->position);
@@ -171,12 +177,16 @@ TEST_F(SceneWriter, KeepsCameras) {
     const auto vector = [&] { return Vec3(normal(random), normal(random), normal(random)); };
     scene.camera = Camera{vector(), vector().normalized(), vector().normalized(), angle(random)};
     scene.closed = i % 2 == 0;
+    const Camera view{vector(), vector().normalized(), vector().normalized(), 1};
+    scene.views = {{"from the door", view}, {"", view}, {"from the door", view}};
     const Scene read = written_and_read(scene);
     const double fov = scene.camera->vertical_fov;
     EXPECT_NEAR(read.camera->vertical_fov, fov, 4e-16 * fov);
     if (fov > 52 * kPi / 180 && fov < 58 * kPi / 180) {
       scene.camera->vertical_fov = read.camera->vertical_fov;
     }
+    scene.views[1].name = "view";
+    scene.views[2].name = "from the door-2";
     expect_same_frame(read, scene);
   }
 }

@@ -87,6 +87,21 @@ TEST_F(Pictures, TakeTheCameraFromTheOptions) {
   EXPECT_NE(picture(with_camera, {"--fov", "40"}), expected);
   EXPECT_NE(picture(with_camera, {"--camera-position", "0.3,1.6,0.3"}), expected);
   EXPECT_NE(picture(with_camera, {"--up", "1,0,0"}), expected);
+  // So does a view, whose parts can be replaced in turn.
+  const std::string with_views = write_room(R"("views": {"low": {"position": [1.8, 0.2, 0.2],
+      "direction": [0, 0, 1]}, "high": {"position": [0.2, 1.6, 0.3], "look_at": [1, 0.5, 1.5],
+      "up": [0, 1, 0.1], "vertical_fov_deg": 70}}, )",
+                                            "views");
+  EXPECT_EQ(picture(with_views, {"--view", "high"}), expected);
+  EXPECT_NE(picture(with_views, {"--view", "low"}), expected);
+  EXPECT_EQ(picture(with_views, {"--view", "low", "--camera-position", "0.2,1.6,0.3", "--look-at",
+                                 "1,0.5,1.5", "--up", "0,1,0.1", "--fov", "70"}),
+            expected);
+  const Outcome unknown = render(with_views, {"--view", "door"});
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_NE(unknown.err.find("no view is called 'door'; there are 'low', 'high'"),
+            std::string::npos)
+      << unknown.err;
   // Straight down, where the usual up says nothing.
   picture(without, {"--camera-position", "1,1.9,1", "--camera-direction", "0,-1,0"});
 }

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "tests/support/view_program.h"
@@ -65,7 +66,12 @@ TEST_F(ViewTools, HideSurfacesAndMeasure) {
                                       {{"mark-surface", nullptr}},
                                       {{"measure", json::object()}},
                                       {{"screenshot", result("d.png")}},
-                                      {{"report", result("d.json")}}});
+                                      {{"report", result("d.json")}},
+                                      {{"add-meter", {{"x", 0.25}, {"y", 0.93}}}},
+                                      {{"work-plane", {{"height", 0.1}, {"spacing", 0.1}}}},
+                                      {{"save-readings", result("e.csv")}},
+                                      {{"screenshot", result("e.png")}},
+                                      {{"report", result("e.json")}}});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const json before = report("a.json");
   const json hidden = report("b.json");
@@ -86,6 +92,15 @@ TEST_F(ViewTools, HideSurfacesAndMeasure) {
             color_at(whole, before, 0.1, 0.4));
   EXPECT_EQ(color_at(read_png(result("d.png")), before, 0.1, 0.4),
             color_at(whole, before, 0.1, 0.4));
+  const json measured = report("e.json");
+  EXPECT_EQ(measured["look"]["legend"]["title"], json({"work plane", "lux"}));
+  EXPECT_EQ(measured["work_plane"]["note"], "");
+  EXPECT_GT(measured["work_plane"]["mean"], measured["work_plane"]["least"]);
+  EXPECT_GT(measured["work_plane"]["inside"], 0);
+  EXPECT_EQ(measured["meters"][0]["surface"], "floor");
+  EXPECT_TRUE(std::filesystem::exists(result("e.csv")));
+  EXPECT_NE(color_at(read_png(result("e.png")), before, 0.5, 0.78),
+            color_at(whole, before, 0.5, 0.78));
 }
 
 TEST_F(ViewTools, CompareIterationsAndPlayThem) {

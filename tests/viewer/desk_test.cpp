@@ -14,6 +14,7 @@
 #include "viewer/desk/picking.h"
 #include "viewer/desk/show_info.h"
 #include "viewer/desk/shown_scale.h"
+#include "viewer/desk/spectrum.h"
 #include "viewer/work/job_progress.h"
 
 namespace {
@@ -138,6 +139,26 @@ TEST(PatchFacts, NumbersAreAsAPersonWritesThem) {
   EXPECT_EQ(viewer::numbers_text(Eigen::VectorXd::LinSpaced(76, 1, 3)), "1.00 to 3.00");
 }
 
+TEST(Spectrum, TellsTheBandUnderTheMouse) {
+  radiosity::Bands bands;
+  bands.kind = radiosity::Bands::Kind::wavelengths;
+  bands.wavelengths = {400, 500, 550, 700};
+  EXPECT_EQ(viewer::nearest_band(bands, 300), 0);
+  EXPECT_EQ(viewer::nearest_band(bands, 524), 1);
+  EXPECT_EQ(viewer::nearest_band(bands, 526), 2);
+  EXPECT_EQ(viewer::nearest_band(bands, 900), 3);
+  viewer::PatchFacts facts;
+  facts.radiosity = Eigen::Vector4d(1, 2, 0.25, 3);
+  facts.irradiance = Eigen::Vector4d(5, 7.5, 1, 2);
+  facts.reflectance = Eigen::Vector4d(0.1, 0.2, 0.25, 0.4);
+  EXPECT_EQ(viewer::band_text(facts, bands, 2), "550 nm: B 0.250, H 1.00 W/(m² nm), ρ 0.250");
+  const viewer::SpectrumAxes axes = viewer::spectrum_axes(bands, facts.radiosity, facts.irradiance);
+  EXPECT_EQ(axes.wavelengths.low, 400);
+  EXPECT_EQ(axes.wavelengths.high, 700);
+  EXPECT_EQ(axes.values.low, 0);
+  EXPECT_GE(axes.values.high, 7.5);
+}
+
 viewer::WorkStatus stage(const char* name, double done) {
   return {.is_busy = true, .stage = name, .done = done, .total = 1};
 }
@@ -245,6 +266,9 @@ TEST_F(Desks, SaveLampsThatCanBeSwitchedOnAgain) {
   desk.session.set_emitter(0, 0.6, false);
   desk.session.set_reflectance(0, Eigen::Vector3d(0.5, 0.4, 0.3));
   settle(desk.session);
+  const radiosity::Camera camera = desk.camera.camera();
+  viewer::save_view(desk.views, "from the door", camera);
+  viewer::fit_camera(desk);
   const std::string file = (folder() / "dark.json").string();
   viewer::save_scene(desk, file);
 
@@ -259,6 +283,12 @@ TEST_F(Desks, SaveLampsThatCanBeSwitchedOnAgain) {
   open(desk.session, file);
   viewer::update(desk);
   EXPECT_EQ(desk.session.light()->solution.radiosity.norm(), 0);
+  // Views are in the file, too.
+  ASSERT_EQ(desk.views.size(), 1U);
+  EXPECT_EQ(desk.views[0].name, "from the door");
+  EXPECT_NE(desk.camera.camera().position, camera.position);
+  viewer::use_view(desk, "from the door");
+  EXPECT_EQ(desk.camera.camera().position, camera.position);
   // Its exposure is found once there is light, and kept if it was known before.
   const viewer::PaintingTask dark = {.known = desk.session.known(), .look = desk.look};
   EXPECT_TRUE(viewer::make_painting(dark).is_spreading);

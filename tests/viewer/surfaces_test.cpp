@@ -57,6 +57,27 @@ TEST(SurfaceTotals, AddUpToTheScene) {
   EXPECT_NEAR(arrived, lux.dot(area), kSum * lux.dot(area));
 }
 
+// A source that is dimmed to 1/16 of its power is half as hot.
+TEST(SurfaceTotals, OfHeatHaveTemperatures) {
+  viewer::Session session({.patches = {.n_patches = 60}});
+  open(session, kThermal);
+  const auto temperature_of = [&](const std::string& name) -> std::optional<double> {
+    for (const SurfaceTotal& total : viewer::surface_totals(session)) {
+      if (total.name == name) return total.temperature;
+    }
+    return std::nullopt;
+  };
+  EXPECT_EQ(temperature_of("heater"), 400);
+  EXPECT_EQ(viewer::temperature_text(400), "400.0 K, 126.9 °C");
+  const auto heater = viewer::emitter_named(session.mix(), "heater");
+  ASSERT_TRUE(heater);
+  session.set_emitter(*heater, 1.0 / 16, true);
+  EXPECT_NEAR(temperature_of("heater").value(), 200, 1e-10);
+  std::vector<SurfaceTotal> totals = viewer::surface_totals(session);
+  sort(totals, {.column = viewer::total_column_named("temperature").value(), .is_falling = true});
+  EXPECT_GE(totals.front().temperature.value(), totals.back().temperature.value());
+}
+
 TEST(SurfaceTotals, OfHeatAreItsNetFluxes) {
   viewer::Session session(coarse());
   open(session, kThermal);

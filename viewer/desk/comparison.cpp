@@ -97,6 +97,7 @@ bool is_comparable(const Look& look) {
       return true;
     case Show::area:
     case Show::unseen:
+    case Show::work_plane:
     case Show::form_factors:
     case Show::arriving:
     case Show::light_path:

@@ -36,14 +36,18 @@ void greet(Desk& desk) {
   desk.look.range.reset();
   desk.look.logarithmic = is_wide(desk.look.show);
   desk.look.band.reset();
-  desk.views.clear();
+  desk.views = session.model().scene ? session.model().scene->views : std::vector<SavedView>{};
   desk.tape = {};
+  desk.meter.reset();
+  desk.is_meter_in_hand = false;
   desk.look.hidden = {};
   desk.marked_surface.reset();
   desk.marked_lines.clear();
   const Domain domain = domain_of(session);
-  const bool is_of_iteration = desk.look.show == Show::watched || desk.look.show == Show::unshot;
-  if (domain != desk.domain || is_of_iteration) show(desk, first_quantity(domain));
+  const Show shown = desk.look.show;
+  const bool is_of_last_file =
+      shown == Show::watched || shown == Show::unshot || shown == Show::work_plane;
+  if (domain != desk.domain || is_of_last_file) show(desk, first_quantity(domain));
   desk.domain = domain;
   desk.up = desk.asked_up.value_or(guessed_up(*session.model().mesh, session.model().camera));
   use_scene_camera(desk);
@@ -64,6 +68,14 @@ bool update_saving(Desk& desk) {
     return true;
   }
   return is_done;
+}
+
+/// Takes in what has been measured. Whether there was anything.
+bool update_meter(Desk& desk) {
+  const bool has_changed = desk.meter.update(desk.session, up_direction(desk.up));
+  const auto error = desk.meter.take_error();
+  if (error) desk.session.tell_error(*error);
+  return has_changed || error;
 }
 
 /// Keeps what is marked in the list of surfaces: where the picture was clicked, and in step with
@@ -118,6 +130,7 @@ bool update(Desk& desk) {
   const std::string pinned =
       follow_model(desk.pinning, desk.look, session.model(), session.versions().model);
   if (!pinned.empty()) desk.session.tell(pinned);
+  has_changed |= update_meter(desk);
   if (desk.asks_light_path) desk.session.ask_light_path();
   const Session::Versions& now = session.versions();
   const Session::Versions& then = desk.facts_versions;
@@ -157,6 +170,9 @@ void show(Desk& desk, const std::string& name) {
   desk.look.range.reset();
   desk.look.logarithmic = is_wide(known->show);
   if (known->show == Show::light_path) desk.asks_light_path = true;
+  if (known->show == Show::work_plane && !desk.meter.plane()) {
+    desk.meter.set_plane(radiosity::WorkPlaneOptions{});
+  }
 }
 
 void record_iteration(Desk& desk, radiosity::Method method) {
@@ -233,6 +249,10 @@ std::optional<Index> patch_at(const Desk& desk, double x, double y) {
 }
 
 std::string hovered_text(const Desk& desk) {
+  if (desk.hovered_reading) {
+    const char* unit = desk.session.is_thermal() ? "W/m²" : "lux";
+    return fmt::format("work plane, {} {}", number_text(*desk.hovered_reading), unit);
+  }
   if (!desk.hovered || !desk.session.is_open()) return "";
   const radiosity::PatchMesh& mesh = *desk.session.model().mesh;
   const Index patch = *desk.hovered;
@@ -319,6 +339,7 @@ void save_scene(const Desk& desk, const std::string& path) {
   check_output(desk, path);
   radiosity::Scene scene = mixed_scene(*desk.session.model().scene, desk.session.mix());
   scene.camera = desk.camera.camera();
+  scene.views = desk.views;
   io::write_scene(path, scene);
 }
 

@@ -20,6 +20,7 @@
 #include "viewer/desk/surface_totals.h"
 #include "viewer/desk/tape.h"
 #include "viewer/desk/watching.h"
+#include "viewer/work/light_meter.h"
 #include "viewer/work/session.h"
 
 namespace viewer {
@@ -47,8 +48,9 @@ struct Desk {
   Look look;
   Watching watching;
   CameraControl camera;
-  std::vector<SavedView> views;  ///< kept while the file is open
+  std::vector<SavedView> views;  ///< the file's and new ones, kept while it is open
   Tape tape;
+  bool is_meter_in_hand = false;  ///< clicks add points to the light meter
   UpAxis up = UpAxis::y;
   std::optional<UpAxis> asked_up = {};  ///< of all files; absent: guessed for each
   Domain domain = Domain::light;
@@ -74,6 +76,7 @@ struct Desk {
   std::optional<std::string> copied = {};      ///< text that shall go to the clipboard
   bool asks_light_path = false;                ///< for each patch that is selected
   std::optional<radiosity::Index> hovered;     ///< patch under the mouse
+  std::optional<double> hovered_reading = {};  ///< of the work plane, if that is before it
   std::optional<int> function_key = {};        ///< the last one that was pressed, for scripts
   int shown_file = 0;                          ///< of Session::Versions
   Session::Versions facts_versions = {};       ///< at which the facts were found
@@ -82,7 +85,8 @@ struct Desk {
   std::optional<std::string> save_error = {};  ///< why the latest one could not be
   /// Not to be overwritten, beside what is open and what it refers to.
   std::vector<std::filesystem::path> kept_files = {};
-  Worker saver = Worker();  ///< among the last, so that they end first
+  LightMeter meter = {};  ///< among the last, so that they end first
+  Worker saver = Worker();
   Examples examples = {};
 };
 
@@ -136,7 +140,7 @@ void save_result(const Desk& desk, const std::string& path);
 /// Begins to do so in the background, which may take seconds; the console tells when it is done, or
 /// why it is not. Throws OutputError if there is nothing to write, or where it must not go.
 void begin_save_result(Desk& desk, const std::string& path);
-/// Writes the scene as the mix has it, and with the camera as it stands, as .json. Throws
+/// Writes the scene as the mix has it, with the camera as it stands and all views, as .json. Throws
 /// OutputError, also if there is none.
 void save_scene(const Desk& desk, const std::string& path);
 

@@ -18,7 +18,8 @@ using radiosity::QuantityField;
 
 const std::vector<ShowName>& names() {
   static const std::vector<ShowName> all = [] {
-    std::vector<ShowName> list = {{"true-colour", Show::true_color}};
+    std::vector<ShowName> list = {{"true-colour", Show::true_color},
+                                  {"work-plane", Show::work_plane}};
     for (const auto& info : radiosity::quantity_infos()) {
       list.push_back({info.name, Show::quantity, info.quantity});
     }
@@ -152,6 +153,7 @@ bool is_smooth(const Look& look) {
       return look.smooth && look.quantity != Quantity::error && look.quantity != Quantity::power &&
              look.quantity != Quantity::luminous_flux && look.quantity != Quantity::reflectance;
     case Show::true_color:
+    case Show::work_plane:
     case Show::watched:
     case Show::direct:
     case Show::indirect:
@@ -181,6 +183,7 @@ std::optional<ShownField> shown_field(const Known& known, const Look& look) {
   if (!known.model.mesh) return std::nullopt;
   switch (look.show) {
     case Show::true_color:
+    case Show::work_plane:
     case Show::watched:
       return std::nullopt;
     case Show::quantity:
@@ -217,6 +220,10 @@ std::optional<Eigen::MatrixXd> shown_radiosity(const Known& known, const Look& l
     if (frame != nullptr) return frame->radiosity.cast<double>();
   }
   if (!known.light) return std::nullopt;
+  // Behind a work plane in heat there is nothing to see.
+  const bool is_dark = look.show == Show::work_plane && known.model.scene &&
+                       radiosity::is_thermal(*known.model.scene);
+  if (is_dark) return std::nullopt;
   return known.light->solution.radiosity;
 }
 

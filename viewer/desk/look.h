@@ -21,6 +21,7 @@ namespace viewer {
 /// What the patches' colours show.
 enum class Show {
   true_color,    ///< the light as the eye would see it
+  work_plane,    ///< what arrives at a work plane, before the light or what there is of it
   quantity,      ///< a quantity of the solution
   area,          ///< of the patches
   unseen,        ///< share of each patch's form factors that is missing to 1
@@ -50,6 +51,7 @@ struct Look {
   io::ScaleChoice fit = {};                  ///< which values a range that fits spans
   io::ColorMap map = io::ColorMap::viridis;
   bool isolines = false;  ///< of what is smooth
+  bool numbers = false;   ///< at the points of a work plane
   double stops = 0;       ///< exposure beyond the automatic one, in powers of 2
   bool smooth = true;
   bool edges = false;

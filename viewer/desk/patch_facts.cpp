@@ -8,6 +8,7 @@
 
 #include "radiosity/solve/quantity.h"
 #include "radiosity/solve/solution.h"
+#include "viewer/desk/surface_totals.h"
 
 namespace viewer {
 namespace {
@@ -16,17 +17,6 @@ using radiosity::Index;
 
 constexpr Index kMostNumbers = 4;
 constexpr int kDigitsOfMany = 3;  // so that they fit into a line
-
-/// By how much the mix makes a surface emit more than in the file.
-double factor_of(const Session& session, std::int32_t surface) {
-  for (const Emitter& emitter : session.mix().emitters) {
-    const auto& surfaces = emitter.surfaces;
-    if (std::find(surfaces.begin(), surfaces.end(), surface) != surfaces.end()) {
-      return emitter.factor();
-    }
-  }
-  return 1;
-}
 
 void add_light(PatchFacts& facts, const Session& session) {
   const radiosity::Solution& solution = session.light()->solution;
@@ -51,12 +41,8 @@ PatchFacts patch_facts(const Session& session) {
   const std::int32_t surface = model.mesh->surface[i];
   facts.surface = model.mesh->surface_names[surface];
   if (model.scene) {
-    const radiosity::Material& material =
-        model.scene->materials[model.scene->surfaces[surface].material];
-    facts.material = material.name;
-    if (material.emission.kind == radiosity::Emission::Kind::temperature) {
-      facts.temperature = material.emission.value[0] * std::pow(factor_of(session, surface), 0.25);
-    }
+    facts.material = model.scene->materials[model.scene->surfaces[surface].material].name;
+    facts.temperature = surface_temperature(session, surface);
   }
   facts.polygon = model.mesh->polygon[i];
   facts.area = model.mesh->area[i];

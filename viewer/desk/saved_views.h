@@ -7,11 +7,8 @@
 
 namespace viewer {
 
-/// A camera that a person wants to come back to.
-struct SavedView {
-  std::string name;
-  radiosity::Camera camera;
-};
+/// A camera that is kept, also in the scene when that is saved.
+using SavedView = radiosity::View;
 
 /// Keeps a camera by that name; one that has it is replaced. Throws std::invalid_argument if the
 /// name is empty.

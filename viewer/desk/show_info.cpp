@@ -17,11 +17,14 @@ constexpr std::string_view kSurfaces = "Surfaces and errors";
 
 constexpr std::array kGroups = {kLight, kPower, kExchange, kIteration, kSurfaces};
 
-constexpr std::array<ShowInfo, 22> kInfos = {{
+constexpr std::array<ShowInfo, 23> kInfos = {{
     {"true-colour", kLight, "true colour", "",
      "The light that leaves each patch, as the eye would see it: radiosity B times an exposure."},
     {"illuminance", kLight, "illuminance", "lux",
      "Light that arrives on a square metre: E = Σ_b w_b H_b, the bands weighted as the eye does."},
+    {"work-plane", kLight, "work plane", "",
+     "What arrives from above at a level plane over the floor, at each point anew: H(x) = Σ_j B_j "
+     "F(x → j), in lux or, of heat, in W/m²."},
     {"luminance", kLight, "luminance", "cd/m²",
      "How bright a patch looks, the same from all sides: L = Σ_b w_b B_b / π."},
     {"luminous-exitance", kLight, "luminous exitance", "lm/m²",

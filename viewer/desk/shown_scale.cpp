@@ -55,7 +55,8 @@ std::string scale_note(const Look& look, const io::ColorScale& scale) {
 
 std::string fit_text(const Look& look) {
   if (look.range) return "as given";
-  return fmt::format("{:g} to {:g} % of patches", look.fit.low_percent, look.fit.high_percent);
+  const char* of = look.show == Show::work_plane ? "points" : "patches";
+  return fmt::format("{:g} to {:g} % of {}", look.fit.low_percent, look.fit.high_percent, of);
 }
 
 io::ColorScale dragged_scale(const io::ColorScale& scale, BarEnd end, double position) {

@@ -17,7 +17,7 @@ io::ColorScale shown_scale(const Look& look, const Eigen::VectorXd& values);
 /// given that no logarithm has, or why it is not; "" if it is linear as asked.
 std::string scale_note(const Look& look, const io::ColorScale& scale);
 
-/// What it spans: "0 to 98 % of patches", or "as given".
+/// What it spans: "0 to 98 % of patches", of a work plane "of points", or "as given".
 std::string fit_text(const Look& look);
 
 /// The ends of a colour bar, which a hand can take.

@@ -1,8 +1,11 @@
 #include "viewer/desk/surface_totals.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 
 #include "radiosity/solve/quantity.h"
 
@@ -11,7 +14,9 @@ namespace {
 
 using radiosity::Index;
 
-constexpr std::array<std::string_view, 5> kColumns = {"name", "area", "flux", "irradiance", "heat"};
+constexpr std::array<std::string_view, 6> kColumns = {"name",       "area", "flux",
+                                                      "irradiance", "heat", "temperature"};
+constexpr double kCelsius = 273.15;  // K at 0 °C
 
 std::optional<double> value_of(const SurfaceTotal& total, TotalColumn column) {
   switch (column) {
@@ -25,8 +30,21 @@ std::optional<double> value_of(const SurfaceTotal& total, TotalColumn column) {
       return total.irradiance;
     case TotalColumn::heat:
       return total.heat;
+    case TotalColumn::temperature:
+      return total.temperature;
   }
   return std::nullopt;
+}
+
+/// By how much the mix makes a surface emit more than in the file.
+double factor_of(const Session& session, std::int32_t surface) {
+  for (const Emitter& emitter : session.mix().emitters) {
+    const auto& surfaces = emitter.surfaces;
+    if (std::find(surfaces.begin(), surfaces.end(), surface) != surfaces.end()) {
+      return emitter.factor();
+    }
+  }
+  return 1;
 }
 
 /// Adds what the light gives each surface; weights of the bands as the eye has them, or 1.
@@ -55,6 +73,20 @@ void add_light(std::vector<SurfaceTotal>& totals, const Session& session) {
 
 }  // namespace
 
+std::optional<double> surface_temperature(const Session& session, std::int32_t surface) {
+  const auto& scene = session.model().scene;
+  if (!scene) return std::nullopt;
+  const auto& emission = scene->materials[scene->surfaces[surface].material].emission;
+  if (emission.kind != radiosity::Emission::Kind::temperature) return std::nullopt;
+  return emission.value[0] * std::pow(factor_of(session, surface), 0.25);  // M = ε σ T⁴
+}
+
+double celsius(double kelvin) { return kelvin - kCelsius; }
+
+std::string temperature_text(double kelvin) {
+  return fmt::format("{:.1f} K, {:.1f} °C", kelvin, celsius(kelvin));
+}
+
 std::vector<SurfaceTotal> surface_totals(const Session& session) {
   if (!session.is_open()) return {};
   const Model& model = session.model();
@@ -65,6 +97,7 @@ std::vector<SurfaceTotal> surface_totals(const Session& session) {
     totals[s].name = mesh.surface_names[s];
     if (model.scene) {
       totals[s].material = model.scene->materials[model.scene->surfaces[s].material].name;
+      totals[s].temperature = surface_temperature(session, totals[s].surface);
     }
   }
   for (Index i = 0; i < mesh.size(); ++i) {

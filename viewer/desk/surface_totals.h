@@ -22,19 +22,26 @@ struct SurfaceTotal {
   /// scenes, W and W/m² over all bands. Absent without light.
   std::optional<double> flux = {};
   std::optional<double> irradiance = {};
-  std::optional<double> heat = {};  ///< Σ A (B − H), W; of thermal scenes
+  std::optional<double> heat = {};         ///< Σ A (B − H), W; of thermal scenes
+  std::optional<double> temperature = {};  ///< K, of what radiates by it
 };
+
+/// K, of a surface that radiates by its temperature, as the mix has it; empty for others.
+std::optional<double> surface_temperature(const Session& session, std::int32_t surface);
+double celsius(double kelvin);
+/// "400.0 K, 126.9 °C".
+std::string temperature_text(double kelvin);
 
 /// One entry per surface, in the scene's order. Takes as many additions as there are patches.
 std::vector<SurfaceTotal> surface_totals(const Session& session);
 
 /// By what a list of surfaces is sorted.
-enum class TotalColumn { name, area, flux, irradiance, heat };
+enum class TotalColumn { name, area, flux, irradiance, heat, temperature };
 struct TotalOrder {
   TotalColumn column = TotalColumn::name;
   bool is_falling = false;
 };
-/// "name", "area", "flux", "irradiance", "heat"; empty for anything else.
+/// "name", "area", "flux", "irradiance", "heat", "temperature"; empty for anything else.
 std::optional<TotalColumn> total_column_named(std::string_view name);
 /// Sorts; what is alike stays as it was, and what is absent comes last.
 void sort(std::vector<SurfaceTotal>& totals, const TotalOrder& order);

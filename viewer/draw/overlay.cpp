@@ -10,6 +10,7 @@
 
 #include "io/picture/color_bar.h"
 #include "radiosity/scene/patch_mesh.h"
+#include "viewer/desk/measuring.h"
 #include "viewer/desk/pinning.h"
 #include "viewer/draw/comparison_overlay.h"
 #include "viewer/draw/legend_view.h"
@@ -33,6 +34,7 @@ constexpr std::size_t kMostOutlines = 1000;
 constexpr ImU32 kShooter = IM_COL32(80, 220, 255, 255);
 constexpr ImU32 kNumberPaper = IM_COL32(20, 20, 24, 190);
 constexpr ImU32 kTape = IM_COL32(255, 225, 90, 255);
+constexpr ImU32 kMeter = IM_COL32(130, 230, 255, 255);
 constexpr ImU32 kPartner = IM_COL32(255, 255, 255, 230);
 constexpr ImU32 kShadow = IM_COL32(0, 0, 0, 200);
 
@@ -57,8 +59,18 @@ std::optional<radiosity::Hit> first_seen_towards(const Desk& desk, const Vec3& p
                     (point - origin).normalized());
 }
 
+/// Whether the work plane lies before a point, m.
+bool is_behind_plane(const Desk& desk, const Vec3& point) {
+  constexpr double kOnPlane = 1e-3;  // of the distance
+  const Vec3 origin = desk.camera.camera().position;
+  const double distance = (point - origin).norm();
+  const auto plane = plane_hit(desk, origin, (point - origin) / distance);
+  return plane && plane->distance < (1 - kOnPlane) * distance;
+}
+
 /// Whether the camera sees a point of a patch.
 bool is_seen_at(const Desk& desk, Index patch, const Vec3& point) {
+  if (is_behind_plane(desk, point)) return false;
   const auto hit = first_seen_towards(desk, point);
   return hit && hit->patch == patch;
 }
@@ -115,9 +127,10 @@ void draw_open_patches(const Desk& desk, ImDrawList& list, float scale) {
   }
 }
 
-/// Whether nothing lies before a point, m, of a surface or of its border.
+/// Whether nothing lies before a point, m, of a surface or of its border, or of the work plane.
 bool is_place_seen(const Desk& desk, const Vec3& point) {
   constexpr double kRounding = 1e-3;  // of the distance
+  if (is_behind_plane(desk, point)) return false;
   const double distance = (point - desk.camera.camera().position).norm();
   const auto hit = first_seen_towards(desk, point);
   return !hit || hit->distance > (1 - kRounding) * distance;
@@ -135,9 +148,12 @@ void draw_iso_numbers(const Desk& desk, ImDrawList& list) {
       return std::abs(other.x - place->x) < 1.5F * size.x &&
              std::abs(other.y - place->y) < 1.2F * size.y;
     });
-    if (!is_free || !is_place_seen(desk, number.place)) continue;
-    places.push_back(*place);
     const ImVec2 corner(place->x - size.x / 2, place->y - size.y / 2);
+    const auto left = static_cast<float>(desk.region.left);
+    const bool is_whole =
+        corner.x > left && corner.x + size.x < left + static_cast<float>(desk.region.width);
+    if (!is_free || !is_whole || !is_place_seen(desk, number.place)) continue;
+    places.push_back(*place);
     list.AddRectFilled(ImVec2(corner.x - 2, corner.y),
                        ImVec2(corner.x + size.x + 2, corner.y + size.y), kNumberPaper, 2);
     list.AddText(corner, kInk, text.c_str());
@@ -184,6 +200,25 @@ void draw_tape(const Desk& desk, ImDrawList& list, float scale) {
   list.AddRectFilled(ImVec2(place.x - 3, place.y), ImVec2(place.x + size.x + 3, place.y + size.y),
                      kNumberPaper, 2);
   list.AddText(place, kTape, text.c_str());
+}
+
+/// The light meter's points with what they read.
+void draw_meters(const Desk& desk, ImDrawList& list, float scale) {
+  for (std::size_t k = 0; k < desk.meter.points().size(); ++k) {
+    const MeterPoint& point = desk.meter.points()[k];
+    const auto place = project(desk, point.position);
+    if (!place || !is_place_seen(desk, point.position)) continue;
+    list.AddCircle(*place, 5 * scale, kShadow, 0, 4 * scale);
+    list.AddCircle(*place, 5 * scale, kMeter, 0, 2 * scale);
+    const auto value = meter_value(desk, k);
+    const std::string text = fmt::format("{}: {} {}", k + 1, value ? number_text(*value) : "...",
+                                         measured_unit(desk.session));
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    const ImVec2 corner(place->x + 9 * scale, place->y - size.y / 2);
+    list.AddRectFilled(ImVec2(corner.x - 3, corner.y),
+                       ImVec2(corner.x + size.x + 3, corner.y + size.y), kNumberPaper, 2);
+    list.AddText(corner, kMeter, text.c_str());
+  }
 }
 
 /// How far what is shown can be trusted.
@@ -236,6 +271,7 @@ std::string missing_text(const Desk& desk) {
     return "Record an iteration in the panel 'Watch'";
   }
   if (desk.legend || (is_painted && session.light() != nullptr)) return "";
+  if (show == Show::work_plane) return "Work plane: " + readings_note(desk);
   if (is_wide(show)) {
     if (!session.model().factors) {
       return session.is_settled() ? "Form factors are not known" : "Waits for the form factors ...";
@@ -265,6 +301,7 @@ void draw_overlay(const Desk& desk, double scale) {
   if (desk.look.show == Show::unseen) draw_open_patches(desk, list, size);
   draw_marked(desk, list, size);
   draw_iso_numbers(desk, list);
+  draw_meters(desk, list, size);
   draw_tape(desk, list, size);
   if (const auto shooter = shown_shooter(desk.session, desk.look)) {
     if (is_seen(desk, *shooter)) outline(desk, list, *shooter, kShooter, 3 * size);

@@ -14,7 +14,9 @@ bool is_large(const Desk& desk) {
 }
 
 /// Of what is shown in false colours; the light itself shows shapes.
-bool wants_outlines(const Desk& desk) { return desk.legend && desk.look.outlines; }
+bool wants_outlines(const Desk& desk) {
+  return desk.legend && desk.look.outlines && desk.look.show != Show::work_plane;
+}
 
 double size_of(const Desk& desk) { return desk.session.model().bounds.diagonal().norm(); }
 

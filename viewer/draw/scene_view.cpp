@@ -60,6 +60,13 @@ vtkSmartPointer<vtkPoints> make_points(std::span<const Vec3> positions, const Ve
   return points;
 }
 
+vtkSmartPointer<vtkFloatArray> float_array(std::span<const float> values) {
+  auto array = vtkSmartPointer<vtkFloatArray>::New();
+  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  return array;
+}
+
 }  // namespace
 
 struct SceneView::Parts {
@@ -76,6 +83,11 @@ struct SceneView::Parts {
   vtkNew<vtkPolyData> lines;
   vtkNew<vtkPolyDataMapper> line_mapper;
   vtkNew<vtkActor> line_actor;
+  vtkNew<vtkPolyData> inner;
+  vtkNew<vtkPolyDataMapper> inner_mapper;
+  vtkNew<vtkActor> inner_actor;
+  vtkNew<vtkLookupTable> inner_colors;
+  InnerSurface inner_surface;
   vtkNew<vtkLookupTable> color_map;
   io::ColorMap map = io::ColorMap::viridis;
   std::vector<SurfaceLine> all_lines;
@@ -117,11 +129,18 @@ SceneView::SceneView() : parts_(std::make_unique<Parts>()) {
   parts.line_mapper->SetColorModeToDirectScalars();
   parts.line_actor->SetMapper(parts.line_mapper);
   parts.line_actor->GetProperty()->LightingOff();
+  parts.inner_mapper->SetInputData(parts.inner);
+  parts.inner_mapper->InterpolateScalarsBeforeMappingOn();
+  parts.inner_mapper->SetLookupTable(parts.inner_colors);
+  parts.inner_mapper->UseLookupTableScalarRangeOn();
+  parts.inner_actor->SetMapper(parts.inner_mapper);
+  parts.inner_actor->GetProperty()->LightingOff();
   vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
   parts.patch_mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(1, 1);
   parts.back_mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(1, 1);
   parts.renderer->AddActor(parts.patch_actor);
   parts.renderer->AddActor(parts.back_actor);
+  parts.renderer->AddActor(parts.inner_actor);
   parts.renderer->AddActor(parts.edge_actor);
   parts.renderer->AddActor(parts.line_actor);
 }
@@ -157,6 +176,7 @@ void SceneView::set_triangles(const Triangles& triangles, std::shared_ptr<const 
   set_map_positions(std::vector<float>(triangles.positions.size(), -1.F));
   set_lines({});
   parts.are_edges_stale = true;
+  update_inner_surface();
   update_camera();
 }
 
@@ -176,10 +196,7 @@ void SceneView::set_colors(const std::vector<io::Rgb>& colors) {
 
 void SceneView::set_map_positions(std::span<const float> positions) {
   Parts& parts = *parts_;
-  vtkNew<vtkFloatArray> array;
-  array->SetNumberOfTuples(static_cast<vtkIdType>(positions.size()));
-  std::copy(positions.begin(), positions.end(), array->GetPointer(0));
-  parts.patches->GetPointData()->SetScalars(array);
+  parts.patches->GetPointData()->SetScalars(float_array(positions));
   parts.patch_mapper->SetColorModeToMapScalars();
   // The colour of the value between the points, not a mixture of their colours.
   parts.patch_mapper->InterpolateScalarsBeforeMappingOn();
@@ -199,6 +216,15 @@ void SceneView::set_color_map(io::ColorMap map) {
 void SceneView::set_lines(std::vector<SurfaceLine> lines) {
   if (lines.empty() && parts_->all_lines.empty()) return;
   parts_->all_lines = std::move(lines);
+  parts_->are_lines_stale = true;
+  update_lines();
+  is_dirty_ = true;
+}
+
+void SceneView::set_inner_surface(InnerSurface surface) {
+  if (surface.triangles.empty() && parts_->inner_surface.triangles.empty()) return;
+  parts_->inner_surface = std::move(surface);
+  update_inner_surface();
   parts_->are_lines_stale = true;
   update_lines();
   is_dirty_ = true;
@@ -275,6 +301,21 @@ void SceneView::update_camera() {
   update_lines();
 }
 
+void SceneView::update_inner_surface() {
+  Parts& parts = *parts_;
+  const InnerSurface& surface = parts.inner_surface;
+  vtkNew<vtkCellArray> cells;
+  for (const auto& triangle : surface.triangles) {
+    const std::array<vtkIdType, 3> ids = {triangle[0], triangle[1], triangle[2]};
+    cells->InsertNextCell(3, ids.data());
+  }
+  parts.inner->Initialize();
+  parts.inner->SetPoints(make_points(surface.points, parts.origin));
+  parts.inner->SetPolys(cells);
+  parts.inner->GetPointData()->SetScalars(float_array(surface.positions));
+  fill_color_map(*parts.inner_colors, surface.map);
+}
+
 void SceneView::update_edges() {
   Parts& parts = *parts_;
   if (!parts.mesh || !parts.are_edges_stale || parts.edge_actor->GetVisibility() == 0) return;
@@ -309,15 +350,17 @@ void SceneView::update_lines() {
   vtkNew<vtkCellArray> cells;
   vtkNew<vtkUnsignedCharArray> colors;
   colors->SetNumberOfComponents(3);
-  for (const SurfaceLine& line : parts.all_lines) {
-    if (!is_drawn(line, parts.camera.position, backs)) continue;
+  const auto add_line = [&](const SurfaceLine& line) {
+    if (!is_drawn(line, parts.camera.position, backs)) return;
     const auto first = static_cast<vtkIdType>(ends.size());
     const std::array<Vec3, 2> raised = raised_ends(line, parts.camera.position, pixel);
     ends.insert(ends.end(), raised.begin(), raised.end());
     const std::array<vtkIdType, 2> ids = {first, first + 1};
     cells->InsertNextCell(2, ids.data());
     colors->InsertNextTypedTuple(line.color.data());
-  }
+  };
+  for (const SurfaceLine& line : parts.all_lines) add_line(line);
+  for (const SurfaceLine& line : parts.inner_surface.lines) add_line(line);
   parts.lines->Initialize();
   parts.lines->SetPoints(make_points(ends, parts.origin));
   parts.lines->SetLines(cells);

@@ -29,6 +29,15 @@ struct Triangles {
   HiddenSurfaces hidden = {};                   ///< of which none is drawn
 };
 
+/// A surface that is drawn within the scene, seen from both sides.
+struct InnerSurface {
+  std::vector<radiosity::Vec3> points;                 ///< m
+  std::vector<std::array<std::int32_t, 3>> triangles;  ///< their points
+  std::vector<float> positions;                        ///< per point, on the colour map
+  io::ColorMap map = io::ColorMap::viridis;
+  std::vector<SurfaceLine> lines;
+};
+
 /// A part of a picture's width, in shares of it.
 struct Columns {
   double left = 0;
@@ -54,6 +63,8 @@ class SceneView {
   void set_color_map(io::ColorMap map);
   /// Lines over the surfaces, as far as the camera sees them (`is_drawn`).
   void set_lines(std::vector<SurfaceLine> lines);
+  /// A surface of its own colours beside the patches; without triangles there is none.
+  void set_inner_surface(InnerSurface surface);
   void set_edges(bool are_shown);
   void set_backs_hidden(bool are_hidden);
   void set_camera(const radiosity::Camera& camera);
@@ -68,6 +79,7 @@ class SceneView {
 
  private:
   void update_camera();
+  void update_inner_surface();
   void update_edges();
   void update_lines();
 

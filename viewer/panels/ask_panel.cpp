@@ -3,19 +3,24 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/solve/quantity.h"
+#include "viewer/desk/measuring.h"
 #include "viewer/desk/pinning.h"
+#include "viewer/desk/surface_totals.h"
 #include "viewer/panels/inks.h"
 #include "viewer/panels/panels.h"
+#include "viewer/panels/spectrum_plot.h"
 #include "viewer/work/standing.h"
 
 namespace viewer {
 namespace {
 
 constexpr std::size_t kMostArrivals = 8;
+constexpr radiosity::Index kMostListed = 4;  // bands whose values stand side by side
 constexpr ImGuiTableFlags kTable =
     ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerH;
 
@@ -36,6 +41,17 @@ std::string pinned_lux_text(const Desk& desk, const PatchFacts& facts,
   const std::string text = number_text(before) + " lux";
   if (!(before > 0)) return text;
   return text + fmt::format(", now {:+.1f} %", 100 * (facts.illuminance / before - 1));
+}
+
+/// "W/m²: red, green, blue".
+std::string units_text(const radiosity::Bands& bands) {
+  std::string text = radiosity::band_unit("W/m²", bands);
+  if (bands.count() == 1 || bands.count() > kMostListed) return text;
+  const char* separator = ": ";
+  for (const std::string& name : radiosity::band_names(bands)) {
+    text += std::exchange(separator, ", ") + name;
+  }
+  return text;
 }
 
 /// Of a preview two digits, in a colour of their own.
@@ -60,7 +76,7 @@ void draw_light(const Desk& desk, const PatchFacts& facts) {
   }
   values("emitted M", facts.exitance);
   values("net flux B − H", facts.radiosity - facts.irradiance);
-  row("in", radiosity::band_unit("W/m²", session.model().bands));
+  row("in", units_text(session.model().bands));
   row("reflectance ρ", numbers_text(facts.reflectance));
   if (session.is_thermal()) return;
   const std::string mark = now.is_rough ? "≈ " : "";
@@ -81,19 +97,6 @@ void draw_step_light(const Desk& desk, const PatchFacts& facts, const StepFacts&
   row("in", radiosity::band_unit("W/m²", desk.session.model().bands));
 }
 
-/// The radiosity over the wavelengths, of many bands.
-void draw_spectrum(const Desk& desk, const PatchFacts& facts) {
-  const std::vector<double>& wavelengths = desk.session.model().bands.wavelengths;
-  if (!facts.has_light || wavelengths.size() < 2) return;
-  const Eigen::VectorXf spectrum = facts.radiosity.cast<float>();
-  const std::string range =
-      fmt::format("radiosity B, {:.0f} to {:.0f} nm", wavelengths.front(), wavelengths.back());
-  ImGui::SetNextItemWidth(-1);
-  ImGui::PlotLines("##spectrum", spectrum.data(), static_cast<int>(spectrum.size()), 0,
-                   range.c_str(), 0, std::max(spectrum.maxCoeff(), 1e-30F),
-                   ImVec2(0, 5 * ImGui::GetFontSize()));
-}
-
 void draw_patch(const Desk& desk, const PatchFacts& facts) {
   ImGui::Text("Patch %ld", static_cast<long>(facts.patch));
   const Standing now = standing(desk.session);
@@ -110,7 +113,7 @@ void draw_patch(const Desk& desk, const PatchFacts& facts) {
   ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 0.67F);
   row("surface", facts.surface);
   if (!facts.material.empty()) row("material", facts.material);
-  if (facts.temperature) row("temperature", number_text(*facts.temperature) + " K");
+  if (facts.temperature) row("temperature", temperature_text(*facts.temperature));
   row("polygon", std::to_string(facts.polygon));
   row("area", number_text(facts.area) + " m²");
   row("centroid", fmt::format("{}  {}  {} m", number_text(facts.centroid[0]),
@@ -122,8 +125,10 @@ void draw_patch(const Desk& desk, const PatchFacts& facts) {
     draw_light(desk, facts);
   }
   ImGui::EndTable();
-  if (step) return;
-  draw_spectrum(desk, facts);
+  const radiosity::Bands& bands = desk.session.model().bands;
+  if (!step && facts.has_light && bands.wavelengths.size() > 1) {
+    draw_spectrum_plot(facts, bands);
+  }
 }
 
 void draw_factors(Desk& desk, const PatchFacts& facts) {
@@ -247,7 +252,7 @@ void draw_path(Desk& desk) {
 void draw_tape(Desk& desk) {
   Tape& tape = desk.tape;
   bool is_in_hand = tape.is_in_hand;
-  if (ImGui::Checkbox("tape measure", &is_in_hand)) tape = {.is_in_hand = is_in_hand};
+  if (ImGui::Checkbox("tape measure", &is_in_hand)) take_tape(desk, is_in_hand);
   if (tape.is_in_hand && !tape.to) {
     ImGui::TextDisabled("%s", tape.from ? "click the other end" : "click two points");
   }
@@ -271,7 +276,7 @@ constexpr Key kKeys[] = {{"left drag", "turn about the point under the mouse"},
                          {"W A S D, Q E", "walk, down and up (Shift: faster)"},
                          {"click", "ask a patch"},
                          {"K", "tape measure: click two points"},
-                         {"Esc", "put it away; ask no patch"},
+                         {"Esc", "put it or the light meter away; ask no patch"},
                          {"F", "fit the scene"},
                          {"C", "the scene's camera"},
                          {"Z", "turn: y or z is up"},

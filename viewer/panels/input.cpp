@@ -7,6 +7,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "viewer/desk/measuring.h"
 #include "viewer/desk/picking.h"
 #include "viewer/desk/pinning.h"
 #include "viewer/desk/tour.h"
@@ -51,12 +52,15 @@ void press_letter(Desk& desk, int key) {
   if (key == GLFW_KEY_B) look.hide_backs = !look.hide_backs;
   if (key == GLFW_KEY_P) attempt(desk, [&] { pin(desk); });
   if (key == GLFW_KEY_V) compare_otherwise(desk);
-  if (key == GLFW_KEY_K) desk.tape = {.is_in_hand = !desk.tape.is_in_hand};
+  if (key == GLFW_KEY_K) take_tape(desk, !desk.tape.is_in_hand);
 }
 
-/// Asks the patch at a place of the picture, or lays an end of the tape measure there.
+/// Asks the patch at a place of the picture, lays an end of the tape measure there or measures the
+/// light.
 void click(Desk& desk, double x, double y) {
-  if (!desk.tape.is_in_hand) {
+  if (desk.is_meter_in_hand) {
+    add_meter_at(desk, x, y);
+  } else if (!desk.tape.is_in_hand) {
     desk.session.select(patch_at(desk, x, y));
   } else if (const auto point = point_at(desk, x, y)) {
     lay(desk.tape, *point);
@@ -125,7 +129,9 @@ void Input::handle_mouse(Desk& desk, double scale) {
   const double y = (static_cast<double>(io.MousePos.y) - region.top) / region.height;
   const bool is_at_legend = handle_legend(desk, scale);
   const bool is_over = !io.WantCaptureMouse && !is_at_legend && x >= 0 && x < 1 && y >= 0 && y < 1;
-  desk.hovered = is_over && !is_dragging_ ? patch_at(desk, x, y) : std::nullopt;
+  const bool is_hovering = is_over && !is_dragging_;
+  desk.hovered = is_hovering ? patch_at(desk, x, y) : std::nullopt;
+  desk.hovered_reading = is_hovering ? plane_value_at(desk, x, y) : std::nullopt;
   if (is_over && io.MouseWheel != 0) {
     desk.camera.zoom_to(point_towards(desk, x, y), std::pow(kZoomStep, io.MouseWheel));
   }
@@ -178,6 +184,8 @@ void Input::press(Desk& desk, Panels& panels, const KeyPress& key) {
       end_tour(desk);
     } else if (desk.shows_help) {
       desk.shows_help = false;
+    } else if (desk.is_meter_in_hand) {
+      desk.is_meter_in_hand = false;
     } else if (desk.tape.is_in_hand) {
       desk.tape = {};
     } else {

@@ -150,7 +150,9 @@ void draw_look_panel(Desk& desk) {
     ImGui::Checkbox("isolines", &look.isolines);
     ImGui::EndDisabled();
     ImGui::SameLine();
+    ImGui::BeginDisabled(look.show == Show::work_plane);
     ImGui::Checkbox("outlines", &look.outlines);
+    ImGui::EndDisabled();
   }
   ImGui::Checkbox("smooth", &look.smooth);
   ImGui::SameLine();

@@ -85,6 +85,7 @@ void Panels::draw(Desk& desk, std::span<const KeyPress> keys, int width, int hei
       views_.draw(desk);
       draw_part(desk, TourTarget::look, [&] { draw_look_panel(desk); });
       draw_compare_panel(desk);
+      if (measure_.draw(desk)) begin_save(desk, SaveDialog::Kind::readings);
       if (!has_right) {  // here, rather than nowhere
         draw_ask(desk);
         watch_.draw(desk, scale);

@@ -8,6 +8,7 @@
 #include "viewer/panels/console_panel.h"
 #include "viewer/panels/file_browser.h"
 #include "viewer/panels/gallery.h"
+#include "viewer/panels/measure_panel.h"
 #include "viewer/panels/recent_files.h"
 #include "viewer/panels/save_dialog.h"
 #include "viewer/panels/tour_box.h"
@@ -49,6 +50,7 @@ class Panels {
   RecentFiles recent_;
   SaveDialog save_;
   ViewsPanel views_;
+  MeasurePanel measure_;
   WatchPanel watch_;
   ConsolePanel console_;
   Gallery gallery_;

@@ -10,6 +10,7 @@
 #include "io/base/extension.h"
 #include "io/base/output_check.h"
 #include "radiosity/base/error.h"
+#include "viewer/desk/measuring.h"
 #include "viewer/panels/inks.h"
 
 namespace viewer {
@@ -25,6 +26,8 @@ const char* title_of(SaveDialog::Kind kind) {
       return "Result (.vtp, .csv or .ply)";
     case SaveDialog::Kind::scene:
       return "Scene with its changes (.json)";
+    case SaveDialog::Kind::readings:
+      return "Measured light (.csv)";
   }
   return "";
 }
@@ -37,6 +40,8 @@ const char* ending_of(SaveDialog::Kind kind) {
       return ".vtp";
     case SaveDialog::Kind::scene:
       return "-new.json";
+    case SaveDialog::Kind::readings:
+      return "-measured.csv";
   }
   return "";
 }
@@ -71,11 +76,13 @@ bool SaveDialog::save(Desk& desk) {
     if (kind_ == Kind::picture) desk.screenshot = path_;
     if (kind_ == Kind::result) begin_save_result(desk, path_);
     if (kind_ == Kind::scene) save_scene(desk, path_);
+    if (kind_ == Kind::readings) save_readings(desk, path_);
   } catch (const std::exception& error) {
     error_ = error.what();
     return false;
   }
-  if (kind_ == Kind::scene) desk.session.tell("saved " + path_);
+  const bool is_written = kind_ == Kind::scene || kind_ == Kind::readings;
+  if (is_written) desk.session.tell("saved " + path_);
   return true;
 }
 

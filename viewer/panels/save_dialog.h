@@ -10,7 +10,7 @@ namespace viewer {
 /// A popup that saves something under a name, and asks before it replaces a file.
 class SaveDialog {
  public:
-  enum class Kind { picture, result, scene };
+  enum class Kind { picture, result, scene, readings };
 
   /// Opens the popup with the next `draw`, with a name beside the file that is open.
   void open(const Desk& desk, Kind kind);

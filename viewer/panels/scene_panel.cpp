@@ -6,6 +6,7 @@
 
 #include "io/picture/color_bar.h"
 #include "radiosity/scene/patch_mesh.h"
+#include "viewer/desk/surface_totals.h"
 #include "viewer/panels/inks.h"
 #include "viewer/panels/panels.h"
 
@@ -65,14 +66,26 @@ void draw_scene_panel(Desk& desk) {
 void draw_heat_panel(const Desk& desk) {
   if (!ImGui::CollapsingHeader("Net heat by surface", ImGuiTreeNodeFlags_DefaultOpen)) return;
   const Light* light = desk.session.light();
-  if (light == nullptr || !ImGui::BeginTable("heat", 2, ImGuiTableFlags_RowBg)) return;
-  for (const auto& flux : desk.fluxes) {
+  if (light == nullptr || !ImGui::BeginTable("heat", 4, ImGuiTableFlags_RowBg)) return;
+  const float width = ImGui::GetFontSize();
+  ImGui::TableSetupColumn("surface", ImGuiTableColumnFlags_WidthStretch);
+  ImGui::TableSetupColumn("K", ImGuiTableColumnFlags_WidthFixed, 3.5F * width);
+  ImGui::TableSetupColumn("°C", ImGuiTableColumnFlags_WidthFixed, 3.8F * width);
+  ImGui::TableSetupColumn("net W", ImGuiTableColumnFlags_WidthFixed, 4.5F * width);
+  ImGui::TableHeadersRow();
+  for (std::size_t s = 0; s < desk.fluxes.size(); ++s) {
+    const auto& flux = desk.fluxes[s];
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(flux.surface.c_str());
+    const auto temperature = surface_temperature(desk.session, static_cast<std::int32_t>(s));
+    ImGui::TableNextColumn();
+    if (temperature) ImGui::Text("%.1f", *temperature);
+    ImGui::TableNextColumn();
+    if (temperature) ImGui::Text("%.1f", celsius(*temperature));
     ImGui::TableNextColumn();
     const Eigen::VectorXd heat = Eigen::VectorXd::Constant(1, flux.heat);
-    ImGui::Text("%s W", numbers_text(heat, light->kind == Light::Kind::preview).c_str());
+    ImGui::TextUnformatted(numbers_text(heat, light->kind == Light::Kind::preview).c_str());
   }
   ImGui::EndTable();
 }

@@ -21,8 +21,9 @@ void take_order(TotalOrder& order, bool is_thermal) {
   specs->SpecsDirty = false;
   const TotalColumn last = is_thermal ? TotalColumn::heat : TotalColumn::irradiance;
   constexpr TotalColumn kNone = TotalColumn::name;
-  const TotalColumn columns[] = {kNone, TotalColumn::name, TotalColumn::area, TotalColumn::flux,
-                                 last};
+  const TotalColumn columns[] = {
+      kNone, TotalColumn::name,       TotalColumn::area, TotalColumn::flux,
+      last,  TotalColumn::temperature};
   order.column = columns[specs->Specs[0].ColumnIndex];
   order.is_falling = specs->Specs[0].SortDirection == ImGuiSortDirection_Descending;
 }
@@ -33,6 +34,13 @@ void draw_value(const std::optional<double>& value, bool is_rough) {
   ImGui::PushStyleColor(ImGuiCol_Text, is_rough ? kDoubtInk : kPlainInk);
   ImGui::TextUnformatted(number_text(*value, is_rough ? kRoughDigits : 3).c_str());
   ImGui::PopStyleColor();
+}
+
+void draw_temperature(const std::optional<double>& temperature) {
+  ImGui::TableNextColumn();
+  if (!temperature) return;
+  ImGui::Text("%.0f", *temperature);
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", temperature_text(*temperature).c_str());
 }
 
 void draw_row(Desk& desk, const SurfaceTotal& total, bool is_rough) {
@@ -53,6 +61,7 @@ void draw_row(Desk& desk, const SurfaceTotal& total, bool is_rough) {
   draw_value(total.area, false);
   draw_value(total.flux, is_rough);
   draw_value(desk.session.is_thermal() ? total.heat : total.irradiance, is_rough);
+  if (desk.session.is_thermal()) draw_temperature(total.temperature);
   ImGui::PopID();
 }
 
@@ -64,7 +73,9 @@ void draw_table(Desk& desk) {
   constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_Sortable | ImGuiTableFlags_SortTristate |
                                      ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY |
                                      ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_Resizable;
-  if (!ImGui::BeginTable("surfaces", 5, kFlags, ImVec2(0, (n_rows + 1.2F) * row))) return;
+  if (!ImGui::BeginTable(is_thermal ? "hot surfaces" : "surfaces", is_thermal ? 6 : 5, kFlags,
+                         ImVec2(0, (n_rows + 1.2F) * row)))
+    return;
   const float width = ImGui::GetFontSize();
   ImGui::TableSetupScrollFreeze(0, 1);
   ImGui::TableSetupColumn("##shown", ImGuiTableColumnFlags_NoSort, 1.4F * width);
@@ -74,6 +85,9 @@ void draw_table(Desk& desk) {
                           3.2F * width);
   ImGui::TableSetupColumn(is_thermal ? "net W" : "lux", ImGuiTableColumnFlags_PreferSortDescending,
                           3.4F * width);
+  if (is_thermal) {
+    ImGui::TableSetupColumn("K", ImGuiTableColumnFlags_PreferSortDescending, 2.4F * width);
+  }
   ImGui::TableHeadersRow();
   take_order(desk.surface_order, is_thermal);
   const bool is_rough = standing(desk.session).is_rough;

@@ -7,7 +7,10 @@ namespace viewer {
 
 void ViewsPanel::draw(Desk& desk) {
   if (!ImGui::CollapsingHeader("Views")) return;
-  if (name_.empty()) name_ = free_view_name(desk.views);
+  if (name_.empty() || name_ == offered_) {  // else another file may have a view of that name
+    offered_ = free_view_name(desk.views);
+    name_ = offered_;
+  }
   ImGui::BeginDisabled(!desk.session.is_open());
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 4 * ImGui::GetFontSize());
   const bool has_enter = ImGui::InputText("##name", &name_, ImGuiInputTextFlags_EnterReturnsTrue);
@@ -28,7 +31,13 @@ void ViewsPanel::draw(Desk& desk) {
   }
   if (!used.empty()) use_view(desk, used);
   if (!forgotten.empty()) forget_view(desk.views, forgotten);
-  if (!desk.views.empty()) ImGui::TextDisabled("kept while this file is open");
+  if (!desk.views.empty()) {
+    const bool has_scene = desk.session.model().scene != nullptr;
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextDisabled(
+        "%s", has_scene ? "Save scene keeps them in the file." : "Kept while this file is open.");
+    ImGui::PopTextWrapPos();
+  }
 }
 
 }  // namespace viewer

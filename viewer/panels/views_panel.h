@@ -13,7 +13,8 @@ class ViewsPanel {
   void draw(Desk& desk);
 
  private:
-  std::string name_;  // of the next one
+  std::string name_;     // of the next one
+  std::string offered_;  // what that is unless it is typed
 };
 
 }  // namespace viewer

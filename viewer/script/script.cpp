@@ -107,7 +107,8 @@ std::vector<std::string> Script::outputs() const {
   std::vector<std::string> files;
   for (const Action& action : state_->actions) {
     const bool is_writing = action.name == "report" || action.name == "screenshot" ||
-                            action.name == "save-result" || action.name == "save-scene";
+                            action.name == "save-result" || action.name == "save-scene" ||
+                            action.name == "save-readings";
     if (!is_writing || !action.arguments.contains("file")) continue;
     if (action.arguments["file"].is_string()) files.push_back(action.arguments["file"]);
   }

@@ -15,6 +15,7 @@
 #include "viewer/script/comparison_actions.h"
 #include "viewer/script/console_actions.h"
 #include "viewer/script/help_actions.h"
+#include "viewer/script/meter_actions.h"
 #include "viewer/script/state_report.h"
 #include "viewer/script/surface_actions.h"
 
@@ -50,7 +51,8 @@ bool wait_solved(Stage& stage, ScriptArguments& arguments) {
 
 bool wait_idle(Stage& stage, ScriptArguments& arguments) {
   check_patience(stage, arguments);
-  return !stage.is_first && stage.desk.session.is_idle() && !stage.desk.examples.is_busy();
+  return !stage.is_first && stage.desk.session.is_idle() && !stage.desk.meter.is_busy() &&
+         !stage.desk.examples.is_busy();
 }
 
 /// Until a person, or what acts as one, presses a function key: all keys before it have been taken
@@ -355,6 +357,7 @@ const std::map<std::string, ActionKind>& action_kinds() {
     all.merge(comparison_actions());
     all.merge(console_actions());
     all.merge(help_actions());
+    all.merge(meter_actions());
     all.merge(surface_actions());
     return all;
   }();

@@ -9,7 +9,9 @@
 #include <string>
 
 #include "radiosity/scene/patch_mesh.h"
+#include "radiosity/solve/quantity.h"
 #include "radiosity/solve/solution.h"
+#include "viewer/desk/measuring.h"
 #include "viewer/desk/pinning.h"
 #include "viewer/desk/show_info.h"
 #include "viewer/work/standing.h"
@@ -74,7 +76,9 @@ json patch_json(const Desk& desk) {
                  {"material", facts.material},  {"polygon", facts.polygon},
                  {"area", number(facts.area)},  {"centroid", list(facts.centroid)},
                  {"normal", list(facts.normal)}};
+  if (facts.temperature) result["temperature"] = number(*facts.temperature);
   if (facts.has_light) {
+    result["bands"] = radiosity::band_names(desk.session.model().bands);
     result["radiosity"] = list(facts.radiosity);
     result["irradiance"] = list(facts.irradiance);
     result["exitance"] = list(facts.exitance);
@@ -178,6 +182,47 @@ json comparison_json(const Desk& desk) {
           {"pinned", pinned}};
 }
 
+json work_plane_json(const Desk& desk) {
+  const auto& plane = desk.meter.plane();
+  if (!plane) return nullptr;
+  json result = {{"height", number(plane->height)},
+                 {"border", number(plane->border)},
+                 {"shown", desk.look.show == Show::work_plane},
+                 {"note", readings_note(desk)},
+                 {"unit", measured_unit(desk.session)}};
+  const auto found = plane_summary(desk);
+  if (!found) return result;
+  const radiosity::PointGrid& grid = desk.meter.readings()->plane->grid;
+  result["corner"] = list(grid.corner);
+  result["column"] = list(grid.column);
+  result["row"] = list(grid.row);
+  result["columns"] = grid.n_columns;
+  result["rows"] = grid.n_rows;
+  result["points"] = found->n;
+  result["inside"] = found->n_inside;
+  result["outside"] = found->n_outside;
+  result["mean"] = number(found->mean);
+  result["least"] = number(found->least);
+  result["greatest"] = number(found->greatest);
+  result["least_to_mean"] = number(found->least_to_mean());
+  result["least_to_greatest"] = number(found->least_to_greatest());
+  return result;
+}
+
+json meters_json(const Desk& desk) {
+  json points = json::array();
+  for (std::size_t k = 0; k < desk.meter.points().size(); ++k) {
+    const MeterPoint& point = desk.meter.points()[k];
+    const auto value = meter_value(desk, k);
+    points.push_back({{"position", list(point.position)},
+                      {"normal", list(point.normal)},
+                      {"surface", point.surface},
+                      {"value", value ? number(*value) : json(nullptr)},
+                      {"unit", measured_unit(desk.session)}});
+  }
+  return points;
+}
+
 json open_patches_json(const Session& session) {
   const Known known = session.known();
   const std::vector<std::int32_t>* patches = open_patches(known);
@@ -228,6 +273,7 @@ json surfaces_json(const Desk& desk) {
                     {"flux", optional(total.flux)},
                     {"irradiance", optional(total.irradiance)},
                     {"heat", optional(total.heat)},
+                    {"temperature", optional(total.temperature)},
                     {"shown", !desk.look.hidden.contains(total.surface)},
                     {"marked", desk.marked_surface == total.surface}});
   }
@@ -308,6 +354,8 @@ json state_report(const Desk& desk) {
           {"camera", camera_json(desk)},
           {"views", views_json(desk)},
           {"tape", tape_json(desk)},
+          {"work_plane", work_plane_json(desk)},
+          {"meters", meters_json(desk)},
           {"surfaces", surfaces_json(desk)},
           {"region",
            {{"left", desk.region.left},

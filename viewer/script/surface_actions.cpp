@@ -34,8 +34,8 @@ void sort_surfaces(Stage& stage, ScriptArguments& arguments) {
   const std::string name = arguments.text("by");
   const auto column = total_column_named(name);
   if (!column) {
-    throw std::invalid_argument("'by' must be name, area, flux, irradiance or heat, found '" +
-                                name + "'");
+    throw std::invalid_argument(
+        "'by' must be name, area, flux, irradiance, heat or temperature, found '" + name + "'");
   }
   stage.desk.surface_order = {.column = *column, .is_falling = arguments.flag_or("falling", false)};
 }
