@@ -10,6 +10,7 @@
 #include "io/picture/image_file.h"
 #include "radiosity/base/error.h"
 #include "viewer/desk/desk.h"
+#include "viewer/desk/picture_words.h"
 #include "viewer/desk/tour.h"
 #include "viewer/draw/backdrop.h"
 #include "viewer/draw/comparison_overlay.h"
@@ -128,8 +129,9 @@ class Application final : public ScriptHost {
     window_.set_antialiased(!is_frugal && !is_moving && painter_.is_exact());
     backdrop_.draw(painter_.still(), desk_.region);
     guides_.draw(desk_, window_.scale());
-    draw_overlay(desk_, window_.scale());
     draw_comparison(desk_, window_.scale());
+    draw_overlay(desk_, window_.scale());
+    draw_axes(desk_, window_.scale());
     if (desk_.copied) window_.copy(*std::exchange(desk_.copied, std::nullopt));
     finish_frame();
     const auto end = Clock::now();

@@ -44,6 +44,43 @@ TEST_F(ViewTools, HandleTheColourBarAndLines) {
   EXPECT_NE(color("a"), color("c"));
 }
 
+/// Pixels of the picture's part of a window that are red, as what sees an opening is outlined.
+long count_red(const fs::path& file, const json& region) {
+  const Picture picture = read_png(file);
+  const int left = region["left"];
+  const int top = region["top"];
+  long n = 0;
+  for (int y = top; y < top + region["height"].get<int>(); ++y) {
+    for (int x = left; x < left + region["width"].get<int>(); ++x) {
+      const auto [red, green, blue] = picture.at(x, y);
+      if (red > 120 && red > 2 * green && red > 2 * blue) ++n;
+    }
+  }
+  return n;
+}
+
+// What sees an opening where there should be none is outlined, and cannot be missed where it is
+// small: a ring of 9 pixels at scale 1 has some 28 at scale 0.5, of which the shadow takes some.
+TEST_F(ViewTools, ShowThePatchesThatSeeAnOpening) {
+  const Outcome outcome = run_script({{{"load", kBox}},
+                                      "wait-solved",
+                                      {{"set-look", {{"axes", false}}}},  // of which one is red
+                                      {{"set-quantity", "area"}},
+                                      {{"screenshot", result("a.png")}},
+                                      {{"set-quantity", "unseen"}},
+                                      {{"screenshot", result("b.png")}},
+                                      {{"report", result("b.json")}},
+                                      {{"zoom", 60}},
+                                      {{"screenshot", result("c.png")}}},
+                                     {"--closed", "yes"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_GT(report("b.json")["open_patches"].size(), 20U);
+  const json region = report("b.json")["region"];
+  EXPECT_EQ(count_red(result("a.png"), region), 0);
+  EXPECT_GT(count_red(result("b.png"), region), 1000);
+  EXPECT_GT(count_red(result("c.png"), region), 12);
+}
+
 TEST_F(ViewTools, HideSurfacesAndMeasure) {
   const Outcome outcome = run_script({{{"load", kBox}},
                                       "wait-solved",

@@ -10,7 +10,7 @@
 #include "viewer/desk/picking.h"
 #include "viewer/desk/pinning.h"
 #include "viewer/desk/tour.h"
-#include "viewer/draw/legend_view.h"
+#include "viewer/draw/planned_picture.h"
 
 namespace viewer {
 namespace {
@@ -97,14 +97,15 @@ bool Input::drag_split(Desk& desk, double x, bool is_over) {
 bool Input::handle_legend(Desk& desk, double scale) {
   const ImGuiIO& io = ImGui::GetIO();
   if (!ImGui::IsMouseDown(0)) held_end_.reset();
-  const auto bar = legend_bar(desk, scale);
-  if (!bar || !desk.legend) return held_end_.has_value();
+  const std::optional<LegendPlan> legend = planned_picture(desk, scale).legend;
+  if (!legend) return held_end_.has_value();
   const auto around = static_cast<float>(kBarReach * scale);
-  const double position = bar->position(io.MousePos.y);
-  const double reach = around / bar->height;
+  const Box& bar = legend->bar;
+  const double position = legend->position(io.MousePos.y);
+  const double reach = around / bar.height;
   const bool is_over =
-      !io.WantCaptureMouse && !is_dragging_ && io.MousePos.x >= bar->left - around &&
-      io.MousePos.x < bar->left + bar->width + around && position > -reach && position < 1 + reach;
+      !io.WantCaptureMouse && !is_dragging_ && io.MousePos.x >= bar.left - around &&
+      io.MousePos.x < bar.left + bar.width + around && position > -reach && position < 1 + reach;
   if (is_over || held_end_) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
   if (is_over && ImGui::IsMouseDoubleClicked(0)) {
     desk.look.range.reset();

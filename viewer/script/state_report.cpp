@@ -60,6 +60,7 @@ json light_json(const Session& session) {
       {"factor_error", light->factor_error ? number(*light->factor_error) : json(nullptr)},
       {"residual", number(solution.residual)},
       {"accuracy", accuracy_text(session)},
+      {"asked", asked_text(session)},
       {"iterations", solution.iterations},
       {"unshot_share", number(session.unshot_share())},
       {"seconds", number(session.seconds_to_solve())},
