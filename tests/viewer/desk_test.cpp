@@ -135,6 +135,7 @@ TEST(PatchFacts, NumbersAreAsAPersonWritesThem) {
   EXPECT_EQ(viewer::number_text(122.7, 2), "120");
   EXPECT_EQ(viewer::number_text(0.0567, 2), "0.057");
   EXPECT_EQ(viewer::numbers_text(Eigen::Vector2d(1, 20), true), "≈ 1.0  20");
+  EXPECT_EQ(viewer::errors_text(Eigen::Vector2d(0.0004142, 7.69e-5)), "0.00041  7.7e-05");
   EXPECT_EQ(viewer::numbers_text(Eigen::VectorXd::LinSpaced(76, 1, 3)), "1.00 to 3.00");
 }
 
