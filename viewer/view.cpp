@@ -57,6 +57,7 @@ class Application final : public ScriptHost {
         desk_(options.solving, options.reading),
         panels_(options.solving) {
     desk_.asked_up = options.up;
+    desk_.scale = window_.scale();
     desk_.examples.find(options.examples);
     if (options.path) desk_.kept_files.emplace_back(*options.path);
     if (!options.script) return;

@@ -81,6 +81,56 @@ TEST_F(ViewTools, ShowThePatchesThatSeeAnOpening) {
   EXPECT_GT(count_red(result("c.png"), region), 12);
 }
 
+/// Pixels of the colour that a patch is outlined with that is asked.
+long count_outline(const Picture& picture, const json& region) {
+  const int left = region["left"];
+  const int top = region["top"];
+  long n = 0;
+  for (int y = top; y < top + region["height"].get<int>(); ++y) {
+    for (int x = left; x < left + region["width"].get<int>(); ++x) {
+      const auto [red, green, blue] = picture.at(x, y);
+      if (red > 215 && std::abs(green - 170) < 30 && blue < 90) ++n;
+    }
+  }
+  return n;
+}
+
+// On a screen of twice as many pixels all is twice as large, lines too, and the mouse hits the
+// same.
+TEST_F(ViewTools, AreTwiceAsLargeAtTwiceTheScale) {
+  const auto show = [&](const std::string& name, const Arguments& size) {
+    const json actions = {{{"load", kBox}},
+                          "wait-solved",
+                          {{"set-quantity", "form-factors"}},
+                          {{"select-at", {{"x", 0.3}, {"y", 0.7}}}},
+                          "wait-idle",
+                          {{"set-legend", {{"map", "grey"}}}},
+                          {{"report", result(name + ".json")}},
+                          {{"screenshot", result(name + ".png")}}};
+    Arguments arguments = {"view", "--patches", "60", "--script",
+                           write_file("script.json", actions.dump())};
+    arguments.insert(arguments.end(), size.begin(), size.end());
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  };
+  show("a", {"--width", "640", "--height", "480", "--ui-scale", "1"});
+  show("b", {"--width", "1280", "--height", "960", "--ui-scale", "2"});
+  const json plain = report("a.json");
+  const json twice = report("b.json");
+  EXPECT_EQ(twice["scale"], 2);
+  EXPECT_EQ(plain["selected"]["patch"], twice["selected"]["patch"]);
+  for (const char* key : {"left", "top", "width", "height"}) {
+    EXPECT_NEAR(twice["region"][key].get<double>(), 2 * plain["region"][key].get<double>(), 4)
+        << key;
+  }
+  const auto one = count_outline(read_png(result("a.png")), plain["region"]);
+  const auto four = count_outline(read_png(result("b.png")), twice["region"]);
+  // Twice as long and wide; of what is blended at its sides not all counts.
+  EXPECT_GT(one, 20);
+  EXPECT_GT(four, 3 * one);
+  EXPECT_LT(four, 6 * one);
+}
+
 TEST_F(ViewTools, HideSurfacesAndMeasure) {
   const Outcome outcome = run_script({{{"load", kBox}},
                                       "wait-solved",

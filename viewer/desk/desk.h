@@ -67,6 +67,7 @@ struct Desk {
   TotalOrder surface_order;                    ///< of the list
   std::vector<SurfaceTotal> totals;            ///< in that order; see `sorted_totals`
   Session::Versions totals_versions = {};      ///< at which these were found
+  double scale = 1;  ///< of text and lines, relative to a plain screen
   bool shows_panels = true;
   bool shows_help = false;
   int console_lines = kConsoleLines;

@@ -54,6 +54,8 @@ class SceneView {
   void set_color_map(io::ColorMap map);
   /// Lines over the surfaces, as far as the camera sees them (`is_drawn`).
   void set_lines(std::vector<SurfaceLine> lines);
+  /// Of edges and lines, pixels; 1 at first.
+  void set_line_width(float width);
   void set_edges(bool are_shown);
   void set_backs_hidden(bool are_hidden);
   void set_camera(const radiosity::Camera& camera);

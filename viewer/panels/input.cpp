@@ -16,7 +16,7 @@ namespace viewer {
 namespace {
 
 constexpr double kTurn = 3.0;          // radian for a drag over the picture's height
-constexpr double kClick = 4;           // pixels that a hand may move in a click
+constexpr double kClick = 4;           // pixels at scale 1 that a hand may move in a click
 constexpr double kZoomStep = 0.88;     // per notch of the wheel
 constexpr double kWalk = 0.25;         // of the scene's size per second
 constexpr double kFast = 4;            // times as fast with Shift
@@ -143,14 +143,14 @@ void Input::handle_mouse(Desk& desk, double scale) {
       desk.camera.focus(grabbed_);  // shifted, it stays under the mouse
     }
   }
-  if (is_dragging_ && ImGui::IsMouseReleased(0) && dragged_ < kClick && is_over) {
+  if (is_dragging_ && ImGui::IsMouseReleased(0) && dragged_ < kClick * scale && is_over) {
     click(desk, x, y);
   }
   if (!is_down) is_dragging_ = false;
   if (!is_dragging_) return;
   if (went_down) return;  // how the mouse came here is no drag
   dragged_ += std::hypot(io.MouseDelta.x, io.MouseDelta.y);
-  if (dragged_ < kClick) return;
+  if (dragged_ < kClick * scale) return;
   const double right = static_cast<double>(io.MouseDelta.x) / region.height;
   const double up = -static_cast<double>(io.MouseDelta.y) / region.height;
   if (ImGui::IsMouseDown(2) || (ImGui::IsMouseDown(0) && io.KeyShift)) {

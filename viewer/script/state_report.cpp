@@ -296,6 +296,7 @@ json state_report(const Desk& desk) {
           {"size", size_json(session)},
           {"unit", session.model().unit ? json(*session.model().unit) : json(nullptr)},
           {"up", up_name(desk.up)},
+          {"scale", number(desk.scale)},
           {"resident_bytes", resident_bytes()},
           {"progress", {{"text", session.job().text()}, {"done", session.job().fraction()}}},
           {"settled", session.is_settled()},
