@@ -139,6 +139,7 @@ TEST_F(ViewTools, HideSurfacesAndMeasure) {
                                       {{"sort-surfaces", {{"by", "area"}, {"falling", true}}}},
                                       {{"show-surface", {{"surface", "left"}, {"on", false}}}},
                                       {{"mark-surface", "floor"}},
+                                      {{"list-surfaces", "material"}},
                                       {{"screenshot", result("b.png")}},
                                       {{"measure", {{"from", {0, 0, 0}}, {"to", {0.3, 0, 0.4}}}}},
                                       {{"save-view", "front"}},
@@ -148,6 +149,9 @@ TEST_F(ViewTools, HideSurfacesAndMeasure) {
                                       {{"use-view", "front"}},
                                       {{"measure-at", {{"x", 0.5}, {"y", 0.8}}}},
                                       {{"report", result("c.json")}},
+                                      {{"isolate-surface", {{"material", "red"}}}},
+                                      {{"mark-surface", {{"emitter", "light"}}}},
+                                      {{"report", result("e.json")}},
                                       "show-all-surfaces",
                                       {{"mark-surface", nullptr}},
                                       {{"measure", json::object()}},
@@ -167,6 +171,10 @@ TEST_F(ViewTools, HideSurfacesAndMeasure) {
     EXPECT_EQ(surface["marked"], surface["name"] == "floor");
     EXPECT_LE(surface["area"].get<double>(), last);
     last = surface["area"];
+  }
+  for (const json& surface : report("e.json")["surfaces"]) {
+    EXPECT_EQ(surface["shown"], surface["material"] == "red");
+    EXPECT_EQ(surface["marked"], surface["material"] == "light");
   }
   const Picture whole = read_png(result("a.png"));
   EXPECT_NE(color_at(read_png(result("b.png")), before, 0.1, 0.4),

@@ -4,7 +4,9 @@
 #include <array>
 #include <charconv>
 
+#include "radiosity/scene/radiometry.h"
 #include "radiosity/solve/quantity.h"
+#include "radiosity/solve/surface_flux.h"
 
 namespace viewer {
 namespace {
@@ -30,13 +32,13 @@ std::optional<double> value_of(const SurfaceTotal& total, TotalColumn column) {
 }
 
 /// Adds what the light gives each surface; weights of the bands as the eye has them, or 1.
-void add_light(std::vector<SurfaceTotal>& totals, const Session& session) {
-  const radiosity::PatchMesh& mesh = *session.model().mesh;
-  const radiosity::Solution& solution = session.light()->solution;
-  const bool is_thermal = session.is_thermal();
+void add_light(std::vector<SurfaceTotal>& totals, const Known& known) {
+  const radiosity::PatchMesh& mesh = *known.model.mesh;
+  const radiosity::Solution& solution = known.light->solution;
+  const bool is_thermal = known.model.scene && radiosity::is_thermal(*known.model.scene);
   const Eigen::VectorXd weights =
       is_thermal ? Eigen::VectorXd(Eigen::VectorXd::Ones(solution.radiosity.cols()))
-                 : radiosity::luminous_weights(session.model().bands);
+                 : radiosity::luminous_weights(known.model.bands);
   const Eigen::VectorXd leaving = solution.radiosity * weights;
   const Eigen::VectorXd arriving = solution.irradiance * weights;
   std::vector<double> flux(totals.size());
@@ -55,9 +57,9 @@ void add_light(std::vector<SurfaceTotal>& totals, const Session& session) {
 
 }  // namespace
 
-std::vector<SurfaceTotal> surface_totals(const Session& session) {
-  if (!session.is_open()) return {};
-  const Model& model = session.model();
+std::vector<SurfaceTotal> surface_totals(const Known& known) {
+  const Model& model = known.model;
+  if (!model.mesh) return {};
   const radiosity::PatchMesh& mesh = *model.mesh;
   std::vector<SurfaceTotal> totals(mesh.surface_names.size());
   for (std::size_t s = 0; s < totals.size(); ++s) {
@@ -72,7 +74,7 @@ std::vector<SurfaceTotal> surface_totals(const Session& session) {
     ++total.n_patches;
     total.area += mesh.area[i];
   }
-  if (session.light() != nullptr) add_light(totals, session);
+  if (known.light) add_light(totals, known);
   return totals;
 }
 

@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "radiosity/base/geometry.h"
-#include "viewer/work/session.h"
+#include "radiosity/scene/patch_mesh.h"
+#include "viewer/work/known.h"
 
 namespace viewer {
 
@@ -15,7 +16,7 @@ namespace viewer {
 struct SurfaceTotal {
   std::int32_t surface = 0;
   std::string name;
-  std::string material;  ///< "" without a scene
+  std::string material = {};  ///< "" without a scene
   radiosity::Index n_patches = 0;
   double area = 0;  ///< m², both sides of a two-sided surface
   /// Of what leaves, Σ A B, and of what arrives, the mean over the area; lm and lux or, in thermal
@@ -25,8 +26,9 @@ struct SurfaceTotal {
   std::optional<double> heat = {};  ///< Σ A (B − H), W; of thermal scenes
 };
 
-/// One entry per surface, in the scene's order. Takes as many additions as there are patches.
-std::vector<SurfaceTotal> surface_totals(const Session& session);
+/// One entry per surface, in the scene's order; none if no scene is open. Takes as many additions
+/// as there are patches.
+std::vector<SurfaceTotal> surface_totals(const Known& known);
 
 /// By what a list of surfaces is sorted.
 enum class TotalColumn { name, area, flux, irradiance, heat };

@@ -180,10 +180,10 @@ void draw_iso_numbers(const Desk& desk, ImDrawList& list) {
 void draw_marked(const Desk& desk, ImDrawList& list, float scale) {
   // Each takes a ray.
   constexpr std::size_t kMostLines = 3000;
-  const std::size_t stride = desk.marked_lines.size() / kMostLines + 1;
+  const std::size_t stride = desk.marks.lines().size() / kMostLines + 1;
   const Vec3 position = desk.camera.camera().position;
-  for (std::size_t k = 0; k < desk.marked_lines.size(); k += stride) {
-    const SurfaceLine& line = desk.marked_lines[k];
+  for (std::size_t k = 0; k < desk.marks.lines().size(); k += stride) {
+    const SurfaceLine& line = desk.marks.lines()[k];
     if (!is_drawn(line, position, Backs::hidden)) continue;
     const auto from = project(desk, line.ends[0]);
     const auto to = project(desk, line.ends[1]);

@@ -114,7 +114,7 @@ void Panels::draw_part(const Desk& desk, TourTarget target, const Draw& draw) {
 }
 
 void Panels::draw_ask(Desk& desk) {
-  draw_surfaces_panel(desk);
+  surfaces_.draw(desk);
   draw_part(desk, TourTarget::ask, [&] { draw_ask_panel(desk); });
   if (desk.session.is_thermal()) draw_heat_panel(desk);
 }

@@ -218,7 +218,7 @@ json surfaces_json(const Desk& desk) {
   const auto optional = [](const std::optional<double>& value) {
     return value ? number(*value) : json(nullptr);
   };
-  std::vector<SurfaceTotal> totals = surface_totals(desk.session);
+  std::vector<SurfaceTotal> totals = surface_totals(desk.session.known());
   sort(totals, desk.surface_order);
   json list = json::array();
   for (const SurfaceTotal& total : totals) {
@@ -230,7 +230,7 @@ json surfaces_json(const Desk& desk) {
                     {"irradiance", optional(total.irradiance)},
                     {"heat", optional(total.heat)},
                     {"shown", !desk.look.hidden.contains(total.surface)},
-                    {"marked", desk.marked_surface == total.surface}});
+                    {"marked", desk.marks.contains(total.surface)}});
   }
   return list;
 }
