@@ -10,6 +10,7 @@
 #include "io/picture/image_file.h"
 #include "radiosity/base/error.h"
 #include "viewer/desk/desk.h"
+#include "viewer/desk/picture_words.h"
 #include "viewer/desk/tour.h"
 #include "viewer/draw/backdrop.h"
 #include "viewer/draw/comparison_overlay.h"
@@ -57,6 +58,7 @@ class Application final : public ScriptHost {
         desk_(options.solving, options.reading),
         panels_(options.solving) {
     desk_.asked_up = options.up;
+    desk_.scale = window_.scale();
     desk_.examples.find(options.examples);
     if (options.path) desk_.kept_files.emplace_back(*options.path);
     if (!options.script) return;
@@ -133,8 +135,9 @@ class Application final : public ScriptHost {
     const bool has_still = desk_.look.show != Show::work_plane;
     backdrop_.draw(has_still ? painter_.still() : nullptr, desk_.region);
     guides_.draw(desk_, window_.scale());
-    draw_overlay(desk_, window_.scale());
     draw_comparison(desk_, window_.scale());
+    draw_overlay(desk_, window_.scale());
+    draw_axes(desk_, window_.scale());
     if (desk_.copied) window_.copy(*std::exchange(desk_.copied, std::nullopt));
     finish_frame();
     const auto end = Clock::now();

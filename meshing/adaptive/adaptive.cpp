@@ -27,8 +27,6 @@ constexpr long kFirstShare = 4;
 /// What a round divides holds this share of the squared error at most.
 constexpr double kLargestShare = 0.8;
 constexpr int kMaxRounds = 40;
-/// What is asked is to be met by an estimate that may itself be half as much again.
-constexpr double kMargin = 1.5;
 /// Of the solutions on the way.
 constexpr double kSolveTolerance = 1e-5;
 /// Dense operators may take this part of the memory each: one is made from another, and is larger
@@ -153,9 +151,9 @@ class Refiner {
   }
 
   [[nodiscard]] double estimated_error(const Stage& stage) const {
-    return kMargin * discretisation_error(patches_.mesh(), *stage.transport, stage.solution,
-                                          options_.progress)
-                         .relative;
+    return kErrorMargin * discretisation_error(patches_.mesh(), *stage.transport, stage.solution,
+                                               options_.progress)
+                              .relative;
   }
 
   /// Share of the squared error to be got rid of, a little more than is asked.

@@ -42,11 +42,14 @@ struct AdaptiveMesh {
   Refinement refinement = {};
 };
 
+/// What is asked is to be met by an estimate that may itself be half as much again.
+inline constexpr double kErrorMargin = 1.5;
+
 /// Patches small where the light varies: starts from coarse ones, cut where other surfaces stand on
 /// them (`contact_lines`), then solves and divides those whose variation matters most
 /// (`refinement_indicator`), until the estimated error is met or the patches are spent. Dense form
 /// factors between patches that stay are kept; compressed ones, of which make_transport has some
-/// from kMostDense patches on, are made anew in each round. The error is 1.5 times
+/// from kMostDense patches on, are made anew in each round. The error is kErrorMargin times
 /// `DiscretisationError::relative`, which is an estimate. Throws what make_patches, make_transport
 /// and solve throw.
 AdaptiveMesh make_adaptive_patches(const radiosity::Scene& scene,

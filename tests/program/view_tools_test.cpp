@@ -45,6 +45,93 @@ TEST_F(ViewTools, HandleTheColourBarAndLines) {
   EXPECT_NE(color("a"), color("c"));
 }
 
+/// Pixels of the picture's part of a window that are red, as what sees an opening is outlined.
+long count_red(const fs::path& file, const json& region) {
+  const Picture picture = read_png(file);
+  const int left = region["left"];
+  const int top = region["top"];
+  long n = 0;
+  for (int y = top; y < top + region["height"].get<int>(); ++y) {
+    for (int x = left; x < left + region["width"].get<int>(); ++x) {
+      const auto [red, green, blue] = picture.at(x, y);
+      if (red > 120 && red > 2 * green && red > 2 * blue) ++n;
+    }
+  }
+  return n;
+}
+
+// What sees an opening where there should be none is outlined, and cannot be missed where it is
+// small: a ring of 9 pixels at scale 1 has some 28 at scale 0.5, of which the shadow takes some.
+TEST_F(ViewTools, ShowThePatchesThatSeeAnOpening) {
+  const Outcome outcome = run_script({{{"load", kBox}},
+                                      "wait-solved",
+                                      {{"set-look", {{"axes", false}}}},  // of which one is red
+                                      {{"set-quantity", "area"}},
+                                      {{"screenshot", result("a.png")}},
+                                      {{"set-quantity", "unseen"}},
+                                      {{"screenshot", result("b.png")}},
+                                      {{"report", result("b.json")}},
+                                      {{"zoom", 60}},
+                                      {{"screenshot", result("c.png")}}},
+                                     {"--closed", "yes"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_GT(report("b.json")["open_patches"].size(), 20U);
+  const json region = report("b.json")["region"];
+  EXPECT_EQ(count_red(result("a.png"), region), 0);
+  EXPECT_GT(count_red(result("b.png"), region), 1000);
+  EXPECT_GT(count_red(result("c.png"), region), 12);
+}
+
+/// Pixels of the colour that a patch is outlined with that is asked.
+long count_outline(const Picture& picture, const json& region) {
+  const int left = region["left"];
+  const int top = region["top"];
+  long n = 0;
+  for (int y = top; y < top + region["height"].get<int>(); ++y) {
+    for (int x = left; x < left + region["width"].get<int>(); ++x) {
+      const auto [red, green, blue] = picture.at(x, y);
+      if (red > 215 && std::abs(green - 170) < 30 && blue < 90) ++n;
+    }
+  }
+  return n;
+}
+
+// On a screen of twice as many pixels all is twice as large, lines too, and the mouse hits the
+// same.
+TEST_F(ViewTools, AreTwiceAsLargeAtTwiceTheScale) {
+  const auto show = [&](const std::string& name, const Arguments& size) {
+    const json actions = {{{"load", kBox}},
+                          "wait-solved",
+                          {{"set-quantity", "form-factors"}},
+                          {{"select-at", {{"x", 0.3}, {"y", 0.7}}}},
+                          "wait-idle",
+                          {{"set-legend", {{"map", "grey"}}}},
+                          {{"report", result(name + ".json")}},
+                          {{"screenshot", result(name + ".png")}}};
+    Arguments arguments = {"view", "--patches", "60", "--script",
+                           write_file("script.json", actions.dump())};
+    arguments.insert(arguments.end(), size.begin(), size.end());
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  };
+  show("a", {"--width", "640", "--height", "480", "--ui-scale", "1"});
+  show("b", {"--width", "1280", "--height", "960", "--ui-scale", "2"});
+  const json plain = report("a.json");
+  const json twice = report("b.json");
+  EXPECT_EQ(twice["scale"], 2);
+  EXPECT_EQ(plain["selected"]["patch"], twice["selected"]["patch"]);
+  for (const char* key : {"left", "top", "width", "height"}) {
+    EXPECT_NEAR(twice["region"][key].get<double>(), 2 * plain["region"][key].get<double>(), 4)
+        << key;
+  }
+  const auto one = count_outline(read_png(result("a.png")), plain["region"]);
+  const auto four = count_outline(read_png(result("b.png")), twice["region"]);
+  // Twice as long and wide; of what is blended at its sides not all counts.
+  EXPECT_GT(one, 20);
+  EXPECT_GT(four, 3 * one);
+  EXPECT_LT(four, 6 * one);
+}
+
 TEST_F(ViewTools, HideSurfacesAndMeasure) {
   const Outcome outcome = run_script({{{"load", kBox}},
                                       "wait-solved",
@@ -53,6 +140,7 @@ TEST_F(ViewTools, HideSurfacesAndMeasure) {
                                       {{"sort-surfaces", {{"by", "area"}, {"falling", true}}}},
                                       {{"show-surface", {{"surface", "left"}, {"on", false}}}},
                                       {{"mark-surface", "floor"}},
+                                      {{"list-surfaces", "material"}},
                                       {{"screenshot", result("b.png")}},
                                       {{"measure", {{"from", {0, 0, 0}}, {"to", {0.3, 0, 0.4}}}}},
                                       {{"save-view", "front"}},
@@ -62,6 +150,9 @@ TEST_F(ViewTools, HideSurfacesAndMeasure) {
                                       {{"use-view", "front"}},
                                       {{"measure-at", {{"x", 0.5}, {"y", 0.8}}}},
                                       {{"report", result("c.json")}},
+                                      {{"isolate-surface", {{"material", "red"}}}},
+                                      {{"mark-surface", {{"emitter", "light"}}}},
+                                      {{"report", result("e.json")}},
                                       "show-all-surfaces",
                                       {{"mark-surface", nullptr}},
                                       {{"measure", json::object()}},
@@ -86,6 +177,10 @@ TEST_F(ViewTools, HideSurfacesAndMeasure) {
     EXPECT_EQ(surface["marked"], surface["name"] == "floor");
     EXPECT_LE(surface["area"].get<double>(), last);
     last = surface["area"];
+  }
+  for (const json& surface : report("e.json")["surfaces"]) {
+    EXPECT_EQ(surface["shown"], surface["material"] == "red");
+    EXPECT_EQ(surface["marked"], surface["material"] == "light");
   }
   const Picture whole = read_png(result("a.png"));
   EXPECT_NE(color_at(read_png(result("b.png")), before, 0.1, 0.4),

@@ -15,7 +15,6 @@
 #include "viewer/desk/show_info.h"
 #include "viewer/desk/shown_scale.h"
 #include "viewer/desk/spectrum.h"
-#include "viewer/work/job_progress.h"
 
 namespace {
 
@@ -136,6 +135,7 @@ TEST(PatchFacts, NumbersAreAsAPersonWritesThem) {
   EXPECT_EQ(viewer::number_text(122.7, 2), "120");
   EXPECT_EQ(viewer::number_text(0.0567, 2), "0.057");
   EXPECT_EQ(viewer::numbers_text(Eigen::Vector2d(1, 20), true), "≈ 1.0  20");
+  EXPECT_EQ(viewer::errors_text(Eigen::Vector2d(0.0004142, 7.69e-5)), "0.00041  7.7e-05");
   EXPECT_EQ(viewer::numbers_text(Eigen::VectorXd::LinSpaced(76, 1, 3)), "1.00 to 3.00");
 }
 
@@ -157,35 +157,6 @@ TEST(Spectrum, TellsTheBandUnderTheMouse) {
   EXPECT_EQ(axes.wavelengths.high, 700);
   EXPECT_EQ(axes.values.low, 0);
   EXPECT_GE(axes.values.high, 7.5);
-}
-
-viewer::WorkStatus stage(const char* name, double done) {
-  return {.is_busy = true, .stage = name, .done = done, .total = 1};
-}
-
-TEST(JobProgress, NeverRunsBackwardsAndTellsRoundsAndTime) {
-  viewer::JobProgress job;
-  job.set_rounds(true);
-  EXPECT_EQ(job.text(), "");
-  double fraction = 0;
-  double now = 0;
-  for (const auto& status :
-       {stage("form factors", 0), stage("form factors", 0.4), stage("form factors", 0.75),
-        stage("form factors", 0.7), stage("solve", 0.2), stage("patch size", 1),
-        stage("form factors", 0.1), stage("form factors", 0.2), stage("solve", 0.5)}) {
-    job.update(status, now += 10);
-    EXPECT_GE(job.fraction(), fraction);
-    EXPECT_LT(job.fraction(), 1);
-    fraction = job.fraction();
-  }
-  EXPECT_NE(job.text().find("round 2: light"), std::string::npos) << job.text();
-  EXPECT_LT(fraction, 0.5);  // there may be more
-  job.update({}, now);
-  EXPECT_EQ(job.text(), "");
-  job.update(stage("form factors", 0.01), now);
-  job.update(stage("form factors", 0.2), now + 10);
-  EXPECT_EQ(job.text(), "form factors 20 %, about 40 s left");
-  EXPECT_GT(job.fraction(), 0);
 }
 
 // What is white must look white in any bands, and red red.

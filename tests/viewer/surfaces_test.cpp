@@ -1,7 +1,9 @@
 // The list of surfaces: what each has as a whole, and which are in the picture.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numeric>
+#include <set>
 
 #include "radiosity/solve/quantity.h"
 #include "radiosity/solve/surface_flux.h"
@@ -26,10 +28,10 @@ constexpr double kSum = 1e-12;  // relative rounding of a sum over the patches
 
 TEST(SurfaceTotals, AddUpToTheScene) {
   viewer::Session session(coarse());
-  EXPECT_TRUE(viewer::surface_totals(session).empty());
+  EXPECT_TRUE(viewer::surface_totals(session.known()).empty());
   open(session, kBox);
   const PatchMesh& mesh = *session.model().mesh;
-  const auto totals = viewer::surface_totals(session);
+  const auto totals = viewer::surface_totals(session.known());
   ASSERT_EQ(totals.size(), mesh.surface_names.size());
   const auto field = [&](Quantity quantity) {
     return make_field(quantity, mesh, session.light()->solution, session.model().bands)
@@ -82,7 +84,7 @@ TEST(SurfaceTotals, OfHeatAreItsNetFluxes) {
   viewer::Session session(coarse());
   open(session, kThermal);
   const auto fluxes = radiosity::surface_fluxes(*session.model().mesh, session.light()->solution);
-  const auto totals = viewer::surface_totals(session);
+  const auto totals = viewer::surface_totals(session.known());
   ASSERT_EQ(totals.size(), fluxes.size());
   for (std::size_t s = 0; s < totals.size(); ++s) {
     const double size = totals[s].flux.value();
@@ -117,15 +119,16 @@ TEST(SurfaceTotals, AreSortedAsAsked) {
 
 TEST(HiddenSurfaces, AreThoseThatWereHidden) {
   HiddenSurfaces hidden;
+  const std::vector<std::int32_t> two = {2};
   EXPECT_TRUE(hidden.is_empty());
-  hidden = hidden.with(2, 4);
+  hidden = hidden.with(two, 4, true);
   EXPECT_TRUE(hidden.contains(2));
   EXPECT_FALSE(hidden.contains(1));
   EXPECT_FALSE(hidden.contains(99));
-  EXPECT_TRUE(hidden.without(2).is_empty());
-  const HiddenSurfaces others = HiddenSurfaces::all_but(1, 4);
+  EXPECT_TRUE(hidden.with(two, 4, false).is_empty());
+  const HiddenSurfaces others = HiddenSurfaces::all_but(std::vector{1}, 4);
   for (int s = 0; s < 4; ++s) EXPECT_EQ(others.contains(s), s != 1);
-  EXPECT_THROW(hidden.with(4, 4), std::out_of_range);
+  EXPECT_THROW(hidden.with(std::vector{4}, 4, true), std::out_of_range);
 }
 
 // The eye goes through what is hidden, to what is behind.
@@ -140,12 +143,14 @@ TEST(HiddenSurfaces, LetTheEyePass) {
   ASSERT_TRUE(near);
   EXPECT_NEAR(near->distance, 0.25, 1e-6);
   const auto n = mesh.surface_names.size();
-  const auto far = see(HiddenSurfaces().with(mesh.surface[near->patch], n));
+  const auto far = see(HiddenSurfaces().with(std::vector{mesh.surface[near->patch]}, n, true));
   ASSERT_TRUE(far);
   EXPECT_NEAR(far->distance, 0.9, 1e-4);
   EXPECT_EQ(mesh.normal[far->patch], -Vec3::UnitX());
   HiddenSurfaces all;
-  for (std::size_t s = 0; s < n; ++s) all = all.with(static_cast<std::int32_t>(s), n);
+  for (std::size_t s = 0; s < n; ++s) {
+    all = all.with(std::vector{static_cast<std::int32_t>(s)}, n, true);
+  }
   EXPECT_FALSE(see(all));
 }
 
@@ -153,7 +158,7 @@ TEST(HiddenSurfaces, HaveNoOutlines) {
   PatchMesh mesh;
   add_box(mesh, Vec3(0, 0, 0), Vec3(1, 1, 1), 2, Facing::inwards);
   double length = 0;
-  for (const auto& line : make_outlines(mesh, HiddenSurfaces::all_but(0, 6))) {
+  for (const auto& line : make_outlines(mesh, HiddenSurfaces::all_but(std::vector{0}, 6))) {
     length += (line.ends[1] - line.ends[0]).norm();
   }
   EXPECT_NEAR(length, 4, 1e-9);  // of one face
@@ -169,15 +174,16 @@ TEST(SurfaceList, MarksHidesAndForgets) {
   const std::int32_t surface = mesh.surface[patch];
   desk.session.select(patch);
   viewer::update(desk);
-  EXPECT_EQ(desk.marked_surface, surface);  // as clicked in the picture
-  EXPECT_TRUE(desk.marked_lines.empty());
-  viewer::mark_surface(desk, surface);  // as clicked in the list
-  EXPECT_FALSE(desk.marked_lines.empty());
-  viewer::set_shown(desk, surface, false);
+  const std::vector<std::int32_t> it = {surface};
+  EXPECT_EQ(desk.marks.surfaces(), it);  // as clicked in the picture
+  EXPECT_TRUE(desk.marks.lines().empty());
+  viewer::mark_surfaces(desk, it);  // as clicked in the list
+  EXPECT_FALSE(desk.marks.lines().empty());
+  viewer::set_shown(desk, it, false);
   EXPECT_NE(mesh.surface[viewer::patch_at(desk, 0.3, 0.6).value()], surface);
-  viewer::isolate(desk, surface);
+  viewer::isolate(desk, it);
   EXPECT_EQ(mesh.surface[viewer::patch_at(desk, 0.3, 0.6).value()], surface);
-  EXPECT_THROW(viewer::isolate(desk, 1000), std::out_of_range);
+  EXPECT_THROW(viewer::isolate(desk, std::vector{1000}), std::out_of_range);
   EXPECT_EQ(viewer::surface_named(mesh, mesh.surface_names[surface]), surface);
   EXPECT_FALSE(viewer::surface_named(mesh, "no such surface"));
   const double area = viewer::sorted_totals(desk).front().area;
@@ -185,8 +191,70 @@ TEST(SurfaceList, MarksHidesAndForgets) {
   open(desk.session, kRoom);
   viewer::update(desk);
   EXPECT_TRUE(desk.look.hidden.is_empty());
-  EXPECT_FALSE(desk.marked_surface);
+  EXPECT_TRUE(desk.marks.surfaces().empty());
   EXPECT_EQ(viewer::sorted_totals(desk).size(), desk.session.model().mesh->surface_names.size());
+}
+
+/// A patch of a group of surfaces that is seen from the room's camera, if any.
+std::set<std::int32_t> seen_surfaces(const viewer::Desk& desk) {
+  std::set<std::int32_t> seen;
+  constexpr int kPlaces = 10;
+  for (int x = 0; x < kPlaces; ++x) {
+    for (int y = 0; y < kPlaces; ++y) {
+      const auto patch = viewer::patch_at(desk, (x + 0.5) / kPlaces, (y + 0.5) / kPlaces);
+      if (patch) seen.insert(desk.session.model().mesh->surface[*patch]);
+    }
+  }
+  return seen;
+}
+
+// Materials and lamps go with their surfaces, in the list as in the picture.
+TEST(SurfaceGroups, AreShownHiddenAndMarkedTogether) {
+  viewer::Desk desk(coarse());
+  open(desk.session, kBox);
+  viewer::update(desk);
+  desk.region = {.left = 0, .top = 0, .width = 600, .height = 600};
+  const radiosity::Scene& scene = *desk.session.model().scene;
+  const auto groups = viewer::material_groups(scene);
+  ASSERT_EQ(groups.size(), scene.materials.size());
+  const auto totals = viewer::sorted_totals(desk);
+  std::size_t n = 0;
+  double area = 0;
+  double flux = 0;
+  for (const viewer::SurfaceGroup& group : groups) {
+    n += group.surfaces.size();
+    for (const std::int32_t surface : group.surfaces) {
+      EXPECT_EQ(scene.surfaces[surface].material, static_cast<std::int32_t>(group.index));
+    }
+    const SurfaceTotal total = viewer::group_total(group, totals);
+    area += total.area;
+    flux += total.flux.value_or(0);
+    viewer::isolate(desk, group.surfaces);
+    for (const std::int32_t surface : seen_surfaces(desk)) {
+      EXPECT_TRUE(std::count(group.surfaces.begin(), group.surfaces.end(), surface)) << surface;
+    }
+    desk.look.hidden = {};
+    viewer::set_shown(desk, group.surfaces, false);
+    for (const std::int32_t surface : seen_surfaces(desk)) {
+      EXPECT_FALSE(std::count(group.surfaces.begin(), group.surfaces.end(), surface)) << surface;
+    }
+    viewer::set_shown(desk, group.surfaces, true);
+    EXPECT_TRUE(desk.look.hidden.is_empty());
+    viewer::mark_surfaces(desk, group.surfaces);
+    EXPECT_EQ(desk.marks.surfaces(), group.surfaces);
+    EXPECT_FALSE(desk.marks.lines().empty());
+  }
+  EXPECT_EQ(n, scene.surfaces.size());
+  const auto sum = [&](const auto& get) {
+    return std::accumulate(totals.begin(), totals.end(), 0.0,
+                           [&](double so_far, const SurfaceTotal& t) { return so_far + get(t); });
+  };
+  EXPECT_NEAR(area, sum([](const SurfaceTotal& t) { return t.area; }), kSum * area);
+  EXPECT_NEAR(flux, sum([](const SurfaceTotal& t) { return t.flux.value_or(0); }), kSum * flux);
+  const auto lamps = viewer::lamp_groups(desk.session.mix());
+  ASSERT_EQ(lamps.size(), 1U);
+  EXPECT_EQ(lamps[0].name, desk.session.mix().emitters[0].name);
+  EXPECT_EQ(lamps[0].surfaces, desk.session.mix().emitters[0].surfaces);
 }
 
 }  // namespace

@@ -14,7 +14,6 @@
 #include "radiosity/base/error.h"
 #include "radiosity/picture/render.h"
 #include "radiosity/scene/patch_mesh.h"
-#include "viewer/desk/outlines.h"
 #include "viewer/work/standing.h"
 
 namespace viewer {
@@ -41,8 +40,7 @@ void greet(Desk& desk) {
   desk.meter.reset();
   desk.is_meter_in_hand = false;
   desk.look.hidden = {};
-  desk.marked_surface.reset();
-  desk.marked_lines.clear();
+  desk.marks.mark({});
   const Domain domain = domain_of(session);
   const Show shown = desk.look.show;
   const bool is_of_last_file =
@@ -80,20 +78,15 @@ bool update_meter(Desk& desk) {
 
 /// Keeps what is marked in the list of surfaces: where the picture was clicked, and in step with
 /// other patches.
-void update_marks(Desk& desk, const Session::Versions& then) {
+void update_marks(Desk& desk) {
   const Session& session = desk.session;
   const auto asked = desk.facts ? std::optional(desk.facts->patch) : std::nullopt;
   if (asked != session.selected()) {
-    desk.marked_surface.reset();
-    desk.marked_lines.clear();
-    if (const auto patch = session.selected()) {
-      desk.marked_surface = session.model().mesh->surface[*patch];
-    }
+    const auto patch = session.selected();
+    desk.marks.mark(patch ? std::vector{session.model().mesh->surface[*patch]}
+                          : std::vector<std::int32_t>());
   }
-  if (desk.marked_lines.empty() || session.versions().model == then.model) return;
-  const radiosity::PatchMesh& mesh = *session.model().mesh;
-  const auto others = HiddenSurfaces::all_but(*desk.marked_surface, mesh.surface_names.size());
-  desk.marked_lines = make_outlines(mesh, others);
+  desk.marks.follow(session.model().mesh);
 }
 
 }  // namespace
@@ -114,6 +107,8 @@ bool update(Desk& desk) {
   bool has_changed = desk.session.update();
   has_changed |= update_saving(desk);
   has_changed |= desk.examples.update();
+  has_changed |= desk.marks.update();
+  has_changed |= desk.summer.deliver();
   const Session& session = desk.session;
   if (const IterationRecord* record = session.iteration()) {
     has_changed |= advance(desk.watching, desk.look, *record, time_now());
@@ -143,7 +138,7 @@ bool update(Desk& desk) {
       desk.fluxes = radiosity::surface_fluxes(*session.model().mesh, session.light()->solution);
     }
   }
-  update_marks(desk, then);
+  update_marks(desk);
   desk.facts_versions = now;
   desk.facts.reset();
   desk.emitter_shares.clear();

@@ -17,6 +17,8 @@
 #include "viewer/desk/patch_facts.h"
 #include "viewer/desk/region.h"
 #include "viewer/desk/saved_views.h"
+#include "viewer/desk/surface_groups.h"
+#include "viewer/desk/surface_marks.h"
 #include "viewer/desk/surface_totals.h"
 #include "viewer/desk/tape.h"
 #include "viewer/desk/watching.h"
@@ -42,7 +44,7 @@ inline constexpr int kConsoleLines = 3;
 /// and through its session, so that all can do the same.
 struct Desk {
   explicit Desk(study::StudyOptions options = {}, io::ReadOptions reading = {})
-      : session(options, std::move(reading)) {}
+      : session(std::move(options), std::move(reading)) {}
 
   Session session;
   Look look;
@@ -64,11 +66,13 @@ struct Desk {
   std::vector<radiosity::SurfaceFlux> fluxes;  ///< of the light, where surfaces radiate by heat
   std::vector<EmitterShare> emitter_shares;    ///< of its light, once the light path is known
   Pinning pinning = {};                        ///< light to compare with
-  std::optional<std::int32_t> marked_surface;  ///< that is outlined, and stands out in the list
-  std::vector<SurfaceLine> marked_lines;       ///< its outlines
-  TotalOrder surface_order;                    ///< of the list
-  std::vector<SurfaceTotal> totals;            ///< in that order; see `sorted_totals`
-  Session::Versions totals_versions = {};      ///< at which these were found
+  SurfaceMarks marks = {};                     ///< in list and picture
+  SurfaceListing listing = SurfaceListing::surfaces;  ///< how surfaces are listed
+  bool is_list_open = false;
+  TotalOrder surface_order;                ///< of the list
+  std::vector<SurfaceTotal> totals;        ///< in that order; see `sorted_totals`
+  Session::Versions totals_versions = {};  ///< at which these were found
+  double scale = 1;                        ///< of text and lines, relative to a plain screen
   bool shows_panels = true;
   bool shows_help = false;
   int console_lines = kConsoleLines;
@@ -87,6 +91,7 @@ struct Desk {
   std::vector<std::filesystem::path> kept_files = {};
   LightMeter meter = {};  ///< among the last, so that they end first
   Worker saver = Worker();
+  Worker summer = Worker();  ///< sums up surfaces
   Examples examples = {};
 };
 

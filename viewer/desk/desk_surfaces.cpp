@@ -3,48 +3,62 @@
 #include <fmt/format.h>
 
 #include <stdexcept>
-
-#include "viewer/desk/outlines.h"
+#include <utility>
 
 namespace viewer {
 namespace {
 
-/// How many there are. Throws std::out_of_range if this is none of them.
-std::size_t checked_count(const Desk& desk, std::int32_t surface) {
+/// Of which sums take longer than the window's thread has.
+constexpr radiosity::Index kManyPatches = 30'000;
+
+bool is_large(const Desk& desk) { return desk.session.model().mesh->size() > kManyPatches; }
+
+/// How many there are. Throws std::out_of_range if one of these is none of them.
+std::size_t checked_count(const Desk& desk, std::span<const std::int32_t> surfaces) {
   const std::size_t n =
       desk.session.is_open() ? desk.session.model().mesh->surface_names.size() : 0;
-  if (surface < 0 || static_cast<std::size_t>(surface) >= n) {
-    throw std::out_of_range(fmt::format("there is no surface {}; the scene has {}", surface, n));
+  for (const std::int32_t surface : surfaces) {
+    if (surface < 0 || static_cast<std::size_t>(surface) >= n) {
+      throw std::out_of_range(fmt::format("there is no surface {}; the scene has {}", surface, n));
+    }
   }
   return n;
 }
 
 }  // namespace
 
-void set_shown(Desk& desk, std::int32_t surface, bool is_shown) {
-  const std::size_t n = checked_count(desk, surface);
-  HiddenSurfaces& hidden = desk.look.hidden;
-  hidden = is_shown ? hidden.without(surface) : hidden.with(surface, n);
+void set_shown(Desk& desk, std::span<const std::int32_t> surfaces, bool is_shown) {
+  desk.look.hidden = desk.look.hidden.with(surfaces, checked_count(desk, surfaces), !is_shown);
 }
 
-void isolate(Desk& desk, std::int32_t surface) {
-  desk.look.hidden = HiddenSurfaces::all_but(surface, checked_count(desk, surface));
+void isolate(Desk& desk, std::span<const std::int32_t> surfaces) {
+  desk.look.hidden = HiddenSurfaces::all_but(surfaces, checked_count(desk, surfaces));
 }
 
-void mark_surface(Desk& desk, std::optional<std::int32_t> surface) {
-  desk.marked_surface = surface;
-  desk.marked_lines.clear();
-  if (!surface) return;
-  const auto others = HiddenSurfaces::all_but(*surface, checked_count(desk, *surface));
-  desk.marked_lines = make_outlines(*desk.session.model().mesh, others);
+void mark_surfaces(Desk& desk, std::span<const std::int32_t> surfaces) {
+  checked_count(desk, surfaces);
+  desk.marks.outline(desk.session.model().mesh, {surfaces.begin(), surfaces.end()});
 }
 
 const std::vector<SurfaceTotal>& sorted_totals(Desk& desk) {
   const Session::Versions& now = desk.session.versions();
   const Session::Versions& then = desk.totals_versions;
   if (now.light != then.light || now.model != then.model || now.file != then.file) {
-    desk.totals_versions = now;
-    desk.totals = surface_totals(desk.session);
+    // Of other surfaces they would mislead.
+    if (now.file != then.file) desk.totals.clear();
+    if (!desk.session.is_open() || !is_large(desk)) {
+      desk.summer.cancel();
+      desk.totals = surface_totals(desk.session);
+      desk.totals_versions = now;
+    } else if (!desk.summer.is_busy()) {
+      desk.summer.start([&desk, now, known = desk.session.known()](const Worker::Context& context) {
+        context.post([&desk, now, totals = surface_totals(known)] {
+          desk.totals = totals;
+          set_temperatures(desk.totals, desk.session);
+          desk.totals_versions = now;
+        });
+      });
+    }
   }
   sort(desk.totals, desk.surface_order);
   return desk.totals;

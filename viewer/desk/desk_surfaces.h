@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "viewer/desk/desk.h"
@@ -9,13 +10,16 @@
 
 namespace viewer {
 
-/// Shows a surface, or hides it from picture and mouse. Throws std::out_of_range if there is none.
-void set_shown(Desk& desk, std::int32_t surface, bool is_shown);
+/// Shows surfaces, or hides them from picture and mouse. Throws std::out_of_range if there is no
+/// such surface.
+void set_shown(Desk& desk, std::span<const std::int32_t> surfaces, bool is_shown);
 /// Hides all others. Likewise.
-void isolate(Desk& desk, std::int32_t surface);
-/// Outlines a surface, or none. Likewise.
-void mark_surface(Desk& desk, std::optional<std::int32_t> surface);
-/// The surfaces' totals as they are now, in the desk's order.
+void isolate(Desk& desk, std::span<const std::int32_t> surfaces);
+/// Outlines surfaces, or none. Likewise.
+void mark_surfaces(Desk& desk, std::span<const std::int32_t> surfaces);
+
+/// The surfaces' totals in the desk's order: as they are now or, of very many patches, as they were
+/// a moment ago.
 const std::vector<SurfaceTotal>& sorted_totals(Desk& desk);
 
 }  // namespace viewer

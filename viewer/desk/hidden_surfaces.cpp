@@ -16,23 +16,20 @@ HiddenSurfaces HiddenSurfaces::of(std::vector<bool> flags) {
   return hidden;
 }
 
-HiddenSurfaces HiddenSurfaces::with(std::int32_t surface, std::size_t n_surfaces) const {
+HiddenSurfaces HiddenSurfaces::with(std::span<const std::int32_t> surfaces, std::size_t n_surfaces,
+                                    bool are_hidden) const {
   std::vector<bool> flags = flags_ ? *flags_ : std::vector<bool>();
   flags.resize(n_surfaces);
-  flags.at(static_cast<std::size_t>(surface)) = true;
+  for (const std::int32_t surface : surfaces) {
+    flags.at(static_cast<std::size_t>(surface)) = are_hidden;
+  }
   return of(std::move(flags));
 }
 
-HiddenSurfaces HiddenSurfaces::without(std::int32_t surface) const {
-  if (!contains(surface)) return *this;
-  std::vector<bool> flags = *flags_;
-  flags[surface] = false;
-  return of(std::move(flags));
-}
-
-HiddenSurfaces HiddenSurfaces::all_but(std::int32_t surface, std::size_t n_surfaces) {
+HiddenSurfaces HiddenSurfaces::all_but(std::span<const std::int32_t> surfaces,
+                                       std::size_t n_surfaces) {
   std::vector<bool> flags(n_surfaces, true);
-  flags.at(static_cast<std::size_t>(surface)) = false;
+  for (const std::int32_t surface : surfaces) flags.at(static_cast<std::size_t>(surface)) = false;
   return of(std::move(flags));
 }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "radiosity/base/geometry.h"
@@ -20,11 +21,11 @@ class HiddenSurfaces {
     return flags_ && static_cast<std::size_t>(surface) < flags_->size() && (*flags_)[surface];
   }
   [[nodiscard]] bool is_empty() const { return !flags_; }
-  /// The same with one more, or less, of so many surfaces.
-  [[nodiscard]] HiddenSurfaces with(std::int32_t surface, std::size_t n_surfaces) const;
-  [[nodiscard]] HiddenSurfaces without(std::int32_t surface) const;
-  /// All but one.
-  static HiddenSurfaces all_but(std::int32_t surface, std::size_t n_surfaces);
+  /// The same with these hidden or not, of so many surfaces.
+  [[nodiscard]] HiddenSurfaces with(std::span<const std::int32_t> surfaces, std::size_t n_surfaces,
+                                    bool are_hidden) const;
+  /// All but these.
+  static HiddenSurfaces all_but(std::span<const std::int32_t> surfaces, std::size_t n_surfaces);
 
   friend bool operator==(const HiddenSurfaces& a, const HiddenSurfaces& b) {
     return a.flags_ == b.flags_;

@@ -85,9 +85,9 @@ std::string number_text(double value, int digits) {
   return fmt::format("{:.0f}", unit * std::round(value / unit));
 }
 
-std::string numbers_text(const Eigen::VectorXd& values, bool is_rough) {
-  const int digits = is_rough ? kRoughDigits : values.size() == 1 ? kDigits : kDigitsOfMany;
-  const std::string mark = is_rough ? "≈ " : "";
+namespace {
+
+std::string numbers_text(const Eigen::VectorXd& values, int digits, const std::string& mark) {
   if (values.size() > kMostNumbers && values.minCoeff() < values.maxCoeff()) {
     return fmt::format("{}{} to {}", mark, number_text(values.minCoeff(), digits),
                        number_text(values.maxCoeff(), digits));
@@ -99,6 +99,17 @@ std::string numbers_text(const Eigen::VectorXd& values, bool is_rough) {
     text += (k > 0 ? "  " : "") + number_text(values[k], digits);
   }
   return text;
+}
+
+}  // namespace
+
+std::string numbers_text(const Eigen::VectorXd& values, bool is_rough) {
+  if (is_rough) return numbers_text(values, kRoughDigits, "≈ ");
+  return numbers_text(values, values.size() == 1 ? kDigits : kDigitsOfMany, "");
+}
+
+std::string errors_text(const Eigen::VectorXd& errors) {
+  return numbers_text(errors, kRoughDigits, "");
 }
 
 }  // namespace viewer

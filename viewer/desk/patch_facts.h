@@ -55,5 +55,7 @@ std::string number_text(double value, int digits = kDigits);
 /// Values in few digits, for a person: "0.532  0.41  0.2"; of many their range. `is_rough` ones get
 /// two digits and a mark.
 std::string numbers_text(const Eigen::VectorXd& values, bool is_rough = false);
+/// The same of errors, of which more than two digits mean nothing.
+std::string errors_text(const Eigen::VectorXd& errors);
 
 }  // namespace viewer

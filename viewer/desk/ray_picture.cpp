@@ -18,8 +18,7 @@ using radiosity::Index;
 using radiosity::PatchMesh;
 using radiosity::Vec3;
 
-constexpr double kEdgeWidth = 1;  // pixels
-constexpr double kIsolineWidth = 1.5;
+constexpr double kIsolineWidth = 1.5;   // times that of edges
 constexpr double kIsolineReach = 0.05;  // of the colour map, beyond which none is looked for
 constexpr double kJump = 4;             // pixels that one surface lies behind another
 constexpr double kOutlineShare = 0.8;   // of an outline's colour, over what is there
@@ -113,7 +112,8 @@ class RayPainter {
       // Of a pixel, there.
       const double size = pinhole_.pixel_size(ray, hit->distance);
       const bool is_large = std::sqrt(mesh_.area[hit->patch]) > kLargeEnough * size;
-      if (is_large && place.edge_distance < 0.5 * kEdgeWidth * size) return array(kEdgeColor);
+      if (is_large && place.edge_distance < 0.5 * options_.line_width * size)
+        return array(kEdgeColor);
     }
     return is_back ? array(kBackColor) : color_at(hit->patch, place, pixel);
   }
@@ -169,7 +169,7 @@ class RayPainter {
       const double right = map_position(patch, place_at(patch, place, pixel, {1, 0}));
       const double down = map_position(patch, place_at(patch, place, pixel, {0, 1}));
       const double change = std::hypot(right - value, down - value);
-      if (std::abs(value - level.position) < 0.5 * kIsolineWidth * change) {
+      if (std::abs(value - level.position) < 0.5 * kIsolineWidth * options_.line_width * change) {
         return array(isoline_color(level.position, corners_.map));
       }
     }
@@ -212,7 +212,7 @@ class RayPainter {
 };
 
 /// Draws outlines over a picture of them.
-void draw_outlines(io::RgbPicture& picture, const RayPainter& painter,
+void draw_outlines(io::RgbPicture& picture, const RayPainter& painter, double line_width,
                    const radiosity::Progress& progress) {
   const int width = picture.width;
   const int height = picture.height;
@@ -221,6 +221,7 @@ void draw_outlines(io::RgbPicture& picture, const RayPainter& painter,
     progress.check();
     for (int x = 0; x < width; ++x) hits[y * width + x] = painter.middle(x, static_cast<int>(y));
   });
+  std::vector<std::uint8_t> is_line(hits.size());
   radiosity::parallel_for(height, [&](std::ptrdiff_t row) {
     const int y = static_cast<int>(row);
     const auto is_line_to = [&](int x, int other_x, int other_y) {
@@ -229,7 +230,19 @@ void draw_outlines(io::RgbPicture& picture, const RayPainter& painter,
                                 hits[static_cast<std::ptrdiff_t>(other_y) * width + other_x]);
     };
     for (int x = 0; x < width; ++x) {
-      if (!is_line_to(x, x + 1, y) && !is_line_to(x, x, y + 1)) continue;
+      is_line[row * width + x] = is_line_to(x, x + 1, y) || is_line_to(x, x, y + 1) ? 1 : 0;
+    }
+  });
+  const int thickness = std::max(1, static_cast<int>(std::lround(line_width)));
+  radiosity::parallel_for(height, [&](std::ptrdiff_t row) {
+    for (int x = 0; x < width; ++x) {
+      bool is_near = false;  // to a pixel that a line begins at
+      for (std::ptrdiff_t y = std::max<std::ptrdiff_t>(0, row - thickness + 1); y <= row; ++y) {
+        const auto* line = is_line.data() + y * width;
+        is_near |=
+            std::find(line + std::max(0, x - thickness + 1), line + x + 1, 1) != line + x + 1;
+      }
+      if (!is_near) continue;
       for (int c = 0; c < 3; ++c) {
         std::uint8_t& byte = picture.bytes[3 * (row * width + x) + c];
         byte = static_cast<std::uint8_t>(
@@ -254,7 +267,7 @@ io::RgbPicture ray_picture(const PatchMesh& mesh, const radiosity::Visibility& v
       std::copy(color.begin(), color.end(), picture.bytes.begin() + 3 * (y * options.width + x));
     }
   });
-  if (options.has_outlines) draw_outlines(picture, painter, options.progress);
+  if (options.has_outlines) draw_outlines(picture, painter, options.line_width, options.progress);
   return picture;
 }
 

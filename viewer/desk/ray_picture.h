@@ -28,6 +28,7 @@ struct RayPictureOptions {
   int samples = 1;  ///< rays in each pixel along either side
   bool hides_backs = true;
   bool has_edges = false;  ///< of patches, where these are larger than some pixels
+  double line_width = 1;   ///< of edges and outlines, pixels; isolines are half as wide again
   HiddenSurfaces hidden = {};
   bool has_outlines = false;  ///< of surfaces, as `make_outlines` has them
   radiosity::Progress progress = {};

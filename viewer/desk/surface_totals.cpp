@@ -7,7 +7,9 @@
 #include <charconv>
 #include <cmath>
 
+#include "radiosity/scene/radiometry.h"
 #include "radiosity/solve/quantity.h"
+#include "radiosity/solve/surface_flux.h"
 
 namespace viewer {
 namespace {
@@ -48,13 +50,13 @@ double factor_of(const Session& session, std::int32_t surface) {
 }
 
 /// Adds what the light gives each surface; weights of the bands as the eye has them, or 1.
-void add_light(std::vector<SurfaceTotal>& totals, const Session& session) {
-  const radiosity::PatchMesh& mesh = *session.model().mesh;
-  const radiosity::Solution& solution = session.light()->solution;
-  const bool is_thermal = session.is_thermal();
+void add_light(std::vector<SurfaceTotal>& totals, const Known& known) {
+  const radiosity::PatchMesh& mesh = *known.model.mesh;
+  const radiosity::Solution& solution = known.light->solution;
+  const bool is_thermal = known.model.scene && radiosity::is_thermal(*known.model.scene);
   const Eigen::VectorXd weights =
       is_thermal ? Eigen::VectorXd(Eigen::VectorXd::Ones(solution.radiosity.cols()))
-                 : radiosity::luminous_weights(session.model().bands);
+                 : radiosity::luminous_weights(known.model.bands);
   const Eigen::VectorXd leaving = solution.radiosity * weights;
   const Eigen::VectorXd arriving = solution.irradiance * weights;
   std::vector<double> flux(totals.size());
@@ -87,9 +89,21 @@ std::string temperature_text(double kelvin) {
   return fmt::format("{:.1f} K, {:.1f} °C", kelvin, celsius(kelvin));
 }
 
+void set_temperatures(std::vector<SurfaceTotal>& totals, const Session& session) {
+  for (SurfaceTotal& total : totals) {
+    total.temperature = surface_temperature(session, total.surface);
+  }
+}
+
 std::vector<SurfaceTotal> surface_totals(const Session& session) {
-  if (!session.is_open()) return {};
-  const Model& model = session.model();
+  std::vector<SurfaceTotal> totals = surface_totals(session.known());
+  set_temperatures(totals, session);
+  return totals;
+}
+
+std::vector<SurfaceTotal> surface_totals(const Known& known) {
+  const Model& model = known.model;
+  if (!model.mesh) return {};
   const radiosity::PatchMesh& mesh = *model.mesh;
   std::vector<SurfaceTotal> totals(mesh.surface_names.size());
   for (std::size_t s = 0; s < totals.size(); ++s) {
@@ -97,7 +111,6 @@ std::vector<SurfaceTotal> surface_totals(const Session& session) {
     totals[s].name = mesh.surface_names[s];
     if (model.scene) {
       totals[s].material = model.scene->materials[model.scene->surfaces[s].material].name;
-      totals[s].temperature = surface_temperature(session, totals[s].surface);
     }
   }
   for (Index i = 0; i < mesh.size(); ++i) {
@@ -105,7 +118,7 @@ std::vector<SurfaceTotal> surface_totals(const Session& session) {
     ++total.n_patches;
     total.area += mesh.area[i];
   }
-  if (session.light() != nullptr) add_light(totals, session);
+  if (known.light) add_light(totals, known);
   return totals;
 }
 

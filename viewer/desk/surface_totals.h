@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "radiosity/base/geometry.h"
+#include "radiosity/scene/patch_mesh.h"
+#include "viewer/work/known.h"
 #include "viewer/work/session.h"
 
 namespace viewer {
@@ -15,7 +17,7 @@ namespace viewer {
 struct SurfaceTotal {
   std::int32_t surface = 0;
   std::string name;
-  std::string material;  ///< "" without a scene
+  std::string material = {};  ///< "" without a scene
   radiosity::Index n_patches = 0;
   double area = 0;  ///< m², both sides of a two-sided surface
   /// Of what leaves, Σ A B, and of what arrives, the mean over the area; lm and lux or, in thermal
@@ -32,8 +34,12 @@ double celsius(double kelvin);
 /// "400.0 K, 126.9 °C".
 std::string temperature_text(double kelvin);
 
-/// One entry per surface, in the scene's order. Takes as many additions as there are patches.
+/// One entry per surface, in the scene's order; none if no scene is open. Takes as many additions
+/// as there are patches.
+std::vector<SurfaceTotal> surface_totals(const Known& known);
+/// The same with temperatures, as the mix has them.
 std::vector<SurfaceTotal> surface_totals(const Session& session);
+void set_temperatures(std::vector<SurfaceTotal>& totals, const Session& session);
 
 /// By what a list of surfaces is sorted.
 enum class TotalColumn { name, area, flux, irradiance, heat, temperature };

@@ -3,9 +3,9 @@
 #include <imgui.h>
 
 #include <cmath>
-#include <string>
-
+#include "viewer/desk/picture_words.h"
 #include "viewer/desk/pinning.h"
+#include "viewer/draw/planned_picture.h"
 
 namespace viewer {
 namespace {
@@ -14,9 +14,10 @@ constexpr ImU32 kLine = IM_COL32(235, 235, 235, 255);
 constexpr ImU32 kLineShadow = IM_COL32(0, 0, 0, 160);
 constexpr ImU32 kHandle = IM_COL32(26, 27, 31, 235);
 constexpr ImU32 kLabel = IM_COL32(170, 175, 180, 255);
+constexpr float kHandleRadius = 13;  // pixels at scale 1
 
 void draw_handle(ImDrawList& list, ImVec2 center, float scale) {
-  const float radius = 13 * scale;
+  const float radius = kHandleRadius * scale;
   list.AddCircleFilled(center, radius, kHandle);
   list.AddCircle(center, radius, kLine, 0, 1.5F * scale);
   const float near = 3 * scale;
@@ -29,27 +30,7 @@ void draw_handle(ImDrawList& list, ImVec2 center, float scale) {
   }
 }
 
-/// Left of the line, where the light of now has its own.
-void draw_pinned_label(const Desk& desk, ImDrawList& list, float right, float scale) {
-  const std::string text = "pinned: " + desk.pinning.light->standing;
-  const auto left = static_cast<float>(desk.region.left) + 12 * scale;
-  const float width = right - left - 12 * scale;
-  if (width < 2 * ImGui::GetFontSize()) return;
-  const ImVec2 extent = ImGui::CalcTextSize(text.c_str(), nullptr, false, width);
-  const float top = static_cast<float>(desk.region.top) + 10 * scale;
-  list.AddRectFilled(ImVec2(left - 6 * scale, top - 4 * scale),
-                     ImVec2(left + extent.x + 6 * scale, top + extent.y + 4 * scale), kHandle,
-                     4 * scale);
-  list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), ImVec2(left, top), kLabel, text.c_str(),
-               nullptr, width);
-}
-
 }  // namespace
-
-double drawn_split(const Desk& desk) {
-  if (desk.region.width <= 0) return desk.pinning.split;
-  return std::round(desk.pinning.split * desk.region.width) / desk.region.width;
-}
 
 void draw_comparison(const Desk& desk, double scale) {
   if (shown_comparison(desk) != Comparison::wipe || desk.region.width <= 0) return;
@@ -61,8 +42,12 @@ void draw_comparison(const Desk& desk, double scale) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   list.AddLine(ImVec2(x, top), ImVec2(x, bottom), kLineShadow, 4 * size);
   list.AddLine(ImVec2(x, top), ImVec2(x, bottom), kLine, 1.5F * size);
-  draw_handle(list, ImVec2(x, (top + bottom) / 2), size);
-  draw_pinned_label(desk, list, x, size);
+  const PicturePlan plan = planned_picture(desk, scale);
+  const bool is_behind =
+      plan.legend && x > plan.legend->box.left - kHandleRadius * size;  // of the colour bar
+  draw_handle(list, ImVec2(x, ((is_behind ? plan.legend->box.bottom() : top) + bottom) / 2), size);
+  // Left of the line, where the light of now has its own.
+  if (plan.pinned) draw_plate(list, *plan.pinned, kLabel, picture_words(desk).pinned, size);
 }
 
 }  // namespace viewer

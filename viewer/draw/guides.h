@@ -11,8 +11,8 @@
 
 namespace viewer {
 
-/// Draws over the picture what tells where one is: outlines of faces whose backs are not drawn, and
-/// the axes in a corner. Needs an ImGui frame.
+/// Draws over the picture what tells where one is: outlines of faces whose backs are not drawn.
+/// Needs an ImGui frame.
 class Guides {
  public:
   /// `scale` is the size of text relative to a plain screen.
@@ -26,5 +26,8 @@ class Guides {
   std::optional<radiosity::Vec3> eye_;      // for which the pieces were found
   std::vector<OutlinePiece> pieces_;
 };
+
+/// Draws the axes in a corner, where they have room. Likewise.
+void draw_axes(const Desk& desk, double scale);
 
 }  // namespace viewer

@@ -1,5 +1,6 @@
 #include "viewer/draw/large_painter.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -254,11 +255,13 @@ void LargePainter::paint_still(const Desk& desk) {
   still_colors_ = colored_;
   is_still_best_ = false;
   picturing_.start([this, frame, mesh = mesh_, visibility = desk.session.model().visibility,
-                    colored = colored_, passes](const Worker::Context& context) {
+                    colored = colored_, passes,
+                    line_width = std::max(1.0, desk.scale)](const Worker::Context& context) {
     RayPictureOptions options{.width = frame.width,
                               .height = frame.height,
                               .hides_backs = frame.hides_backs,
                               .has_edges = frame.has_edges,
+                              .line_width = line_width,
                               .hidden = frame.hidden,
                               .has_outlines = frame.has_outlines && colored->painting.legend,
                               .progress = context.progress};

@@ -5,60 +5,19 @@
 #include <vector>
 
 #include "io/picture/color_bar.h"
+#include "viewer/desk/patch_facts.h"
 
 namespace viewer {
 namespace {
 
 constexpr ImU32 kLegendInk = IM_COL32(235, 235, 235, 255);
 constexpr ImU32 kLegendPaper = IM_COL32(26, 27, 31, 235);
-constexpr float kLegendWidth = 160;  // at scale 1, as the others
-constexpr float kLegendMargin = 10;
-constexpr float kBarWidth = 18;
-constexpr float kBarHeight = 380;
-constexpr float kLinesAround = 8;  // above and below the bar
-
-/// Where all stands.
-struct LegendPlan {
-  float left = 0;
-  float top = 0;
-  float width = 0;
-  float text_width = 0;
-  float height = 0;
-  LegendBar bar;
-};
-
-std::optional<LegendPlan> make_plan(const Desk& desk, float scale) {
-  if (!desk.legend) return std::nullopt;
-  const float line = ImGui::GetTextLineHeight();
-  const float margin = kLegendMargin * scale;
-  LegendPlan plan;
-  plan.width = kLegendWidth * scale;
-  plan.text_width = plan.width - 2 * margin;
-  plan.top = static_cast<float>(desk.region.top);
-  plan.left = static_cast<float>(desk.region.left + desk.region.width) - plan.width;
-  float title_height = 0;
-  for (const std::string& text : desk.legend->title) {
-    title_height += ImGui::CalcTextSize(text.c_str(), nullptr, false, plan.text_width).y;
-  }
-  const float fit_height =
-      ImGui::CalcTextSize(("bar: " + desk.legend->fit).c_str(), nullptr, false, plan.text_width).y;
-  const float around = title_height + fit_height + kLinesAround * line + 2 * margin;
-  const float room = static_cast<float>(desk.region.height) - around;
-  plan.bar = {.left = plan.left + margin,
-              .top = plan.top + margin + title_height + 1.5F * line,
-              .width = kBarWidth * scale,
-              .height = std::min(room, kBarHeight * scale)};
-  plan.height = around + plan.bar.height;
-  if (plan.bar.height < 2 * line) return std::nullopt;
-  return plan;
-}
-
 ImU32 ink_of(double position, io::ColorMap map) {
   const io::Rgb rgb = io::map_color(position, map);
   return IM_COL32(rgb[0], rgb[1], rgb[2], 255);
 }
 
-void draw_bar(ImDrawList& list, const Legend& legend, const LegendBar& bar) {
+void draw_bar(ImDrawList& list, const Legend& legend, const Box& bar) {
   constexpr int kSteps = 64;
   const float right = bar.left + bar.width;
   for (int k = 0; k < kSteps; ++k) {
@@ -84,7 +43,7 @@ void draw_bar(ImDrawList& list, const Legend& legend, const LegendBar& bar) {
 }
 
 /// Labels as many of the ticks as there is room for.
-void draw_ticks(ImDrawList& list, const Legend& legend, const LegendBar& bar, float scale) {
+void draw_ticks(ImDrawList& list, const Legend& legend, const Box& bar, float scale) {
   const float line = ImGui::GetTextLineHeight();
   const float right = bar.left + bar.width;
   float last = bar.top + bar.height + 2 * line;
@@ -107,31 +66,23 @@ float draw_line(ImDrawList& list, ImVec2 place, float width, const std::string& 
 
 }  // namespace
 
-std::optional<LegendBar> legend_bar(const Desk& desk, double scale) {
-  const auto plan = make_plan(desk, static_cast<float>(scale));
-  if (!plan) return std::nullopt;
-  return plan->bar;
-}
-
-void draw_legend(const Desk& desk, ImDrawList& list, double scale) {
-  const auto size = static_cast<float>(scale);
-  const auto plan = make_plan(desk, size);
-  if (!plan) return;
-  const Legend& legend = *desk.legend;
+void draw_legend(const Legend& legend, const LegendPlan& plan, ImDrawList& list, float scale) {
   const float line = ImGui::GetTextLineHeight();
-  list.AddRectFilled(ImVec2(plan->left, plan->top),
-                     ImVec2(plan->left + plan->width, plan->top + plan->height), kLegendPaper);
-  ImVec2 place(plan->bar.left, plan->top + kLegendMargin * size);
-  for (const std::string& text : legend.title) {
-    place.y = draw_line(list, place, plan->text_width, text);
+  list.AddRectFilled(ImVec2(plan.box.left, plan.box.top),
+                     ImVec2(plan.box.right(), plan.box.bottom()), kLegendPaper);
+  // Its words have the bar's margin above them, too.
+  ImVec2 place(plan.bar.left, plan.box.top + plan.bar.left - plan.box.left);
+  for (std::size_t k = 0; k < plan.n_titles; ++k) {
+    place.y = draw_line(list, place, plan.text_width, legend.title[k]);
   }
-  draw_bar(list, legend, plan->bar);
-  draw_ticks(list, legend, plan->bar, size);
-  place.y = plan->bar.top + plan->bar.height + 1.5F * line;
-  place.y = draw_line(list, place, plan->text_width, "bar: " + legend.fit);
+  draw_bar(list, legend, plan.bar);
+  draw_ticks(list, legend, plan.bar, scale);
+  if (!plan.has_details) return;
+  place.y = plan.bar.bottom() + 1.5F * line;
+  place.y = draw_line(list, place, plan.text_width, "bar: " + legend.fit);
   place.y += 0.5F * line;
-  place.y = draw_line(list, place, plan->text_width, "least " + number_text(legend.least));
-  draw_line(list, place, plan->text_width, "greatest " + number_text(legend.greatest));
+  place.y = draw_line(list, place, plan.text_width, "least " + number_text(legend.least));
+  draw_line(list, place, plan.text_width, "greatest " + number_text(legend.greatest));
 }
 
 }  // namespace viewer

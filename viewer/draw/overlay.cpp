@@ -6,16 +6,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "io/picture/color_bar.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "viewer/desk/measuring.h"
-#include "viewer/desk/pinning.h"
-#include "viewer/draw/comparison_overlay.h"
+#include "viewer/desk/picture_words.h"
 #include "viewer/draw/legend_view.h"
+#include "viewer/draw/planned_picture.h"
 #include "viewer/draw/projection.h"
-#include "viewer/work/standing.h"
 
 namespace viewer {
 namespace {
@@ -24,13 +25,13 @@ using radiosity::Index;
 using radiosity::Vec3;
 
 constexpr ImU32 kInk = IM_COL32(235, 235, 235, 255);
-constexpr ImU32 kPanel = IM_COL32(26, 27, 31, 235);
 constexpr ImU32 kNoResult = IM_COL32(255, 190, 60, 255);
 constexpr ImU32 kResult = IM_COL32(170, 175, 180, 255);
 constexpr ImU32 kOutline = IM_COL32(255, 170, 40, 255);
 constexpr ImU32 kOpen = IM_COL32(255, 80, 60, 255);
 constexpr ImU32 kHiddenOpen = IM_COL32(255, 80, 60, 150);
 constexpr std::size_t kMostOutlines = 1000;
+constexpr float kRingRadius = 9;  // pixels at scale 1
 constexpr ImU32 kShooter = IM_COL32(80, 220, 255, 255);
 constexpr ImU32 kNumberPaper = IM_COL32(20, 20, 24, 190);
 constexpr ImU32 kTape = IM_COL32(255, 225, 90, 255);
@@ -47,8 +48,23 @@ void outline(const Desk& desk, ImDrawList& list, Index patch, ImU32 color, float
     if (!place) return;
     corners[k] = *place;
   }
-  list.AddPolyline(corners.data(), n, kShadow, ImDrawFlags_Closed, width + 2);
-  list.AddPolyline(corners.data(), n, color, ImDrawFlags_Closed, width);
+  // Line by line, as a polyline has spikes at narrow corners.
+  for (const auto& [ink, thickness] : {std::pair(kShadow, width + 2), std::pair(color, width)}) {
+    for (int k = 0; k < n; ++k) list.AddLine(corners[k], corners[(k + 1) % n], ink, thickness);
+  }
+}
+
+/// How far a patch extends in the window from its first corner, pixels; 0 if it is not before the
+/// camera.
+float extent_of(const Desk& desk, Index patch) {
+  const radiosity::PatchMesh& mesh = *desk.session.model().mesh;
+  const auto first = project(desk, mesh.corner(patch, 0));
+  float extent = 0;
+  for (int k = 1; first && k < mesh.n_corners(patch); ++k) {
+    const auto corner = project(desk, mesh.corner(patch, k));
+    if (corner) extent = std::max(extent, std::hypot(corner->x - first->x, corner->y - first->y));
+  }
+  return extent;
 }
 
 /// What the camera sees in the direction of a point, m.
@@ -115,15 +131,31 @@ void draw_partners(const Desk& desk, ImDrawList& list, float scale) {
 }
 
 /// Those that see an opening: bold where the camera sees them, thin where something hides them.
+/// What is too small for an outline has a ring around it.
 void draw_open_patches(const Desk& desk, ImDrawList& list, float scale) {
   const Known known = desk.session.known();
   const std::vector<std::int32_t>* patches = open_patches(known);
   if (patches == nullptr) return;
-  const std::size_t n = std::min(kMostOutlines, patches->size());
-  for (std::size_t k = 0; k < n; ++k) {
+  const float radius = kRingRadius * scale;
+  std::set<std::pair<long, long>> ringed;  // squares of the window, so that no rings pile up
+  // Of very many some everywhere.
+  const std::size_t stride = (patches->size() + kMostOutlines - 1) / kMostOutlines;
+  for (std::size_t k = 0; k < patches->size(); k += stride) {
     const Index patch = (*patches)[k];
     const bool is_bold = is_seen(desk, patch);
-    outline(desk, list, patch, is_bold ? kOpen : kHiddenOpen, (is_bold ? 2.5F : 1) * scale);
+    const ImU32 ink = is_bold ? kOpen : kHiddenOpen;
+    const auto center = project(desk, desk.session.model().mesh->centroid[patch]);
+    if (center && extent_of(desk, patch) < radius) {
+      const bool is_free =
+          ringed
+              .emplace(std::lround(center->x / (2 * radius)), std::lround(center->y / (2 * radius)))
+              .second;
+      if (!is_free) continue;
+      list.AddCircle(*center, radius, kShadow, 0, 4 * scale);
+      list.AddCircle(*center, radius, ink, 0, 2 * scale);
+    } else {
+      outline(desk, list, patch, ink, (is_bold ? 2.5F : 1) * scale);
+    }
   }
 }
 
@@ -164,10 +196,10 @@ void draw_iso_numbers(const Desk& desk, ImDrawList& list) {
 void draw_marked(const Desk& desk, ImDrawList& list, float scale) {
   // Each takes a ray.
   constexpr std::size_t kMostLines = 3000;
-  const std::size_t stride = desk.marked_lines.size() / kMostLines + 1;
+  const std::size_t stride = desk.marks.lines().size() / kMostLines + 1;
   const Vec3 position = desk.camera.camera().position;
-  for (std::size_t k = 0; k < desk.marked_lines.size(); k += stride) {
-    const SurfaceLine& line = desk.marked_lines[k];
+  for (std::size_t k = 0; k < desk.marks.lines().size(); k += stride) {
+    const SurfaceLine& line = desk.marks.lines()[k];
     if (!is_drawn(line, position, Backs::hidden)) continue;
     const auto from = project(desk, line.ends[0]);
     const auto to = project(desk, line.ends[1]);
@@ -221,73 +253,6 @@ void draw_meters(const Desk& desk, ImDrawList& list, float scale) {
   }
 }
 
-/// How far what is shown can be trusted.
-Standing shown_standing(const Desk& desk) {
-  const Show show = desk.look.show;
-  if (show == Show::area || show == Show::unseen || show == Show::form_factors) return {};
-  if (show != Show::watched && show != Show::unshot) return standing(desk.session);
-  return {.text = watched_text(desk.session, desk.look)};
-}
-
-/// The same in the picture's corner.
-void draw_badge(const Desk& desk, ImDrawList& list, float scale) {
-  Standing now = shown_standing(desk);
-  if (now.text.empty()) return;
-  const Comparison comparison = shown_comparison(desk);
-  if (comparison != Comparison::none) now.text = "now: " + now.text;
-  // A preview that is being shot always gets better.
-  const bool is_shot = now.is_rough && !desk.session.light()->factor_error;
-  if (desk.is_painting_due && !is_shot) {
-    now.text += " (being painted)";
-    now.is_result = false;
-  }
-  // Pinned light stands to the left of its line.
-  const double split = comparison == Comparison::wipe ? drawn_split(desk) : 0;
-  const auto left = static_cast<float>(split * desk.region.width);
-  const ImVec2 place(static_cast<float>(desk.region.left) + left + 12 * scale,
-                     static_cast<float>(desk.region.top) + 10 * scale);
-  const float width = static_cast<float>(desk.region.width) - left - 24 * scale;
-  if (width < 2 * ImGui::GetFontSize()) return;
-  const char* text = now.text.c_str();
-  const ImVec2 extent = ImGui::CalcTextSize(text, nullptr, false, width);
-  list.AddRectFilled(ImVec2(place.x - 6 * scale, place.y - 4 * scale),
-                     ImVec2(place.x + extent.x + 6 * scale, place.y + extent.y + 4 * scale), kPanel,
-                     4 * scale);
-  list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), place, now.is_result ? kResult : kNoResult,
-               text, nullptr, width);
-}
-
-/// What to say if what is to be shown is not there.
-std::string missing_text(const Desk& desk) {
-  const Session& session = desk.session;
-  if (!session.is_open()) {
-    if (session.status().is_busy) return "Opening ...";
-    // Examples say so themselves.
-    return desk.examples.list().empty() ? "Drop a scene or result file here, or press Ctrl+O" : "";
-  }
-  const Show show = desk.look.show;
-  const bool is_painted = show == Show::true_color || show == Show::watched;
-  if ((show == Show::watched || show == Show::unshot) && session.iteration() == nullptr) {
-    return "Record an iteration in the panel 'Watch'";
-  }
-  if (desk.legend || (is_painted && session.light() != nullptr)) return "";
-  if (show == Show::work_plane) return "Work plane: " + readings_note(desk);
-  if (is_wide(show)) {
-    if (!session.model().factors) {
-      return session.is_settled() ? "Form factors are not known" : "Waits for the form factors ...";
-    }
-    if (!session.selected()) return "Click a patch";
-    if (show != Show::light_path && session.row() == nullptr) {
-      return "Evaluating the form factors of this patch ...";
-    }
-    if (show == Show::light_path) return "Working out where the light comes from ...";
-  }
-  if (show == Show::unseen) {
-    return session.is_settled() ? "Form factors are not known" : "Waits for the form factors ...";
-  }
-  return session.is_settled() ? "No light is known" : "Waits for the light ...";
-}
-
 }  // namespace
 
 void draw_overlay(const Desk& desk, double scale) {
@@ -313,18 +278,13 @@ void draw_overlay(const Desk& desk, double scale) {
     const Index patch = *desk.session.selected();
     if (is_seen(desk, patch)) outline(desk, list, patch, kOutline, 2.5F * size);
   }
-  draw_badge(desk, list, size);
-  if (const std::string text = missing_text(desk); !text.empty()) {
-    const ImVec2 extent = ImGui::CalcTextSize(text.c_str());
-    const ImVec2 place(
-        (top_left.x + bottom_right.x - extent.x) / 2,
-        desk.session.is_open() ? top_left.y + 4 * extent.y : (top_left.y + bottom_right.y) / 2);
-    list.AddRectFilled(ImVec2(place.x - 8 * size, place.y - 4 * size),
-                       ImVec2(place.x + extent.x + 8 * size, place.y + extent.y + 4 * size), kPanel,
-                       4 * size);
-    list.AddText(place, kInk, text.c_str());
+  const PictureWords words = picture_words(desk);
+  const PicturePlan plan = planned_picture(desk, scale);
+  if (plan.badge) {
+    draw_plate(list, *plan.badge, words.is_result ? kResult : kNoResult, words.badge, size);
   }
-  if (desk.legend) draw_legend(desk, list, scale);
+  if (plan.message) draw_plate(list, *plan.message, kInk, words.message, size);
+  if (plan.legend) draw_legend(*desk.legend, *plan.legend, list, size);
   list.PopClipRect();
 }
 

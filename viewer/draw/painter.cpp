@@ -1,5 +1,6 @@
 #include "viewer/draw/painter.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "viewer/desk/outlines.h"
@@ -36,6 +37,7 @@ void Painter::paint(Desk& desk, SceneView& view) {
   }
   view.set_camera(picture_camera(desk));
   view.set_edges(desk.look.edges);
+  view.set_line_width(static_cast<float>(std::max(1.0, desk.scale)));
   view.set_backs_hidden(desk.look.hide_backs);
   if (is_large(desk)) {
     large_.paint(desk, view);

@@ -213,6 +213,14 @@ void SceneView::set_color_map(io::ColorMap map) {
   is_dirty_ = true;
 }
 
+void SceneView::set_line_width(float width) {
+  Parts& parts = *parts_;
+  if (parts.line_actor->GetProperty()->GetLineWidth() == width) return;
+  parts.line_actor->GetProperty()->SetLineWidth(width);
+  parts.edge_actor->GetProperty()->SetLineWidth(width);
+  is_dirty_ = true;
+}
+
 void SceneView::set_lines(std::vector<SurfaceLine> lines) {
   if (lines.empty() && parts_->all_lines.empty()) return;
   parts_->all_lines = std::move(lines);

@@ -65,6 +65,8 @@ class SceneView {
   void set_lines(std::vector<SurfaceLine> lines);
   /// A surface of its own colours beside the patches; without triangles there is none.
   void set_inner_surface(InnerSurface surface);
+  /// Of edges and lines, pixels; 1 at first.
+  void set_line_width(float width);
   void set_edges(bool are_shown);
   void set_backs_hidden(bool are_hidden);
   void set_camera(const radiosity::Camera& camera);

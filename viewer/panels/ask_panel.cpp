@@ -66,7 +66,7 @@ void draw_light(const Desk& desk, const PatchFacts& facts) {
   };
   values("radiosity B", facts.radiosity);
   const char* unknown = session.is_settled() ? "not known" : "not known yet";
-  row("± (2 σ)", facts.error.size() > 0 ? numbers_text(2 * facts.error) : unknown);
+  row("± (2 σ)", facts.error.size() > 0 ? errors_text(2 * facts.error) : unknown);
   values("irradiance H", facts.irradiance);
   const auto pinned = pinned_irradiance(desk);
   if (pinned) row("  pinned", numbers_text(*pinned));

@@ -11,6 +11,8 @@ namespace {
 
 constexpr float kFrame = 14;  // pixels around the lines, at scale 1
 constexpr int kManyLines = 12;
+constexpr const char* kMoreLines = "More lines";
+constexpr const char* kFewerLines = "Fewer lines";
 constexpr float kButtonWidth = 6;  // heights of text
 
 /// Of a message that can be shown in the picture, what shows it.
@@ -63,16 +65,21 @@ void ConsolePanel::draw_edge(Desk& desk) {
   ImGui::SetCursorScreenPos(cursor);
 }
 
-void ConsolePanel::draw_buttons(Desk& desk) {
-  const bool is_long = desk.console_lines > kConsoleLines;
-  const char* size = is_long ? "Fewer lines" : "More lines";
+float ConsolePanel::buttons_width() {
   const ImGuiStyle& style = ImGui::GetStyle();
   float width = 0;
-  for (const char* label : {size, "Copy", "Clear"}) {
+  for (const char* label : {kFewerLines, "Copy", "Clear"}) {
     width += ImGui::CalcTextSize(label).x + 2 * style.FramePadding.x + style.ItemSpacing.x;
   }
-  ImGui::SameLine(ImGui::GetWindowWidth() - style.WindowPadding.x - width);
-  if (ImGui::SmallButton(size)) set_console_lines(desk, is_long ? kConsoleLines : kManyLines);
+  return width;
+}
+
+void ConsolePanel::draw_buttons(Desk& desk) {
+  const bool is_long = desk.console_lines > kConsoleLines;
+  ImGui::SameLine(ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x - buttons_width());
+  if (ImGui::SmallButton(is_long ? kFewerLines : kMoreLines)) {
+    set_console_lines(desk, is_long ? kConsoleLines : kManyLines);
+  }
   ImGui::BeginDisabled(desk.session.messages().empty());
   ImGui::SameLine();
   if (ImGui::SmallButton("Copy")) desk.copied = messages_text(desk.session);

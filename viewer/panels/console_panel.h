@@ -14,6 +14,8 @@ class ConsolePanel {
   static void draw_edge(Desk& desk);
   /// Buttons at the right end of a line of that window.
   static void draw_buttons(Desk& desk);
+  /// Pixels that they take.
+  static float buttons_width();
   /// The messages, in the rest of it: old ones pale, of a file that is not open any more.
   void draw(Desk& desk);
 

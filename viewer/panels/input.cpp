@@ -11,13 +11,13 @@
 #include "viewer/desk/picking.h"
 #include "viewer/desk/pinning.h"
 #include "viewer/desk/tour.h"
-#include "viewer/draw/legend_view.h"
+#include "viewer/draw/planned_picture.h"
 
 namespace viewer {
 namespace {
 
 constexpr double kTurn = 3.0;          // radian for a drag over the picture's height
-constexpr double kClick = 4;           // pixels that a hand may move in a click
+constexpr double kClick = 4;           // pixels at scale 1 that a hand may move in a click
 constexpr double kZoomStep = 0.88;     // per notch of the wheel
 constexpr double kWalk = 0.25;         // of the scene's size per second
 constexpr double kFast = 4;            // times as fast with Shift
@@ -101,14 +101,15 @@ bool Input::drag_split(Desk& desk, double x, bool is_over) {
 bool Input::handle_legend(Desk& desk, double scale) {
   const ImGuiIO& io = ImGui::GetIO();
   if (!ImGui::IsMouseDown(0)) held_end_.reset();
-  const auto bar = legend_bar(desk, scale);
-  if (!bar || !desk.legend) return held_end_.has_value();
+  const std::optional<LegendPlan> legend = planned_picture(desk, scale).legend;
+  if (!legend) return held_end_.has_value();
   const auto around = static_cast<float>(kBarReach * scale);
-  const double position = bar->position(io.MousePos.y);
-  const double reach = around / bar->height;
+  const Box& bar = legend->bar;
+  const double position = legend->position(io.MousePos.y);
+  const double reach = around / bar.height;
   const bool is_over =
-      !io.WantCaptureMouse && !is_dragging_ && io.MousePos.x >= bar->left - around &&
-      io.MousePos.x < bar->left + bar->width + around && position > -reach && position < 1 + reach;
+      !io.WantCaptureMouse && !is_dragging_ && io.MousePos.x >= bar.left - around &&
+      io.MousePos.x < bar.left + bar.width + around && position > -reach && position < 1 + reach;
   if (is_over || held_end_) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
   if (is_over && ImGui::IsMouseDoubleClicked(0)) {
     desk.look.range.reset();
@@ -148,14 +149,14 @@ void Input::handle_mouse(Desk& desk, double scale) {
       desk.camera.focus(grabbed_);  // shifted, it stays under the mouse
     }
   }
-  if (is_dragging_ && ImGui::IsMouseReleased(0) && dragged_ < kClick && is_over) {
+  if (is_dragging_ && ImGui::IsMouseReleased(0) && dragged_ < kClick * scale && is_over) {
     click(desk, x, y);
   }
   if (!is_down) is_dragging_ = false;
   if (!is_dragging_) return;
   if (went_down) return;  // how the mouse came here is no drag
   dragged_ += std::hypot(io.MouseDelta.x, io.MouseDelta.y);
-  if (dragged_ < kClick) return;
+  if (dragged_ < kClick * scale) return;
   const double right = static_cast<double>(io.MouseDelta.x) / region.height;
   const double up = -static_cast<double>(io.MouseDelta.y) / region.height;
   if (ImGui::IsMouseDown(2) || (ImGui::IsMouseDown(0) && io.KeyShift)) {

@@ -1,12 +1,11 @@
 #include "viewer/panels/panels.h"
 
-#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
 #include <vector>
 
-#include "viewer/panels/inks.h"
+#include "viewer/panels/status_line.h"
 #include "viewer/work/standing.h"
 
 namespace viewer {
@@ -26,25 +25,6 @@ void begin_panel(const char* name, float left, float top, float width, float hei
   ImGui::SetNextWindowPos(ImVec2(left, top));
   ImGui::SetNextWindowSize(ImVec2(width, height));
   ImGui::Begin(name, nullptr, kFixed);
-}
-
-std::string status_text(const Desk& desk) {
-  const Session& session = desk.session;
-  std::string text = session.is_paused() ? "paused, " : "";
-  const std::string job = session.job().text();
-  if (!job.empty()) {
-    text += job;
-  } else {
-    text += session.is_open() ? "ready" : "no scene";
-  }
-  if (session.is_open()) text += fmt::format(" · {} patches", session.model().mesh->size());
-  if (session.seconds_to_solve() > 0) {
-    text += fmt::format(" · solved in {}", duration_text(session.seconds_to_solve()));
-  }
-  if (const std::string accuracy = accuracy_text(session); !accuracy.empty()) {
-    text += " · " + accuracy;
-  }
-  return text;
 }
 
 }  // namespace
@@ -135,7 +115,7 @@ void Panels::draw_part(const Desk& desk, TourTarget target, const Draw& draw) {
 }
 
 void Panels::draw_ask(Desk& desk) {
-  draw_surfaces_panel(desk);
+  surfaces_.draw(desk);
   draw_part(desk, TourTarget::ask, [&] { draw_ask_panel(desk); });
   if (desk.session.is_thermal()) draw_heat_panel(desk);
 }
@@ -178,6 +158,14 @@ void Panels::draw_menu(Desk& desk) {
     }
     if (ImGui::MenuItem("Redo", "Ctrl+Shift+Z", false, history.can_redo())) {
       desk.session.redo_mix();
+    }
+    ImGui::Separator();
+    const bool has_messages = !desk.session.messages().empty();
+    if (ImGui::MenuItem("Copy messages", nullptr, false, has_messages)) {
+      desk.copied = messages_text(desk.session);
+    }
+    if (ImGui::MenuItem("Clear messages", nullptr, false, has_messages)) {
+      desk.session.clear_messages();
     }
     ImGui::EndMenu();
   }
@@ -226,23 +214,16 @@ void Panels::draw_solve(Desk& desk) {
   ImGui::SameLine();
   if (ImGui::Button("Stop")) session.stop();
   ImGui::EndDisabled();
+  // What was asked is no measure of what has become of it: the patches' size counts, too.
+  for (const std::string& text : {accuracy_text(session), asked_text(session)}) {
+    if (!text.empty()) ImGui::TextWrapped("%s", text.c_str());
+  }
 }
 
 void Panels::draw_status(Desk& desk, float top, float width, float height) {
   begin_panel("Status", 0, top, width, height);
   ConsolePanel::draw_edge(desk);
-  const Session& session = desk.session;
-  if (session.status().is_busy) {
-    ImGui::ProgressBar(static_cast<float>(session.job().fraction()),
-                       ImVec2(width / 6, ImGui::GetTextLineHeight()), "");
-    ImGui::SameLine();
-  }
-  ImGui::TextUnformatted(status_text(desk).c_str());
-  if (const std::string hovered = hovered_text(desk); !hovered.empty()) {
-    ImGui::SameLine(width * 0.6F);
-    ImGui::TextDisabled("%s", hovered.c_str());
-  }
-  ConsolePanel::draw_buttons(desk);
+  draw_status_line(desk);
   console_.draw(desk);
   ImGui::End();
 }

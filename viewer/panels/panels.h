@@ -5,12 +5,14 @@
 
 #include "viewer/desk/desk.h"
 #include "viewer/desk/key_press.h"
+#include "viewer/panels/attempt.h"
 #include "viewer/panels/console_panel.h"
 #include "viewer/panels/file_browser.h"
 #include "viewer/panels/gallery.h"
 #include "viewer/panels/measure_panel.h"
 #include "viewer/panels/recent_files.h"
 #include "viewer/panels/save_dialog.h"
+#include "viewer/panels/surfaces_panel.h"
 #include "viewer/panels/tour_box.h"
 #include "viewer/panels/views_panel.h"
 #include "viewer/panels/watch_panel.h"
@@ -51,6 +53,7 @@ class Panels {
   SaveDialog save_;
   ViewsPanel views_;
   MeasurePanel measure_;
+  SurfacesPanel surfaces_;
   WatchPanel watch_;
   ConsolePanel console_;
   Gallery gallery_;
@@ -63,20 +66,9 @@ class Panels {
 void draw_scene_panel(Desk& desk);
 void draw_look_panel(Desk& desk);
 void draw_compare_panel(Desk& desk);
-void draw_surfaces_panel(Desk& desk);
 void draw_what_if_panel(Desk& desk);
 void draw_ask_panel(Desk& desk);
 void draw_heat_panel(const Desk& desk);
 void draw_help(Desk& desk, double scale);
-
-/// Does what may fail; the console tells why if it does.
-template <typename Work>
-void attempt(Desk& desk, const Work& work) {
-  try {
-    work();
-  } catch (const std::exception& error) {
-    desk.session.tell_error(error.what());
-  }
-}
 
 }  // namespace viewer

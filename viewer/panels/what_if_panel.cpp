@@ -1,18 +1,12 @@
-#include <fmt/format.h>
 #include <imgui.h>
 
-#include <algorithm>
-#include <optional>
 #include <string>
 
-#include "io/picture/tone_mapping.h"
-#include "viewer/desk/painting.h"
+#include "viewer/panels/mix_widgets.h"
 #include "viewer/panels/panels.h"
 
 namespace viewer {
 namespace {
-
-constexpr const char* kReset = "reset";
 
 /// A line of a name, cut if it is too long, and at its end a value.
 void draw_label(const std::string& name, const std::string& value) {
@@ -29,97 +23,21 @@ void draw_label(const std::string& name, const std::string& value) {
   ImGui::TextUnformatted(value.c_str());
 }
 
-/// What a hand did to a slider.
-struct Slid {
-  std::optional<float> value;
-  bool is_reset = false;
-};
-
-/// A mark below the slider that was drawn last, at the file's value.
-void draw_file_mark(float value, float high) {
-  const ImVec2 low_corner = ImGui::GetItemRectMin();
-  const ImVec2 high_corner = ImGui::GetItemRectMax();
-  const ImGuiStyle& style = ImGui::GetStyle();
-  // As ImGui has it: the middle of the grab goes from half a grab within either end.
-  constexpr float kInset = 2;
-  const float inset = kInset + style.GrabMinSize / 2;
-  const float width = high_corner.x - low_corner.x - 2 * inset;
-  const float x = low_corner.x + inset + width * std::min(value / high, 1.F);
-  const float y = high_corner.y;
-  const float side = 0.28F * ImGui::GetFontSize();
-  ImGui::GetWindowDrawList()->AddTriangleFilled(ImVec2(x, y - side), ImVec2(x + side / 2, y),
-                                                ImVec2(x - side / 2, y),
-                                                ImGui::GetColorU32(ImGuiCol_Text));
-}
-
-/// A slider whose grab hides no number, with a mark at the file's value; `is_changed` offers to
-/// reset it. Each time that a hand takes it is a step to undo.
-Slid draw_slider(Session& session, float value, float high, bool is_changed, float original) {
-  const float reset_width = ImGui::CalcTextSize(kReset).x + 2 * ImGui::GetStyle().FramePadding.x;
-  const float gap = ImGui::GetStyle().ItemSpacing.x;
-  // Always as wide, so that it stays where it is under the mouse.
-  ImGui::SetNextItemWidth(-reset_width - gap);
-  constexpr ImGuiSliderFlags kFlags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput;
-  Slid slid;
-  if (ImGui::SliderFloat("##value", &value, 0, high, " ", kFlags)) slid.value = value;
-  if (ImGui::IsItemActivated()) session.begin_mix_step();
-  draw_file_mark(original, high);
-  if (!is_changed) return slid;
-  ImGui::SameLine();
-  slid.is_reset = ImGui::Button(kReset);
-  return slid;
-}
-
 void draw_emitter(Desk& desk, std::size_t e) {
-  Session& session = desk.session;
-  const Emitter& emitter = session.mix().emitters[e];
-  const Emitter& original = session.original_mix().emitters[e];
   ImGui::PushID(static_cast<int>(e));
-  bool is_on = emitter.is_on;
-  double scale = emitter.scale;
-  bool has_changed = ImGui::Checkbox("##on", &is_on);
-  if (has_changed) session.begin_mix_step();
+  draw_emitter_switch(desk, e);
   ImGui::SameLine();
-  draw_label(emitter.name, fmt::format("{:.0f} %", 100 * emitter.scale));
-  const auto percent = static_cast<float>(100 * emitter.scale);
-  const bool is_changed = emitter.scale != original.scale || emitter.is_on != original.is_on;
-  const auto file_percent = static_cast<float>(100 * original.scale);
-  const Slid slid = draw_slider(session, percent, 200, is_changed, file_percent);
-  if (slid.value) {
-    scale = *slid.value / 100.0;
-    has_changed = true;
-  }
-  if (slid.is_reset) {
-    session.reset_emitter(e);
-  } else if (has_changed) {
-    attempt(desk, [&] { session.set_emitter(e, scale, is_on); });
-  }
+  draw_label(desk.session.mix().emitters[e].name, emitter_text(desk, e));
+  draw_emitter_slider(desk, e);
   ImGui::PopID();
 }
 
-/// A slider and a patch of colour for one material.
 void draw_material(Desk& desk, std::size_t m) {
-  Session& session = desk.session;
-  const Eigen::VectorXd now = session.mix().reflectance[m];  // a slider changes it
-  const Eigen::VectorXd& original = session.original_mix().reflectance[m];
   ImGui::PushID(static_cast<int>(m));
-  const Eigen::MatrixX3f color = surface_colors(now.transpose(), session.model().bands);
-  const auto shown = io::srgb_bytes(color.row(0), 1);
-  const float side = ImGui::GetFontSize();
-  ImGui::ColorButton("##color", ImVec4(shown[0] / 255.0F, shown[1] / 255.0F, shown[2] / 255.0F, 1),
-                     ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoBorder,
-                     ImVec2(side, side));
+  draw_material_color(desk, m);
   ImGui::SameLine();
-  draw_label(session.model().scene->materials[m].name, fmt::format("ρ {:.3f}", now.mean()));
-  const auto mean = static_cast<float>(now.mean());
-  const auto file_mean = static_cast<float>(original.mean());
-  const Slid slid = draw_slider(session, mean, 1, now != original, file_mean);
-  if (slid.is_reset) {
-    session.reset_material(m);
-  } else if (slid.value) {
-    attempt(desk,
-            [&] { session.set_reflectance(m, with_mean_reflectance(original, *slid.value)); });
-  }
+  draw_label(desk.session.model().scene->materials[m].name, material_text(desk, m));
+  draw_material_slider(desk, m);
   ImGui::PopID();
 }
 

@@ -62,6 +62,7 @@ json light_json(const Session& session) {
       {"factor_error", light->factor_error ? number(*light->factor_error) : json(nullptr)},
       {"residual", number(solution.residual)},
       {"accuracy", accuracy_text(session)},
+      {"asked", asked_text(session)},
       {"iterations", solution.iterations},
       {"unshot_share", number(session.unshot_share())},
       {"seconds", number(session.seconds_to_solve())},
@@ -275,7 +276,7 @@ json surfaces_json(const Desk& desk) {
                     {"heat", optional(total.heat)},
                     {"temperature", optional(total.temperature)},
                     {"shown", !desk.look.hidden.contains(total.surface)},
-                    {"marked", desk.marked_surface == total.surface}});
+                    {"marked", desk.marks.contains(total.surface)}});
   }
   return list;
 }
@@ -341,6 +342,7 @@ json state_report(const Desk& desk) {
           {"size", size_json(session)},
           {"unit", session.model().unit ? json(*session.model().unit) : json(nullptr)},
           {"up", up_name(desk.up)},
+          {"scale", number(desk.scale)},
           {"resident_bytes", resident_bytes()},
           {"progress", {{"text", session.job().text()}, {"done", session.job().fraction()}}},
           {"settled", session.is_settled()},

@@ -19,7 +19,8 @@ class JobProgress {
   /// Done share of the whole job in [0, 1], as a guess: how many stages will follow is not known.
   /// Never falls while a job lasts.
   [[nodiscard]] double fraction() const { return fraction_; }
-  /// "form factors 41 %, about 40 s left"; with rounds "round 2: form factors 5 %, about 9 s of
+  /// "form factors 41 %, about 40 s left", or of a stage that does not tell how far it is "dividing
+  /// into patches, 12 s so far"; with rounds "round 2: form factors 5 %, about 9 s of
   /// this round left". The time is that of the stage. "" if nothing is done.
   [[nodiscard]] std::string text() const;
 
@@ -32,7 +33,8 @@ class JobProgress {
   double done_ = 0;         // share of the stage
   double done_before_ = 0;  // share of the job, when the stage began
   double fraction_ = 0;
-  int round_ = 0;  // of form factors
+  bool is_silent_ = false;  // the stage does not tell how far it is
+  int round_ = 0;           // of form factors
   bool is_busy_ = false;
   bool has_rounds_ = false;
 };

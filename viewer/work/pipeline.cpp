@@ -138,6 +138,7 @@ OpenedFile open_scene(const std::string& path, std::shared_ptr<const Scene> scen
   file.model.bands = scene->bands;
   file.model.camera = scene->camera;
   file.model.scene = std::move(scene);
+  if (progress.report) progress.report("dividing", 0, 0, "");
   const study::StudyEvents studying = {
       .warned = [&](const std::string& text) { file.warnings.push_back(text); },
       .progress = progress};

@@ -4,14 +4,15 @@
 
 #include <cmath>
 
+#include "meshing/adaptive/adaptive.h"
+#include "study/study_options.h"
+
 namespace viewer {
 namespace {
 
 std::string known_text(const Session& session) {
-  const std::optional<double>& error = session.light()->relative_error;
-  // Files of other programs may hold zeros for what they do not know.
-  if (!error || *error == 0) return "errors not known";
-  return fmt::format("known to ± {:.2g} % (2 σ)", 100 * *error);
+  const std::string accuracy = accuracy_text(session);
+  return accuracy.empty() ? "errors not known" : accuracy;
 }
 
 std::string preview_text(const Session& session) {
@@ -51,13 +52,22 @@ Standing standing(const Session& session) {
 }
 
 std::string accuracy_text(const Session& session) {
-  if (!session.has_result() || !session.light()->relative_error) return "";
-  const double reached = *session.light()->relative_error;
-  if (reached == 0) return "";
-  std::string text = fmt::format("± {:.2g} % reached (2 σ)", 100 * reached);
-  // A file does not tell.
-  if (!session.model().scene) return text;
-  return text + fmt::format(", {:.2g} % asked", 100 * session.options().tolerance);
+  if (!session.has_result()) return "";
+  const std::optional<double>& error = session.light()->relative_error;
+  // Files of other programs may hold zeros for what they do not know.
+  if (!error || *error == 0) return "";
+  return fmt::format("known to ± {:.2g} % (2 σ)", 100 * *error);
+}
+
+std::string asked_text(const Session& session) {
+  if (!session.model().scene) return "";  // a file does not tell
+  const study::StudyOptions& options = session.options();
+  if (!options.patches.adaptive) {
+    return fmt::format("asked of the form factors: {:.2g} %",
+                       100 * study::factor_tolerance(options));
+  }
+  return fmt::format("asked of the radiosity: {} σ within {:.2g} %", meshing::kErrorMargin,
+                     100 * options.tolerance);
 }
 
 }  // namespace viewer

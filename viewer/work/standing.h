@@ -15,7 +15,12 @@ struct Standing {
 
 Standing standing(const Session& session);
 
-/// What was reached and what was asked: "± 0.8 % reached (2 σ), 1 % asked"; "" until it is known.
+/// How well a result is known, in the same words wherever it is told: "known to ± 0.8 % (2 σ)",
+/// which is `relative_error`; "" until it is known.
 std::string accuracy_text(const Session& session);
+
+/// What was asked when the scene was solved. It is no measure of the result: form factors to 1 %
+/// say nothing of what the size of the patches costs. "" without a scene.
+std::string asked_text(const Session& session);
 
 }  // namespace viewer
