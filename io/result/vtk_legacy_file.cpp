@@ -240,7 +240,7 @@ class LegacyReader {
   }
 
   /// Values of cells, but no bits.
-  void keep(const std::string& name, VtpArray array) {
+  void keep(const std::string& name, VtpArray&& array) {
     if (is_of_points_ || array.type.empty() || array.n_components == 0) return;
     if (!file_.cells.try_emplace(name, std::move(array)).second) {
       source_.fail(fmt::format("the array {} is there twice", in_quotes(name)));

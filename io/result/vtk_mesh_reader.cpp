@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstring>
-#include <limits>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
