@@ -20,8 +20,9 @@ struct PointGrid {
   /// Of unit length, to the side from which rows follow columns counter-clockwise.
   [[nodiscard]] Vec3 normal() const { return column.cross(row).normalized(); }
   [[nodiscard]] Vec3 point(Index k) const {
+    const Index r = k / n_columns;
     return corner + (static_cast<double>(k % n_columns) + 0.5) * column +
-           (static_cast<double>(k / n_columns) + 0.5) * row;
+           (static_cast<double>(r) + 0.5) * row;
   }
 };
 

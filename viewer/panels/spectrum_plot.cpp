@@ -103,6 +103,8 @@ void draw_spectrum_plot(const PatchFacts& facts, const radiosity::Bands& bands) 
   const Index band = nearest_band(bands, io::value_at(frame.axes.wavelengths, share));
   const float x = frame.x(bands.wavelengths[static_cast<std::size_t>(band)]);
   list.AddLine(ImVec2(x, frame.top_left.y), ImVec2(x, frame.bottom_right.y), kHereLine, size);
+  // Above the plot, not over what it is about.
+  ImGui::SetNextWindowPos(ImVec2(corner.x + width, corner.y), ImGuiCond_Always, ImVec2(1, 1));
   ImGui::SetTooltip("%s", band_text(facts, bands, band).c_str());
 }
 
