@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "radiosity/base/geometry.h"
@@ -43,7 +44,7 @@ inline constexpr int kConsoleLines = 3;
 /// and through its session, so that all can do the same.
 struct Desk {
   explicit Desk(study::StudyOptions options = {}, io::ReadOptions reading = {})
-      : session(options, std::move(reading)) {}
+      : session(std::move(options), std::move(reading)) {}
 
   Session session;
   Look look;
