@@ -167,11 +167,13 @@ TEST_F(Results, OpenWithoutBeingSolvedAgain) {
   const auto light = *desk.session.light();
   const auto mesh = desk.session.model().mesh;
   const Eigen::VectorXd row = rows_of(*desk.session.model().transport).row(5);
+  const std::string accuracy = viewer::accuracy_text(desk.session);
 
   open(desk.session, vtp);
   ASSERT_NE(desk.session.light(), nullptr);
   EXPECT_EQ(desk.session.light()->kind, Light::Kind::stored);
   EXPECT_EQ(desk.session.light()->solution.radiosity, light.solution.radiosity);
+  EXPECT_EQ(viewer::standing(desk.session).text, "result from a file, " + accuracy);
   EXPECT_EQ(desk.session.light()->solution.radiosity_error, light.solution.radiosity_error);
   EXPECT_EQ(desk.session.model().mesh->vertices, mesh->vertices);
   EXPECT_FALSE(desk.session.model().factors);

@@ -44,7 +44,7 @@ void draw_tooltip(const Session& session) {
   ImGui::TextUnformatted(
       "Two standard errors of the radiosity over its size (energy norm), of the band that is "
       "worst: "
-      "by form factors, iteration and, in scenes, the patches' size.");
+      "by form factors, iteration and the patches' size.");
   if (const std::string asked = asked_text(session); !asked.empty()) {
     ImGui::TextUnformatted(asked.c_str());
   }
