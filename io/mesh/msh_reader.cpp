@@ -153,7 +153,8 @@ class MshReader {
       if (!source_.is_binary() || !is_parametric) continue;
       const std::int64_t dimension = source_.integer("a dimension");
       source_.integer("an entity");
-      skip_parameters(dimension);
+      // Nodes in volumes have none in this version.
+      skip_parameters(dimension == 3 ? 0 : dimension);
     }
   }
 

@@ -209,7 +209,7 @@ class VtpReader {
     array.offset = parse_number<std::uint64_t>(tag.attribute("offset"));
     std::optional<std::uint64_t> rows = rows_of_section(array.name, n_rows);
     if (!rows && section_ != cells_section() && section_ != "FieldData") return std::nullopt;
-    if (section_ == "FieldData" && array.values.type == "String") rows.reset();
+    if (array.values.type == "String") rows.reset();  // of any length
     if (rows) {
       if (*rows * array.values.n_components > kMost) damaged(label + " has too many values");
       array.n_bytes = *rows * array.values.n_components * size;

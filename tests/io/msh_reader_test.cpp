@@ -56,11 +56,11 @@ TEST_F(MshReader, ReadsParametricNodesOfTheOldVersion) {
   text.replace(text.find("1 0 0 0\n"), 8, "1 0 0 0 2 5 0.25 0.75\n");
   EXPECT_EQ(read("a.msh", text).n_polygons(), 3);
   std::string binary =
-      "$MeshFormat\n2.2 1 8\n" + bytes(1) + "\n$EndMeshFormat\n$ParametricNodes\n3\n";
-  for (int k = 0; k < 3; ++k) {
+      "$MeshFormat\n2.2 1 8\n" + bytes(1) + "\n$EndMeshFormat\n$ParametricNodes\n4\n";
+  for (int k = 0; k < 4; ++k) {
     binary += bytes(k + 1) + bytes(k == 1 ? 1. : 0.) + bytes(k == 2 ? 1. : 0.) + bytes(0.);
-    binary += bytes(k) + bytes(4);  // on a point, a curve, a surface
-    for (int parameter = 0; parameter < k; ++parameter) binary += bytes(0.5);
+    binary += bytes(k) + bytes(4);  // on a point, a curve, a surface, in a volume
+    for (int parameter = 0; parameter < k % 3; ++parameter) binary += bytes(0.5);
   }
   binary += "\n$EndParametricNodes\n$Elements\n1\n" + bytes(2) + bytes(1) + bytes(0) + bytes(1) +
             bytes(1) + bytes(2) + bytes(3) + "\n$EndElements\n";

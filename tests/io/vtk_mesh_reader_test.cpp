@@ -44,11 +44,12 @@ TEST_F(VtkMeshReader, ReadsPolygonsOfGrids) {
   EXPECT_CONTAINS(scene.warnings.back(), "cell 1 is of type 3; only polygons are read");
 }
 
-TEST_F(VtkMeshReader, TakesTheCornersOfHigherOrdersAndPassesBitsOver) {
+TEST_F(VtkMeshReader, TakesTheCornersOfHigherOrdersAndPassesBitsAndTextsOver) {
   std::string content = kVtu;
   content.replace(content.find("5 3 9 5"), 7, "69 68 70 76");
   content.insert(content.find("<CellData>") + 10,
-                 R"(<DataArray type="Bit" Name="flags" format="ascii">1 0 1 1</DataArray>)");
+                 R"(<DataArray type="Bit" Name="flags" format="ascii">1 0 1 1</DataArray>
+<Array type="String" Name="texts" format="ascii">97 98 0 0 99 0 100 0</Array>)");
   const Scene scene = read("a.vtu", content);
   ASSERT_EQ(scene.n_polygons(), 3);
   EXPECT_EQ(scene.polygon(1).size(), 4U);
