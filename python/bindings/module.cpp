@@ -15,6 +15,8 @@
 PYBIND11_MODULE(_core, module) {
   module.attr("__version__") = std::string(radiosity::kVersion);
   module.attr("WHITE_EFFICACY") = radiosity::kWhiteEfficacy;
+  // Older ones take NumPy 2 for NumPy 1, and read zeros.
+  module.attr("TAKES_NUMPY_2") = PYBIND11_VERSION_HEX >= 0x020C0000;
   python::translate_errors();
   python::bind_scene(module);
   python::bind_operator(module);

@@ -11,6 +11,7 @@ corners run counter-clockwise; its back blocks light and does nothing else.
 """
 
 from . import _interpreter  # before _core
+from . import _numpy_version
 from ._core import __version__
 from ._errors import (
     Error,

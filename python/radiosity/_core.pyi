@@ -4,6 +4,7 @@ import numpy as np
 
 __version__: str
 WHITE_EFFICACY: float
+TAKES_NUMPY_2: bool
 
 class Scene:
     source: str

@@ -161,3 +161,12 @@ def test_arrays_may_change_during_work():
         mesh.vertices[:] = 0
 
     assert (rad.form_factors(mesh, progress=spoil).matrix != right).nnz == 0
+
+
+def test_numpy_2_needs_a_module_that_can_read_it():
+    from radiosity._numpy_version import check_numpy
+
+    check_numpy("1.24.2", False)
+    check_numpy("2.1.0", True)
+    with pytest.raises(ImportError, match="NumPy 2.1.0"):
+        check_numpy("2.1.0", False)
