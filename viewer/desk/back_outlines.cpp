@@ -138,7 +138,7 @@ void BackOutlines::join_edges() {
 }
 
 std::vector<OutlinePiece> BackOutlines::of_hidden_backs(const Vec3& eye,
-                                                    const Visibility& visibility) const {
+                                                        const Visibility& visibility) const {
   const auto is_back = [&](std::size_t f) {
     const Face& face = faces_[f];
     return !face.is_two_sided && face.normal.dot(eye - face.point) < 0;
