@@ -14,12 +14,14 @@
 #include "apps/summary/text_summary.h"
 #include "apps/terminal/memory_size.h"
 #include "apps/terminal/output_files.h"
+#include "io/base/extension.h"
 #include "io/result/destinations_csv.h"
 #include "io/result/form_factor_file.h"
 #include "io/result/form_factor_reader.h"
 #include "io/result/operator_file.h"
 #include "io/result/row_csv.h"
 #include "io/result/surface_csv.h"
+#include "io/result/view3d_file.h"
 #include "meshing/patches/patches.h"
 #include "radiosity/assembly/dense_memory.h"
 #include "radiosity/base/machine_memory.h"
@@ -46,6 +48,26 @@ std::string check_factor(const std::string& text) {
   return fmt::format("found '{}', expected a number above 0 and below 1", text);
 }
 
+/// 1 - ρ of each surface, on average over the bands.
+Eigen::VectorXd emissivities(const radiosity::Scene& scene) {
+  Eigen::VectorXd result(static_cast<Eigen::Index>(scene.surfaces.size()));
+  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
+    const auto& material = scene.materials[scene.surfaces[s].material];
+    result[static_cast<Eigen::Index>(s)] = 1 - material.reflectance.mean();
+  }
+  return result;
+}
+
+/// Factors between surfaces, as the extension of the file says.
+void write_table(const std::string& path, const radiosity::Scene& scene,
+                 const radiosity::PatchMesh& mesh, const Eigen::MatrixXd& factors) {
+  if (io::lower_case_extension(path) == ".txt") {
+    io::write_view3d(path, mesh, factors, emissivities(scene));
+  } else {
+    io::write_surface_csv(path, mesh, factors);
+  }
+}
+
 Eigen::VectorXd row_error(const radiosity::StreamedFactors& factors, radiosity::Index row) {
   Eigen::VectorXd result;
   factors.for_each_row(
@@ -65,9 +87,10 @@ FormFactorsCommand::FormFactorsCommand(CLI::App& program, Interruption& interrup
       "Compute the form factors (view factors) of a scene and write them to a file");
   add_common_options(*command, common_);
   command
-      ->add_option("-o,--output", common_.outputs,
-                   "Result file: .h5 (HDF5, every pair of patches) or .csv (between surfaces); may "
-                   "be repeated")
+      ->add_option(
+          "-o,--output", common_.outputs,
+          "Result file: .h5 (HDF5, every pair of patches), .csv or, as View3D writes it, .txt "
+          "(between surfaces); may be repeated")
       ->check(
           [](const std::string& path) { return check_extension(path, form_factor_extensions()); })
       ->type_name("FILE")
@@ -237,7 +260,7 @@ Eigen::MatrixXd FormFactorsCommand::write_outputs(const radiosity::Scene& scene,
   if (!is_table_asked()) return {};
   if (!sums) visit_rows({});
   for (const std::string& output : outputs) {
-    if (!is_factor_file(output)) io::write_surface_csv(output, mesh, sums->factors());
+    if (!is_factor_file(output)) write_table(output, scene, mesh, sums->factors());
   }
   return sums->factors();
 }
@@ -297,7 +320,7 @@ void FormFactorsCommand::write_compressed_outputs(const FactorSummary& summary,
                          progress);
     } else {
       const auto lock = interruption_.hold();
-      io::write_surface_csv(output, summary.mesh, table);
+      write_table(output, summary.scene, summary.mesh, table);
     }
     progress.check();
   }

@@ -32,7 +32,7 @@ const std::vector<std::string>& picture_extensions() {
 }
 
 const std::vector<std::string>& form_factor_extensions() {
-  static const std::vector<std::string> extensions = {".h5", ".csv"};
+  static const std::vector<std::string> extensions = {".h5", ".csv", ".txt"};
   return extensions;
 }
 

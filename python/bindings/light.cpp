@@ -13,6 +13,7 @@
 #include "python/bindings/work.h"
 #include "radiosity/base/parallel.h"
 #include "radiosity/exchange/point_factors.h"
+#include "radiosity/solve/exchange_network.h"
 #include "radiosity/solve/importance.h"
 #include "study/study.h"
 
@@ -40,6 +41,27 @@ Eigen::MatrixXd importance_of(const Operator& factors, const Eigen::MatrixXd& re
     result = importance(*factors.transport, reflectance, patch,
                         {.tolerance = tolerance, .progress = events.progress});
   });
+  return result;
+}
+
+py::dict exchange_of(const Operator& factors, const Eigen::VectorXd& emissivity,
+                     const std::vector<std::int32_t>& node, Index n_nodes, const py::object& report,
+                     std::size_t n_threads) {
+  ExchangeNetwork network;
+  run_work({report, n_threads}, [&](const study::StudyEvents& events) {
+    network = exchange_network(*factors.transport, emissivity, node, n_nodes,
+                               {.progress = events.progress});
+  });
+  py::dict result;
+  result["gebhart"] = network.gebhart();
+  result["script_f"] = network.script_f();
+  result["area"] = std::move(network.area);
+  result["emitting"] = std::move(network.emitting);
+  result["couplings"] = std::move(network.couplings);
+  result["error"] = std::move(network.error);
+  result["to_space"] = std::move(network.to_space);
+  result["to_backs"] = std::move(network.to_backs);
+  result["error_bound"] = network.error_bound;
   return result;
 }
 
@@ -92,6 +114,7 @@ py::dict light_dict(Solution solution, const DiscretisationError& discretisation
 void bind_light(py::module_& module) {
   module.def("solve", &solve);
   module.def("importance", &importance_of);
+  module.def("exchange", &exchange_of);
   module.def("factors_from_points", &from_points);
 }
 

@@ -23,6 +23,7 @@ from ._errors import (
     SceneError,
     SolveError,
 )
+from ._exchange import Network, exchange
 from ._mesh import Mesh, Scene, read_scene
 from ._operator import (
     FormFactors,
@@ -47,6 +48,7 @@ __all__ = [
     "MemoryShortage",
     "Mesh",
     "MeshError",
+    "Network",
     "OutputError",
     "Patches",
     "RadiosityWarning",
@@ -56,6 +58,7 @@ __all__ = [
     "Study",
     "Transport",
     "__version__",
+    "exchange",
     "factors_from_points",
     "form_factors",
     "importance",

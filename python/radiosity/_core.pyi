@@ -134,6 +134,14 @@ def solve(
 def importance(
     factors: Operator, reflectance: np.ndarray, patch: int, tolerance: float, report: Any
 ) -> np.ndarray: ...
+def exchange(
+    factors: Operator,
+    emissivity: np.ndarray,
+    node: Sequence[int],
+    n_nodes: int,
+    report: Any,
+    n_threads: int,
+) -> Dict[str, Any]: ...
 def factors_from_points(
     polygons: Patches, points: np.ndarray, normals: np.ndarray, report: Any, n_threads: int
 ) -> np.ndarray: ...

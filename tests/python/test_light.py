@@ -45,6 +45,25 @@ def test_importance_is_the_gradient():
     assert Y @ E == pytest.approx(rad.solve(T, E, rho, tolerance=1e-6).radiosity[7], rel=1e-6)
 
 
+def test_couplings_of_a_cube(cube):
+    network = rad.exchange(rad.form_factors(cube, tolerance=1e-6), 0.5)
+    assert network.couplings == pytest.approx(network.couplings.T, rel=0)
+    # Of unit faces with F = 0.199825 to the opposite one.
+    assert sorted(network.gebhart[0]) == pytest.approx(
+        [0.0909091, 0.18174583] + 4 * [0.18183627], abs=1e-7
+    )
+    assert network.couplings.sum(axis=1) == pytest.approx(network.emitting)
+    assert np.all(network.to_space == 0)
+    halves = rad.exchange(rad.form_factors(cube), 1.0, node=[0, 0, 0, 1, 1, 1])
+    assert halves.couplings.shape == (2, 2)
+    with pytest.raises(rad.InputError, match="node"):
+        rad.exchange(rad.form_factors(cube), 0.5, node=[0.5] * 6)
+    with pytest.raises(rad.InputError, match="emissivity"):
+        rad.exchange(rad.form_factors(cube), [0.5] * 5)
+    with pytest.raises(rad.SolveError, match="emissivity"):
+        rad.exchange(rad.form_factors(cube), 1.5)
+
+
 def test_a_study_has_the_bits_of_the_command_line(tmp_path, scenes, program):
     subprocess.run(
         [program, "solve", scenes / "cornell-box.json", "--patches", "500", "--quiet"]
