@@ -11,6 +11,7 @@
 #include "apps/summary/exchange_summary.h"
 #include "apps/summary/summary.h"
 #include "apps/terminal/machine.h"
+#include "apps/terminal/number_list.h"
 #include "apps/terminal/output_files.h"
 #include "io/result/node_numbers.h"
 #include "radiosity/base/error.h"
@@ -22,12 +23,6 @@ namespace apps {
 namespace {
 
 using radiosity::Index;
-
-std::string check_share(const std::string& text) {
-  double value = 0;
-  if (CLI::detail::lexical_cast(text, value) && value > 0 && value < 1) return "";
-  return fmt::format("found '{}', expected a number above 0 and below 1", text);
-}
 
 /// 1 - ρ of each patch. Throws SceneError unless it is the same in all bands, and if nothing
 /// absorbs.

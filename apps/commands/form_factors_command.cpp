@@ -13,6 +13,7 @@
 #include "apps/summary/summary.h"
 #include "apps/summary/text_summary.h"
 #include "apps/terminal/memory_size.h"
+#include "apps/terminal/number_list.h"
 #include "apps/terminal/output_files.h"
 #include "io/base/extension.h"
 #include "io/result/destinations_csv.h"
@@ -40,12 +41,6 @@ namespace {
 std::string check_memory_size(const std::string& text) {
   if (parse_memory_size(text)) return "";
   return fmt::format("found '{}', expected a size such as 2GB, 500MB or 750MiB", text);
-}
-
-std::string check_factor(const std::string& text) {
-  double value = 0;
-  if (CLI::detail::lexical_cast(text, value) && value > 0 && value < 1) return "";
-  return fmt::format("found '{}', expected a number above 0 and below 1", text);
 }
 
 /// 1 - ρ of each surface, on average over the bands.
@@ -110,7 +105,7 @@ FormFactorsCommand::FormFactorsCommand(CLI::App& program, Interruption& interrup
       command
           ->add_option("--min-factor", min_factor_,
                        "Drop the pairs whose form factors are both below X; row sums are kept")
-          ->check(check_factor)
+          ->check(check_share)
           ->type_name("X");
   command
       ->add_option("--from", from_,

@@ -41,4 +41,10 @@ std::string check_positive(const std::string& text) {
   return fmt::format("found '{}', expected a number above 0", text);
 }
 
+std::string check_share(const std::string& text) {
+  double value = 0;
+  if (CLI::detail::lexical_cast(text, value) && value > 0 && value < 1) return "";
+  return fmt::format("found '{}', expected a number above 0 and below 1", text);
+}
+
 }  // namespace apps

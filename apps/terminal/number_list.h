@@ -18,5 +18,7 @@ std::optional<std::vector<double>> as_numbers(const std::string& text, std::size
 /// For the command line's check: empty if `text` is a finite number above zero, else what was
 /// found. (CLI::PositiveNumber lets NaN pass.)
 std::string check_positive(const std::string& text);
+/// The same for a number above 0 and below 1.
+std::string check_share(const std::string& text);
 
 }  // namespace apps

@@ -19,8 +19,8 @@ struct ExchangeNetwork {
   Eigen::MatrixXd couplings;
   Eigen::MatrixXd error;     ///< one standard error of these, from the form factors', m², at most
   Eigen::VectorXd to_space;  ///< the same with what leaves the scene, m²; 0 in closed scenes
-  /// And with what has no temperature: backs of one-sided surfaces, m². With both, rows of
-  /// `couplings` sum to `emitting`.
+  /// And with what has no temperature, m²: backs of one-sided surfaces, and what covers a part of
+  /// the node where it lies on a solid's face. With both, rows of `couplings` sum to `emitting`.
   Eigen::VectorXd to_backs;
   double error_bound = 0;  ///< guaranteed bound on the iteration's relative error, ‖ΔB‖/‖B‖
   /// The largest |GR_st - GR_ts| as both were found, of the smaller emitting area, before their
