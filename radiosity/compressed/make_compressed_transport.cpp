@@ -51,7 +51,7 @@ constexpr Index kRoughRows = 32;
 constexpr double kLightTolerance = 1e-2;
 
 /// To be raised whenever the same scene and options give other numbers than before.
-constexpr int kNumbersVersion = 1;
+constexpr int kNumbersVersion = 2;
 
 /// Memory for the assembly of so many patches, bytes: measured on rooms at 1e-2, 1.3 KB for what is
 /// prepared of a patch and up to 1.5 KB for its blocks.
@@ -180,8 +180,7 @@ class CompressedAssembly {
                                               made_.coefficients, made_.near, made_.densities},
                                    .area = area_,
                                    .report = report_of_pairs()});
-    add_light(*transport, lights_);
-    close_blocks(*transport, tolerance);
+    close_with_light(*transport, lights_, tolerance);
     return transport;
   }
 
