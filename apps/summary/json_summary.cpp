@@ -78,6 +78,7 @@ Json discretisation(const radiosity::DiscretisationError& error) {
 
 Json energy(const radiosity::EnergyBalance& energy) {
   return {{"emitted", array(energy.emitted)},
+          {"incident", array(energy.incident)},
           {"absorbed", array(energy.absorbed)},
           {"escaped", array(energy.escaped)}};
 }

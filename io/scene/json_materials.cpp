@@ -137,6 +137,12 @@ Material read_material(const JsonItem& item, const std::string& name, const Band
 
 }  // namespace
 
+Eigen::VectorXd read_band_values(const JsonItem& item, const std::string& name, const Bands& bands,
+                                 const std::filesystem::path& folder) {
+  return read_values(item, bands, folder,
+                     [&](const Eigen::VectorXd& value) { return emission_problem(name, value); });
+}
+
 std::vector<Material> read_materials(const JsonItem& materials, const Bands& bands,
                                      const std::filesystem::path& folder) {
   std::vector<Material> result;

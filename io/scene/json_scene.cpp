@@ -7,6 +7,7 @@
 #include "io/base/json_item.h"
 #include "io/base/line_reader.h"
 #include "io/scene/json_materials.h"
+#include "io/scene/json_sun.h"
 #include "io/scene/json_surfaces.h"
 #include "io/scene/scene_keys.h"
 
@@ -158,6 +159,10 @@ FileScene read_json_scene(const std::filesystem::path& path, const ReadOptions& 
   add_surfaces(root.at("surfaces"), path.parent_path(), unit, options.progress, file);
   if (const auto precision = given_precision(root)) scene.precision = unit * *precision;
   if (const auto camera = root.find("camera")) scene.camera = read_camera(*camera, unit);
+  if (const auto sun = root.find("sun")) {
+    read_sun(*sun, path.parent_path(), scene);
+    add_spectra(sun->value(), path.parent_path(), scene);
+  }
   if (const auto views = root.find("views")) scene.views = read_views(*views, unit);
   if (const auto closed = root.find("closed")) scene.closed = closed->boolean();
   if (scene.n_polygons() == 0) fail(path, "has no polygons");

@@ -8,7 +8,10 @@ namespace io::keys {
 
 inline constexpr auto kScene =
     std::to_array<std::string_view>({"$schema", "name", "description", "unit", "precision", "bands",
-                                     "materials", "surfaces", "camera", "views", "closed"});
+                                     "materials", "surfaces", "camera", "views", "closed", "sun"});
+
+inline constexpr auto kSun = std::to_array<std::string_view>(
+    {"direction", "azimuth_deg", "elevation_deg", "up", "north", "irradiance"});
 
 inline constexpr auto kEmission =
     std::to_array<std::string_view>({"radiance", "exitance", "power", "temperature"});

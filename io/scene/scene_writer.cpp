@@ -141,6 +141,10 @@ Json camera_json(const Camera& camera) {
   return json;
 }
 
+Json sun_json(const radiosity::Sun& sun) {
+  return {{"direction", point_json(sun.direction)}, {"irradiance", values_json(sun.irradiance)}};
+}
+
 /// The polygons of each surface.
 std::vector<std::vector<Index>> polygons_by_surface(const Scene& scene) {
   std::vector<std::vector<Index>> polygons(scene.surfaces.size());
@@ -264,6 +268,7 @@ void write_json(const Scene& scene, std::ostream& stream) {
          << ",\n  \"bands\": " << text(bands_json(scene.bands)) << ",\n";
   write_materials(scene, material_names, stream);
   write_surfaces(scene, material_names, stream);
+  if (scene.sun) stream << ",\n  \"sun\": " << text(sun_json(*scene.sun));
   if (scene.camera) stream << ",\n  \"camera\": " << text(camera_json(*scene.camera));
   if (!scene.views.empty()) write_views(scene, stream);
   if (scene.closed) stream << ",\n  \"closed\": " << (*scene.closed ? "true" : "false");

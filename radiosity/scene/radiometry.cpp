@@ -52,6 +52,14 @@ Eigen::MatrixXd exitance(const Scene& scene, const PatchMesh& mesh) {
   return result;
 }
 
+Eigen::MatrixXd initial_radiosity(const Eigen::MatrixXd& exitance,
+                                  const Eigen::MatrixXd& reflectance,
+                                  const Eigen::MatrixXd& incident) {
+  if (incident.size() == 0) return exitance;
+  const Index n = exitance.cols() / incident.cols();
+  return exitance + reflectance.cwiseProduct(incident).replicate(1, n);
+}
+
 Eigen::MatrixXd reflectance(const Scene& scene, const PatchMesh& mesh) {
   Eigen::MatrixXd result(mesh.size(), scene.bands.count());
   for (Index i = 0; i < mesh.size(); ++i) {

@@ -16,6 +16,12 @@ inline constexpr double kStefanBoltzmann = 5.670374419e-8;
 /// `emission_factor`.
 Eigen::MatrixXd exitance(const Scene& scene, const PatchMesh& mesh);
 
+/// What leaves each patch before light is exchanged, M_e + ρ E, W/m², n x k, with direct irradiance
+/// E from without (of the sun); M_e if that is empty.
+Eigen::MatrixXd initial_radiosity(const Eigen::MatrixXd& exitance,
+                                  const Eigen::MatrixXd& reflectance,
+                                  const Eigen::MatrixXd& incident);
+
 /// Diffuse reflectance of each patch, in [0, 1], n_patches x n_bands.
 Eigen::MatrixXd reflectance(const Scene& scene, const PatchMesh& mesh);
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "radiosity/base/geometry.h"
+#include "radiosity/scene/sun.h"
 
 namespace radiosity {
 
@@ -94,6 +95,7 @@ struct Scene {
   /// How far a coordinate may be off what was meant, for its last digits were rounded away: half a
   /// unit in the last place of the file, m. 0 = exact but for the rounding of `double`.
   double precision = 0;
+  std::optional<Sun> sun;
   std::optional<Camera> camera;
   std::vector<View> views;            ///< other cameras, no two of one name
   std::optional<bool> closed;         ///< as declared by the user; absent = to be found out

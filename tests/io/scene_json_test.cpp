@@ -164,6 +164,62 @@ struct BadScene {
   const char* message;
 };
 
+// By its direction, or by angles from north by east and above the horizon.
+TEST_F(SceneJson, ReadsSuns) {
+  const auto sun = [&](const std::string& members) {
+    return *read("a.json", scene(R"("sun": {"irradiance": 1000, )" + members + "}, ")).sun;
+  };
+  const double low = std::sqrt(0.5);
+  EXPECT_EQ(sun(R"("direction": [0, 0, -2])").direction, Vec3(0, 0, -1));
+  EXPECT_EQ(sun(R"("direction": [0, 0, -2])").irradiance, Eigen::Vector3d::Constant(1000));
+  const auto expect_sun = [&](const std::string& members, const Vec3& towards) {
+    EXPECT_TRUE(sun(members).direction.isApprox(-towards, 1e-14)) << members;
+  };
+  // Where z is up north is +y and east +x; where y is up, -z and +x.
+  expect_sun(R"("azimuth_deg": 0, "elevation_deg": 45)", Vec3(0, low, low));
+  expect_sun(R"("azimuth_deg": 90, "elevation_deg": 45)", Vec3(low, 0, low));
+  expect_sun(R"("azimuth_deg": 180, "elevation_deg": 45, "up": [0, 1, 0])", Vec3(0, low, low));
+  expect_sun(R"("azimuth_deg": 90, "elevation_deg": 45, "up": [0, 1, 0])", Vec3(low, low, 0));
+  expect_sun(R"("azimuth_deg": 90, "elevation_deg": 45, "north": [1, 0, 1])", Vec3(0, -low, low));
+  (void)file("spectra.csv", kCsv);
+  const Scene spectral =
+      read("a.json", scene(R"("bands": [400, 600], "sun": {"direction": [1, 0, 0],
+          "irradiance": {"csv": "spectra.csv", "column": "white"}}, )"));
+  EXPECT_EQ(spectral.sun->irradiance.size(), 2);
+  EXPECT_TRUE(std::any_of(spectral.files.begin(), spectral.files.end(),
+                          [](const auto& path) { return path.filename() == "spectra.csv"; }));
+  const Scene night = read("a.json", scene(R"("sun": {"irradiance": 1, "azimuth_deg": 7,
+                                              "elevation_deg": -3}, )"));
+  ASSERT_EQ(night.warnings.size(), 1U);
+  EXPECT_CONTAINS(night.warnings[0], "the sun is not above the horizon (elevation_deg -3)");
+}
+
+TEST_F(SceneJson, ExplainsBadSuns) {
+  const auto with_sun = [](const std::string& members) {
+    return scene(R"("sun": {)" + members + "}, ");
+  };
+  const std::vector<BadScene> bad = {
+      {with_sun(R"("direction": [0, 0, -1])"), "sun: has no \"irradiance\""},
+      {with_sun(R"("irradiance": 1)"), "sun: expected either \"direction\" or \"azimuth_deg\""},
+      {with_sun(R"("irradiance": 1, "direction": [0, 0, 0])"), "sun.direction: "},
+      {with_sun(R"("irradiance": -1, "direction": [0, 0, 1])"),
+       "sun.irradiance: irradiance is -1, expected a finite"},
+      {with_sun(R"("irradiance": [1, 2], "direction": [0, 0, 1])"),
+       "sun.irradiance: found 2 values, expected 3, one per band"},
+      {with_sun(R"("irradiance": 1, "direction": [0, 0, 1], "azimuth_deg": 3)"),
+       "sun: expected either"},
+      {with_sun(R"("irradiance": 1, "direction": [0, 0, 1], "up": [0, 0, 1])"),
+       "sun.up: goes with \"azimuth_deg\" and \"elevation_deg\" only"},
+      {with_sun(R"("irradiance": 1, "azimuth_deg": 3)"), "sun: has no \"elevation_deg\""},
+      {with_sun(R"("irradiance": 1, "azimuth_deg": 3, "elevation_deg": 95)"),
+       "sun.elevation_deg: 95 is outside [-90, 90]"},
+      {with_sun(R"("irradiance": 1, "azimuth_deg": 3, "elevation_deg": 9, "north": [0, 0, 2])"),
+       "sun.north: is parallel to \"up\""},
+      {with_sun(R"("irradiation": 1)"), "sun: "},
+  };
+  for (const auto& [content, message] : bad) EXPECT_CONTAINS(error_of("a.json", content), message);
+}
+
 TEST_F(SceneJson, ExplainsBadStructure) {
   const std::string triangle = R"("polygons": [[[0, 0, 0], [2, 0, 0], [2, 3, 0]]])";
   const std::vector<BadScene> bad = {
@@ -317,6 +373,7 @@ TEST(SceneSchema, ListsTheKeysOfTheReader) {
   expect_keys("transform", io::keys::kTransform);
   expect_keys("rotation", io::keys::kRotation);
   expect_keys("camera", io::keys::kCamera);
+  expect_keys("sun", io::keys::kSun);
   for (const auto& unit : definitions.at("unit").at("enum")) {
     EXPECT_GT(io::metres_per_unit(unit.get<std::string>()), 0);
   }

@@ -45,6 +45,11 @@ void expect_same_frame(const Scene& read, const Scene& scene) {
     EXPECT_EQ(read.views[k].camera.position, scene.views[k].camera.position);
     EXPECT_EQ(read.views[k].camera.vertical_fov, scene.views[k].camera.vertical_fov);
   }
+  ASSERT_EQ(read.sun.has_value(), scene.sun.has_value());
+  if (scene.sun) {
+    expect_same(read.sun->direction, scene.sun->direction);
+    EXPECT_EQ(read.sun->irradiance, scene.sun->irradiance);
+  }
   ASSERT_EQ(read.camera.has_value(), scene.camera.has_value());
   if (!scene.camera) return;
   expect_same(read.camera->position, scene.camera->position);
@@ -150,6 +155,14 @@ TEST_F(SceneWriter, KeepsEmissionOfEveryKind) {
   scene.bands = {Bands::Kind::wavelengths, {400, 500. + 1. / 3, 1e4}};
   scene.materials[0].reflectance = Eigen::Vector3d(0, 1. / 3, 1);
   scene.materials[0].emission = {Emission::Kind::radiance, Eigen::Vector3d(0, 1e-300, 1e300)};
+  expect_same_frame(written_and_read(scene), scene);
+}
+
+TEST_F(SceneWriter, KeepsTheSun) {
+  Scene scene = make_scene();
+  const Index n = scene.bands.count();
+  scene.sun = Sun{.direction = Vec3(0, 0.6, -0.8),
+                  .irradiance = Eigen::VectorXd::LinSpaced(n, 1. / 3, 1361)};
   expect_same_frame(written_and_read(scene), scene);
 }
 
