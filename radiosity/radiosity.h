@@ -53,6 +53,7 @@
 #include "radiosity/picture/shooting_preview.h"
 #include "radiosity/polygon/exchange_area.h"
 #include "radiosity/polygon/point_to_polygon.h"
+#include "radiosity/scene/black_body.h"
 #include "radiosity/scene/color_matching.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/radiometry.h"

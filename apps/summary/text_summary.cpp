@@ -157,11 +157,24 @@ std::string energy_table(const radiosity::Bands& bands, const radiosity::EnergyB
   return table(rows);
 }
 
-std::string flux_table(const std::vector<radiosity::SurfaceFlux>& fluxes) {
+/// Net heat by surface; with several bands that in each of them, too: of the sun's what is
+/// absorbed.
+std::string flux_table(const std::vector<radiosity::SurfaceFlux>& fluxes,
+                       const radiosity::Bands& bands) {
+  const bool is_solar = bands.kind == radiosity::Bands::Kind::solar_infrared;
   std::vector<Row> rows = {{"net heat lost by", "area, m²", "W/m²", "W"}};
+  if (bands.count() > 1) {
+    for (const std::string& name : band_names(bands)) {
+      rows[0].push_back(is_solar && name == "solar" ? "solar absorbed, W" : name + ", W");
+    }
+  }
   for (const radiosity::SurfaceFlux& flux : fluxes) {
     rows.push_back({one_line(flux.surface), fmt::format("{:.4g}", flux.area),
                     fmt::format("{:.6g}", flux.flux), fmt::format("{:.6g}", flux.heat)});
+    for (Eigen::Index k = 0; bands.count() > 1 && k < bands.count(); ++k) {
+      const double heat = is_solar && k == 0 ? 0 - flux.band_heat[k] : flux.band_heat[k];
+      rows.back().push_back(fmt::format("{:.6g}", heat));
+    }
   }
   return table(rows);
 }
@@ -296,7 +309,7 @@ std::string solve_text(const SolveSummary& summary) {
   text += discretisation_lines(solved.discretisation);
   text += energy_table(solved.scene.bands, solved.solution.energy, solved.scene.sun.has_value());
   if (radiosity::is_thermal(solved.scene))
-    text += flux_table(radiosity::surface_fluxes(solved.mesh, solved.solution));
+    text += flux_table(radiosity::surface_fluxes(solved.mesh, solved.solution), solved.scene.bands);
   for (const radiosity::QuantitySummary& quantity : summary.quantities)
     text += quantity_table(quantity);
   if (summary.false_color) text += line("false colours", scale_text(*summary.false_color));

@@ -6,6 +6,7 @@
 
 #include "io/scene/json_materials.h"
 #include "io/scene/scene_keys.h"
+#include "radiosity/scene/black_body.h"
 
 namespace io {
 namespace {
@@ -53,13 +54,27 @@ Vec3 read_sun_direction(const JsonItem& item, Scene& scene) {
   return item.at("direction").direction();
 }
 
+/// What each band has of a sun that is given by one number.
+Eigen::VectorXd shares_of_sun(const radiosity::Bands& bands) {
+  switch (bands.kind) {
+    case radiosity::Bands::Kind::solar_infrared:
+      return Eigen::Vector2d(1, 0);
+    case radiosity::Bands::Kind::thermal:
+      return radiosity::thermal_fractions(bands, radiosity::kSunTemperature);
+    default:
+      return Eigen::VectorXd::Ones(bands.count());
+  }
+}
+
 }  // namespace
 
 void read_sun(const JsonItem& item, const std::filesystem::path& folder, Scene& scene) {
   item.check_keys(keys::kSun);
   radiosity::Sun sun;
   sun.direction = read_sun_direction(item, scene);
-  sun.irradiance = read_band_values(item.at("irradiance"), "irradiance", scene.bands, folder);
+  const JsonItem irradiance = item.at("irradiance");
+  sun.irradiance = read_band_values(irradiance, "irradiance", scene.bands, folder);
+  if (irradiance.value().is_number()) sun.irradiance.array() *= shares_of_sun(scene.bands).array();
   scene.sun = sun;
 }
 

@@ -61,6 +61,11 @@ Json bands_json(const Bands& bands) {
       return "grey";
     case Bands::Kind::rgb:
       return "rgb";
+    case Bands::Kind::solar_infrared:
+      if (bands.edges.empty()) return "solar-infrared";
+      return {{"split_wavelength", bands.edges.front()}};
+    case Bands::Kind::thermal:
+      return {{"thermal", bands.edges}};
     case Bands::Kind::wavelengths:
       break;
   }

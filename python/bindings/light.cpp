@@ -24,12 +24,13 @@ namespace py = pybind11;
 using namespace radiosity;
 
 py::dict solve(const Operator& factors, const Eigen::MatrixXd& exitance,
-               const Eigen::MatrixXd& reflectance, const study::StudyOptions& options,
-               const py::object& report, std::size_t n_threads) {
+               const Eigen::MatrixXd& reflectance, const Eigen::MatrixXd& incident,
+               const study::StudyOptions& options, const py::object& report,
+               std::size_t n_threads) {
   study::Light light;
   run_work({report, n_threads}, [&](const study::StudyEvents& events) {
-    light = study::solve_light(*factors.mesh, *factors.transport, {exitance, reflectance}, options,
-                               events);
+    light = study::solve_light(*factors.mesh, *factors.transport, {exitance, reflectance, incident},
+                               options, events);
   });
   return light_dict(std::move(light.solution), light.discretisation);
 }

@@ -71,6 +71,7 @@ def solve(
     exitance,
     reflectance,
     *,
+    incident=None,
     tolerance: float = 1e-2,
     method: str = "cg",
     threads: int = 0,
@@ -85,6 +86,9 @@ def solve(
         What each patch emits, W/m², by band: M = π L of a radiance L, ε σ T⁴ of a temperature.
     reflectance : float or array_like, (n,), (n, b) or (b,)
         In [0, 1]; b bands, of which k is a multiple: column c uses c % b.
+    incident : array_like, (n,) or (n, b), optional
+        Direct irradiance from without, W/m², that patches reflect, too: of a sun E times the cosine
+        times `transport.patches.lit_shares(direction)`.
     tolerance : float
         Relative error asked of the result: the iteration adds a ten-thousandth of it, at most.
     method : {'cg', 'jacobi', 'gauss-seidel', 'southwell', 'chebyshev'}
@@ -116,10 +120,19 @@ def solve(
     if emitted.size and emitted.min() < 0:
         raise InputError(f"exitance: found {emitted.min()}, expected at least 0")
     rho = reflectances(reflectance, n, emitted.shape[1])
+    sun = np.zeros((0, 0))
+    if incident is not None:
+        sun = transport._fields("incident", incident)
+        if sun.size and sun.min() < 0:
+            raise InputError(f"incident: found {sun.min()}, expected at least 0")
+        if sun.shape[1] != rho.shape[1]:
+            raise InputError(
+                f"incident: found {sun.shape[1]} bands, but the reflectance has {rho.shape[1]}"
+            )
     options = _arguments.study_options(tolerance=tolerance, method=method)
     with reporter(progress) as report:
         core = _core.solve(
-            transport._core, emitted, rho, options, report, _arguments.count("threads", threads)
+            transport._core, emitted, rho, sun, options, report, _arguments.count("threads", threads)
         )
     return Light(core, is_flat=np.ndim(exitance) == 1)
 

@@ -194,6 +194,50 @@ TEST_F(SceneJson, ReadsSuns) {
   EXPECT_CONTAINS(night.warnings[0], "the sun is not above the horizon (elevation_deg -3)");
 }
 
+TEST_F(SceneJson, ReadsBandsOfHeat) {
+  const std::string paint =
+      R"("solar": {"absorptivity": 0.2}, "infrared": {"emissivity": 0.9}, "temperature": 300)";
+  const std::string sun = R"("sun": {"direction": [0, 0, -1], "irradiance": 1361}, )";
+  const Scene two = read("a.json", scene(R"("bands": "solar-infrared", )" + sun, paint));
+  EXPECT_EQ(two.bands.kind, Bands::Kind::solar_infrared);
+  EXPECT_TRUE(two.materials[0].reflectance.isApprox(Eigen::Vector2d(0.8, 0.1), 1e-15));
+  EXPECT_EQ(two.sun->irradiance, Eigen::Vector2d(1361, 0));
+  const Scene split = read("a.json", scene(R"("bands": {"split_wavelength": 3}, )", paint));
+  EXPECT_EQ(split.bands.kind, Bands::Kind::solar_infrared);
+  EXPECT_EQ(split.bands.edges, std::vector<double>{3});
+  const Scene three = read("a.json", scene(R"("bands": {"thermal": [1, 4.5]}, )" + sun,
+                                           R"("emissivity": [0.1, 0.2, 1], "temperature": 9)"));
+  EXPECT_EQ(three.bands.kind, Bands::Kind::thermal);
+  EXPECT_EQ(three.bands.edges, (std::vector<double>{1, 4.5}));
+  EXPECT_TRUE(three.materials[0].reflectance.isApprox(Eigen::Vector3d(0.9, 0.8, 0), 1e-15));
+  EXPECT_NEAR(three.sun->irradiance.sum(), 1361, 1e-9);
+  // Tables have F = 0.70101 at 5600 µm K and 0.72012 at 5800; linear between them, which is off by
+  // less than 2e-4, that is 0.7174 of a black body of 5772 K below 1 µm.
+  EXPECT_NEAR(three.sun->irradiance[0] / 1361, 0.7174, 2e-4);
+}
+
+TEST_F(SceneJson, ExplainsBadBandsOfHeat) {
+  const std::string paint = R"("solar": {"absorptivity": 0.2}, "infrared": {"emissivity": 0.9})";
+  const std::string two = R"("bands": "solar-infrared", )";
+  const std::vector<BadScene> bad = {
+      {scene(R"("bands": {}, )"), "bands: expected either \"thermal\" or \"split_wavelength\""},
+      {scene(R"("bands": {"thermal": []}, )"), "bands.thermal: has no wavelengths"},
+      {scene(R"("bands": {"thermal": [8, 4]}, )"), "wavelength 4 does not follow 8"},
+      {scene(R"("bands": {"split_wavelength": 0}, )"), "wavelength 0 is not positive"},
+      {scene(R"("bands": "solar", )"), "bands: found \"solar\", expected"},
+      {scene(R"("bands": "grey", )", paint), "need \"bands\": \"solar-infrared\""},
+      {scene(two, R"("solar": {"absorptivity": 0.2})"), "materials.grey: has no \"infrared\""},
+      {scene(two, paint + R"(, "reflectance": 0.5)"), "expected either \"solar\" and"},
+      {scene(two, R"("solar": {"absorptivity": 2}, "infrared": {"emissivity": 1})"),
+       "materials.grey.solar.absorptivity: absorptivity 2 is outside [0, 1]"},
+      {scene(two, R"("solar": {"emissivity": 1}, "infrared": {"emissivity": 1})"),
+       "materials.grey.solar"},
+      {scene(two, R"("emissivity": [0.5, -1])"), "emissivity -1 is outside [0, 1]"},
+      {scene(two, R"("emissivity": [0.5, 1, 1])"), "found 3 values, expected 2, one per band"},
+  };
+  for (const auto& [content, message] : bad) EXPECT_CONTAINS(error_of("a.json", content), message);
+}
+
 TEST_F(SceneJson, ExplainsBadSuns) {
   const auto with_sun = [](const std::string& members) {
     return scene(R"("sun": {)" + members + "}, ");
@@ -374,6 +418,9 @@ TEST(SceneSchema, ListsTheKeysOfTheReader) {
   expect_keys("rotation", io::keys::kRotation);
   expect_keys("camera", io::keys::kCamera);
   expect_keys("sun", io::keys::kSun);
+  expect_keys("bands", io::keys::kBands);
+  expect_keys("solar", io::keys::kSolar);
+  expect_keys("infrared", io::keys::kInfrared);
   for (const auto& unit : definitions.at("unit").at("enum")) {
     EXPECT_GT(io::metres_per_unit(unit.get<std::string>()), 0);
   }
@@ -406,7 +453,7 @@ TEST(Scenes, AllLoad) {
     }
     ++n_scenes;
   }
-  EXPECT_EQ(n_scenes, 8);
+  EXPECT_EQ(n_scenes, 10);
 }
 
 TEST(Scenes, CornellBoxFacesInwards) {

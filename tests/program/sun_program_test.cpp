@@ -36,7 +36,8 @@ class Sun : public Program {
 
 TEST_F(Sun, IsInTheEnergyAndInWhatArrives) {
   const std::string scene = write_scene(R"("bands": "grey")", R"("reflectance": 0.4)");
-  const Json json = solve({scene, "--patches", "7", "--quantity", "irradiance"});
+  const Json json = solve({scene, "--patches", "7", "--quantity", "irradiance", "--quantity",
+                           "sunlight", "--quantity", "absorbed"});
   const Json& energy = json["energy"];
   EXPECT_EQ(energy["emitted"][0], 0);
   EXPECT_NEAR(energy["incident"][0].get<double>(), 1000, 1e-9);
@@ -45,8 +46,11 @@ TEST_F(Sun, IsInTheEnergyAndInWhatArrives) {
   const auto mean = [&](const char* quantity, int surface) {
     return json["quantities"][quantity]["surfaces"][surface]["mean"][0].get<double>();
   };
+  EXPECT_NEAR(mean("sunlight", 0), 250, 1e-9);
+  EXPECT_EQ(mean("sunlight", 1), 0);
   EXPECT_GT(mean("irradiance", 0), 250);
   EXPECT_GT(mean("irradiance", 1), 0);
+  EXPECT_NEAR(mean("absorbed", 0), 0.6 * mean("irradiance", 0), 1e-9);
   const Outcome text = run({"solve", scene});
   EXPECT_EQ(text.exit_code, 0);
   expect_contains(text.out, "emitted, W  from the sun, W  absorbed, W  escaped, W");
@@ -64,6 +68,27 @@ TEST_F(Sun, ShinesInAllBandsAndPictures) {
   EXPECT_EQ(
       run({"render", scene, "-o", result("b.png"), "--width", "16", "--height", "16"}).exit_code,
       0);
+}
+
+TEST_F(Sun, IsToldFromInfrared) {
+  const std::string scene = write_scene(
+      R"("bands": "solar-infrared")",
+      R"("solar": {"absorptivity": 0.3}, "infrared": {"emissivity": 0.9}, "temperature": 300)");
+  const Json json = solve({scene, "-o", result("a.csv"), "-o", result("a.vtp")});
+  double solar = 0;
+  for (const Json& surface : json["surfaces"]) {
+    solar += surface["solar_absorbed"].get<double>();
+    EXPECT_NEAR(
+        surface["net_heat"].get<double>(),
+        surface["infrared_net_heat"].get<double>() - surface["solar_absorbed"].get<double>(), 1e-9);
+    EXPECT_EQ(surface["net_heat_by_band"].size(), 2U);
+  }
+  const Json& energy = json["energy"];
+  EXPECT_EQ(energy["incident"][1], 0);
+  EXPECT_EQ(energy["emitted"][0], 0);
+  EXPECT_GT(energy["emitted"][1], 0);
+  EXPECT_LE(solar, energy["absorbed"][0].get<double>() * (1 + 1e-9));  // backs take the rest
+  expect_contains(run({"solve", scene}).out, "W  solar absorbed, W  infrared, W");
 }
 
 TEST_F(Sun, IsRefusedOrWarnedOfPlainly) {
