@@ -6,6 +6,7 @@
 
 #include "radiosity/compressed/light_polygons.h"
 #include "radiosity/scene/radiometry.h"
+#include "radiosity/visibility/sunlight.h"
 
 namespace study {
 namespace {
@@ -65,8 +66,10 @@ Solution columns_of(const Solution& all, Index first, Index n) {
         &Solution::radiosity_error}) {
     part.*field = (all.*field).middleCols(first, n);
   }
+  if (all.incident.size() > 0) part.incident = all.incident.middleCols(first, n);
   for (Eigen::VectorXd EnergyBalance::*field :
-       {&EnergyBalance::emitted, &EnergyBalance::absorbed, &EnergyBalance::escaped}) {
+       {&EnergyBalance::emitted, &EnergyBalance::incident, &EnergyBalance::absorbed,
+        &EnergyBalance::escaped}) {
     part.energy.*field = (all.energy.*field).segment(first, n);
   }
   return part;
@@ -84,6 +87,7 @@ Study solve_scenarios(Study study, const std::vector<Scenario>& scenarios,
       {.tolerance = study.factor_tolerance, .seed = options.seed, .progress = events.progress},
       total_exitance(study, scenarios));
   const Index n_bands = scene.bands.count();
+  const Eigen::MatrixXd incident = sun_irradiance(scene, study.mesh, events.progress);
   for (const Group& group : groups) {
     Eigen::MatrixXd emitted(study.mesh.size(), n_bands * static_cast<Index>(group.size()));
     for (std::size_t k = 0; k < group.size(); ++k) {
@@ -91,8 +95,9 @@ Study solve_scenarios(Study study, const std::vector<Scenario>& scenarios,
       emitted.middleCols(static_cast<Index>(k) * n_bands, n_bands) =
           exitance(study.scene, study.mesh);
     }
-    const Light light = solve_light(study.mesh, *study.transport, emitted,
-                                    reflectance(study.scene, study.mesh), options, events);
+    const Light light =
+        solve_light(study.mesh, *study.transport,
+                    {emitted, reflectance(study.scene, study.mesh), incident}, options, events);
     study.discretisation = light.discretisation;
     for (std::size_t k = 0; k < group.size(); ++k) {
       study.scene = scene_of(scene, scenarios[group[k]]);

@@ -6,8 +6,10 @@
 #include "radiosity/compressed/make_compressed_transport.h"
 #include "radiosity/compressed/make_transport.h"
 #include "radiosity/scene/radiometry.h"
+#include "radiosity/solve/incident_light.h"
 #include "radiosity/solve/solve.h"
 #include "radiosity/stream/streaming_memory.h"
+#include "radiosity/visibility/sunlight.h"
 #include "study/row_check.h"
 #include "study/warnings.h"
 
@@ -47,6 +49,11 @@ TransportOptions transport_options(const Scene& scene, const StudyOptions& optio
           .work_file = options.work_file,
           .work_start = options.work_start,
           .rough = events.rough};
+}
+
+/// The light that operators are made for.
+ExpectedLight expected_light(const Scene& scene, const PatchMesh& mesh, const Progress& progress) {
+  return {initial_radiosity(scene, mesh, progress), reflectance(scene, mesh)};
 }
 
 FormFactors make_adaptive(const Scene& scene, const StudyOptions& options,
@@ -98,7 +105,7 @@ Patches divide(const Scene& scene, const StudyOptions& options, const StudyEvent
 Fingerprint compressed_fingerprint(const Scene& scene, const PatchMesh& mesh,
                                    const StudyOptions& options) {
   return radiosity::compressed_fingerprint(mesh, transport_options(scene, options, {}),
-                                           {exitance(scene, mesh), reflectance(scene, mesh)});
+                                           expected_light(scene, mesh, {}));
 }
 
 FormFactors make_form_factors(const Scene& scene, const PatchMesh& mesh,
@@ -108,9 +115,9 @@ FormFactors make_form_factors(const Scene& scene, const PatchMesh& mesh,
   if (options.patches.adaptive) {
     result = make_adaptive(scene, options, events);
   } else {
-    result.transport = make_transport(mesh, visibility, transport_options(scene, options, events),
-                                      transport_choice(options),
-                                      {exitance(scene, mesh), reflectance(scene, mesh)});
+    result.transport =
+        make_transport(mesh, visibility, transport_options(scene, options, events),
+                       transport_choice(options), expected_light(scene, mesh, events.progress));
   }
   warn_of_unverified(result.transport->report(), factor_tolerance(options), events);
   const PatchMesh& made = result.refined ? result.refined->mesh : mesh;
@@ -125,23 +132,26 @@ FormFactors make_form_factors(const Scene& scene, const PatchMesh& mesh,
 
 Light solve_light(const Scene& scene, const PatchMesh& mesh, const Transport& transport,
                   const StudyOptions& options, const StudyEvents& events) {
-  return solve_light(mesh, transport, exitance(scene, mesh), reflectance(scene, mesh), options,
-                     events);
+  return solve_light(mesh, transport,
+                     {exitance(scene, mesh), reflectance(scene, mesh),
+                      sun_irradiance(scene, mesh, events.progress)},
+                     options, events);
 }
 
-Light solve_light(const PatchMesh& mesh, const Transport& transport, const Eigen::MatrixXd& emitted,
-                  const Eigen::MatrixXd& reflectance, const StudyOptions& options,
-                  const StudyEvents& events) {
-  if (emitted.isZero(0)) {
-    events.warn("no surface emits light: the radiosity is zero everywhere");
-  }
+Light solve_light(const PatchMesh& mesh, const Transport& transport, const Sources& sources,
+                  const StudyOptions& options, const StudyEvents& events) {
+  warn_of_darkness(sources.exitance, sources.incident, events);
+  const Eigen::MatrixXd initial =
+      initial_radiosity(sources.exitance, sources.reflectance, sources.incident);
   const SolveOptions solving{.method = options.method,
                              .tolerance = iteration_tolerance(options.tolerance),
                              .progress = events.progress};
-  Solution solution = solve(transport, emitted, reflectance, solving);
+  Solution solution = solve(transport, initial, sources.reflectance, solving);
   warn_of_unconverged(solution, solving, events);
   DiscretisationError discretisation = estimate_discretisation(mesh, transport, solution, events);
   solution = with_discretisation_error(std::move(solution), discretisation);
+  solution =
+      with_incident(std::move(solution), sources.exitance, sources.incident, transport.area());
   return {std::move(solution), std::move(discretisation)};
 }
 

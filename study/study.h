@@ -33,6 +33,13 @@ struct Light {
   radiosity::DiscretisationError discretisation;
 };
 
+/// Where light comes from and what becomes of it, n patches.
+struct Sources {
+  Eigen::MatrixXd exitance;       ///< M_e, W/m², n x k
+  Eigen::MatrixXd reflectance;    ///< ρ, n x b, as radiosity::solve takes them
+  Eigen::MatrixXd incident = {};  ///< E, direct irradiance of the sun, W/m², n x b; empty: no sun
+};
+
 /// A scene and all that was found out about it.
 struct Study {
   radiosity::Scene scene;
@@ -66,17 +73,16 @@ radiosity::Fingerprint compressed_fingerprint(const radiosity::Scene& scene,
                                               const radiosity::PatchMesh& mesh,
                                               const StudyOptions& options);
 
-/// The radiosity by the scene's own materials. Warns if nothing emits, if the iteration does not
-/// converge and if the errors can't be told. Throws SolveError, Interrupted.
+/// The radiosity by the scene's own materials and sun. Warns if nothing emits, if the iteration
+/// does not converge and if the errors can't be told. Throws SolveError, Interrupted.
 Light solve_light(const radiosity::Scene& scene, const radiosity::PatchMesh& mesh,
                   const radiosity::Transport& transport, const StudyOptions& options = {},
                   const StudyEvents& events = {});
 
-/// The same of what is emitted, W/m², n x k, and reflectances, n x b, as radiosity::solve takes
-/// them.
+/// The same of given sources.
 Light solve_light(const radiosity::PatchMesh& mesh, const radiosity::Transport& transport,
-                  const Eigen::MatrixXd& exitance, const Eigen::MatrixXd& reflectance,
-                  const StudyOptions& options = {}, const StudyEvents& events = {});
+                  const Sources& sources, const StudyOptions& options = {},
+                  const StudyEvents& events = {});
 
 /// The stages up to the form factors: there is no light yet.
 Study assemble(radiosity::Scene scene, const StudyOptions& options = {},

@@ -58,7 +58,7 @@ Image draw(const Study& study, const Camera& camera, Shading shading,
   if (shading == Shading::interpolated) {
     image = render(study.mesh, study.visibility, solution.radiosity, camera, options);
   } else {
-    const FinalGather gather(study.mesh, solution.radiosity);
+    const FinalGather gather(study.mesh, solution.radiosity, study.scene.sun);
     image = render_gathered(gather, study.visibility, {solution.exitance, solution.reflectance},
                             camera, options);
   }
@@ -73,7 +73,7 @@ Image draw_lightmap(const Study& study, const LightAtlas& atlas, Shading shading
   if (shading == Shading::interpolated) {
     return make_lightmap(study.mesh, atlas, solution.radiosity, options);
   }
-  const FinalGather gather(study.mesh, solution.radiosity);
+  const FinalGather gather(study.mesh, solution.radiosity, study.scene.sun);
   return make_gathered_lightmap(study.mesh, atlas, gather,
                                 {solution.exitance, solution.reflectance}, options);
 }

@@ -27,6 +27,17 @@ void warn_of_open_rows(const AssemblyReport& report, const StudyEvents& events) 
   if (const auto warning = open_rows_warning(report)) events.warn(*warning);
 }
 
+void warn_of_darkness(const Eigen::MatrixXd& exitance, const Eigen::MatrixXd& incident,
+                      const StudyEvents& events) {
+  const bool is_sunless = incident.size() == 0 || incident.isZero(0);
+  if (incident.size() > 0 && is_sunless) {
+    events.warn("the sun shines on no surface's emitting side");
+  }
+  if (exitance.isZero(0) && is_sunless) {
+    events.warn("no surface emits light: the radiosity is zero everywhere");
+  }
+}
+
 void warn_of_unverified(const AssemblyReport& report, double tolerance, const StudyEvents& events) {
   if (!report.compression || report.compression->verified_error <= tolerance) return;
   events.warn(fmt::format(

@@ -20,6 +20,11 @@ std::optional<std::string> open_rows_warning(const radiosity::AssemblyReport& re
 /// Says it.
 void warn_of_open_rows(const radiosity::AssemblyReport& report, const StudyEvents& events);
 
+/// If nothing emits and no sun shines, and if a sun (direct irradiance `incident`, empty without
+/// one) reaches nothing.
+void warn_of_darkness(const Eigen::MatrixXd& exitance, const Eigen::MatrixXd& incident,
+                      const StudyEvents& events);
+
 /// If the error of a compressed operator could not be brought down to `tolerance`.
 void warn_of_unverified(const radiosity::AssemblyReport& report, double tolerance,
                         const StudyEvents& events);

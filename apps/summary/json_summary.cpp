@@ -78,6 +78,7 @@ Json discretisation(const radiosity::DiscretisationError& error) {
 
 Json energy(const radiosity::EnergyBalance& energy) {
   return {{"emitted", array(energy.emitted)},
+          {"incident", array(energy.incident)},
           {"absorbed", array(energy.absorbed)},
           {"escaped", array(energy.escaped)}};
 }
@@ -89,13 +90,18 @@ Json refinement(const meshing::Refinement& refinement) {
           {"seconds", refinement.seconds}};
 }
 
-Json surfaces(const std::vector<radiosity::SurfaceFlux>& fluxes) {
+Json surfaces(const std::vector<radiosity::SurfaceFlux>& fluxes, const radiosity::Bands& bands) {
   Json list = Json::array();
   for (const radiosity::SurfaceFlux& flux : fluxes) {
     list.push_back({{"name", flux.surface},
                     {"area", flux.area},
                     {"net_flux", flux.flux},
                     {"net_heat", flux.heat}});
+    if (bands.count() > 1) list.back()["net_heat_by_band"] = array(flux.band_heat);
+    if (bands.kind == radiosity::Bands::Kind::solar_infrared) {
+      list.back()["solar_absorbed"] = 0 - flux.band_heat[0];
+      list.back()["infrared_net_heat"] = flux.band_heat[1];
+    }
   }
   return list;
 }
@@ -206,7 +212,8 @@ std::string solve_json(const SolveSummary& summary, const std::vector<std::strin
   }
   if (solved.refinement) json["refinement"] = refinement(*solved.refinement);
   if (radiosity::is_thermal(solved.scene)) {
-    json["surfaces"] = surfaces(radiosity::surface_fluxes(solved.mesh, solved.solution));
+    json["surfaces"] =
+        surfaces(radiosity::surface_fluxes(solved.mesh, solved.solution), solved.scene.bands);
   }
   for (const radiosity::QuantitySummary& quantity : summary.quantities) {
     json["quantities"][std::string(quantity.info.name)] = by_surface(quantity);

@@ -62,8 +62,36 @@ Eigen::VectorXd read_values(const JsonItem& item, const Bands& bands,
   return values;
 }
 
+/// A number in [0, 1].
+double read_share(const JsonItem& item, std::string_view name) {
+  const double share = item.number();
+  if (!(share >= 0 && share <= 1)) item.fail(fmt::format("{} {} is outside [0, 1]", name, share));
+  return share;
+}
+
+/// Of what a material is to the sun's light and to thermal radiation.
+Eigen::VectorXd read_solar_infrared(const JsonItem& material, const Bands& bands) {
+  if (bands.kind != Bands::Kind::solar_infrared) {
+    material.fail("\"solar\" and \"infrared\" need \"bands\": \"solar-infrared\"");
+  }
+  for (const std::string_view key : {"reflectance", "emissivity"}) {
+    if (material.has(key)) {
+      material.fail(fmt::format("expected either \"solar\" and \"infrared\" or \"{}\"", key));
+    }
+  }
+  const JsonItem solar = material.at("solar");
+  const JsonItem infrared = material.at("infrared");
+  solar.check_keys(keys::kSolar);
+  infrared.check_keys(keys::kInfrared);
+  return Eigen::Vector2d(1 - read_share(solar.at("absorptivity"), "absorptivity"),
+                         1 - read_share(infrared.at("emissivity"), "emissivity"));
+}
+
 Eigen::VectorXd read_reflectance(const JsonItem& material, const Bands& bands,
                                  const std::filesystem::path& folder) {
+  if (material.has("solar") || material.has("infrared")) {
+    return read_solar_infrared(material, bands);
+  }
   if (material.has("reflectance") == material.has("emissivity")) {
     material.fail("expected either \"reflectance\" or \"emissivity\"");
   }
@@ -71,11 +99,14 @@ Eigen::VectorXd read_reflectance(const JsonItem& material, const Bands& bands,
     return read_values(*item, bands, folder, reflectance_problem);
   }
   const JsonItem item = material.at("emissivity");
-  const double emissivity = item.number();
-  if (!(emissivity >= 0 && emissivity <= 1)) {
-    item.fail(fmt::format("emissivity {} is outside [0, 1]", emissivity));
+  if (!item.value().is_array()) {
+    return Eigen::VectorXd::Constant(bands.count(), 1 - read_share(item, "emissivity"));
   }
-  return Eigen::VectorXd::Constant(bands.count(), 1 - emissivity);
+  Eigen::VectorXd result = read_numbers(item, bands);
+  for (std::size_t k = 0; k < item.size(); ++k) {
+    result[static_cast<Eigen::Index>(k)] = 1 - read_share(item[k], "emissivity");
+  }
+  return result;
 }
 
 Emission::Kind emission_kind(std::string_view key) {
@@ -92,8 +123,10 @@ Emission read_emission_value(const JsonItem& item, std::string_view key, const B
   };
   Emission emission{.kind = emission_kind(key), .value = {}};
   if (emission.kind == Emission::Kind::temperature) {
-    if (bands.kind != Bands::Kind::grey) {
-      item.fail("a temperature needs \"bands\": \"grey\", which then is all thermal radiation");
+    if (!bands.hold_heat()) {
+      item.fail(
+          "a temperature needs \"bands\": \"grey\", which then is all thermal radiation, or "
+          "bands of heat");
     }
     emission.value = Eigen::VectorXd::Constant(1, item.number());
     if (const auto problem = check(emission.value)) item.fail(*problem);
@@ -136,6 +169,12 @@ Material read_material(const JsonItem& item, const std::string& name, const Band
 }
 
 }  // namespace
+
+Eigen::VectorXd read_band_values(const JsonItem& item, const std::string& name, const Bands& bands,
+                                 const std::filesystem::path& folder) {
+  return read_values(item, bands, folder,
+                     [&](const Eigen::VectorXd& value) { return emission_problem(name, value); });
+}
 
 std::vector<Material> read_materials(const JsonItem& materials, const Bands& bands,
                                      const std::filesystem::path& folder) {

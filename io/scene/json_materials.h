@@ -1,6 +1,8 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "io/base/json_item.h"
@@ -13,5 +15,11 @@ namespace io {
 std::vector<radiosity::Material> read_materials(const JsonItem& materials,
                                                 const radiosity::Bands& bands,
                                                 const std::filesystem::path& folder);
+
+/// One value per band, all finite and at least 0, as emissions have them: a number for all bands, a
+/// list, or a column of a CSV file. `name` is what messages call it.
+Eigen::VectorXd read_band_values(const JsonItem& item, const std::string& name,
+                                 const radiosity::Bands& bands,
+                                 const std::filesystem::path& folder);
 
 }  // namespace io

@@ -8,15 +8,26 @@ namespace io::keys {
 
 inline constexpr auto kScene =
     std::to_array<std::string_view>({"$schema", "name", "description", "unit", "precision", "bands",
-                                     "materials", "surfaces", "camera", "views", "closed"});
+                                     "materials", "surfaces", "camera", "views", "closed", "sun"});
+
+inline constexpr auto kBands = std::to_array<std::string_view>({"thermal", "split_wavelength"});
+
+inline constexpr auto kSun = std::to_array<std::string_view>(
+    {"direction", "azimuth_deg", "elevation_deg", "up", "north", "irradiance"});
 
 inline constexpr auto kEmission =
     std::to_array<std::string_view>({"radiance", "exitance", "power", "temperature"});
 
 /// An emission may stand in the material itself or in its "emission".
-inline constexpr auto kMaterial =
-    std::to_array<std::string_view>({"name", "description", "reflectance", "emissivity", "emission",
-                                     "radiance", "exitance", "power", "temperature"});
+inline constexpr auto kMaterial = std::to_array<std::string_view>(
+    {"name", "description", "reflectance", "emissivity", "emission", "radiance", "exitance",
+     "power", "temperature", "solar", "infrared"});
+
+/// What a material is to the sun's light.
+inline constexpr auto kSolar = std::to_array<std::string_view>({"absorptivity"});
+
+/// What it is to thermal radiation.
+inline constexpr auto kInfrared = std::to_array<std::string_view>({"emissivity"});
 
 inline constexpr auto kSpectrum = std::to_array<std::string_view>({"csv", "column"});
 

@@ -61,6 +61,11 @@ Json bands_json(const Bands& bands) {
       return "grey";
     case Bands::Kind::rgb:
       return "rgb";
+    case Bands::Kind::solar_infrared:
+      if (bands.edges.empty()) return "solar-infrared";
+      return {{"split_wavelength", bands.edges.front()}};
+    case Bands::Kind::thermal:
+      return {{"thermal", bands.edges}};
     case Bands::Kind::wavelengths:
       break;
   }
@@ -139,6 +144,10 @@ Json camera_json(const Camera& camera) {
                {"up", point_json(camera.up)}};
   add_fov(camera.vertical_fov, json);
   return json;
+}
+
+Json sun_json(const radiosity::Sun& sun) {
+  return {{"direction", point_json(sun.direction)}, {"irradiance", values_json(sun.irradiance)}};
 }
 
 /// The polygons of each surface.
@@ -264,6 +273,7 @@ void write_json(const Scene& scene, std::ostream& stream) {
          << ",\n  \"bands\": " << text(bands_json(scene.bands)) << ",\n";
   write_materials(scene, material_names, stream);
   write_surfaces(scene, material_names, stream);
+  if (scene.sun) stream << ",\n  \"sun\": " << text(sun_json(*scene.sun));
   if (scene.camera) stream << ",\n  \"camera\": " << text(camera_json(*scene.camera));
   if (!scene.views.empty()) write_views(scene, stream);
   if (scene.closed) stream << ",\n  \"closed\": " << (*scene.closed ? "true" : "false");

@@ -14,6 +14,7 @@
 #include "radiosity/solve/discretisation_error.h"
 #include "radiosity/solve/refinement.h"
 #include "radiosity/solve/solution.h"
+#include "radiosity/visibility/sunlight.h"
 
 namespace meshing {
 namespace {
@@ -125,7 +126,8 @@ class Refiner {
     transport.closed = is_dense ? Closed::no : asked.closed;
     transport.known = {earlier.get(), same};
     transport.memory = memory_beside(earlier.get());
-    const ExpectedLight light{exitance(scene_, mesh), reflectance(scene_, mesh)};
+    const ExpectedLight light{initial_radiosity(scene_, mesh, options_.progress),
+                              reflectance(scene_, mesh)};
     stage.transport = make_transport(mesh, stage.visibility, transport, choice(stage.kind), light);
     SolveOptions solving;
     solving.tolerance = kSolveTolerance;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "radiosity/scene/black_body.h"
+
 namespace radiosity {
 namespace {
 
@@ -14,12 +16,12 @@ std::vector<double> surface_areas(const Scene& scene, const PatchMesh& mesh) {
   return areas;
 }
 
-/// M_e of a surface of the given material and total area, n_bands.
-Eigen::VectorXd surface_exitance(const Material& material, double area, Index n_bands) {
+/// M_e of a surface of the given material and total area, per band.
+Eigen::VectorXd surface_exitance(const Material& material, double area, const Bands& bands) {
   const Emission& emission = material.emission;
   switch (emission.kind) {
     case Emission::Kind::none:
-      return Eigen::VectorXd::Zero(n_bands);
+      return Eigen::VectorXd::Zero(bands.count());
     case Emission::Kind::radiance:
       return kPi * emission.value;
     case Emission::Kind::exitance:
@@ -28,9 +30,11 @@ Eigen::VectorXd surface_exitance(const Material& material, double area, Index n_
       return emission.value / area;
     case Emission::Kind::temperature:
       return kStefanBoltzmann * std::pow(emission.value[0], 4) *
-             (1 - material.reflectance.array()).matrix();
+             (1 - material.reflectance.array())
+                 .matrix()
+                 .cwiseProduct(thermal_fractions(bands, emission.value[0]));
   }
-  return Eigen::VectorXd::Zero(n_bands);
+  return Eigen::VectorXd::Zero(bands.count());
 }
 
 const Surface& surface_of(const Scene& scene, const PatchMesh& mesh, Index patch) {
@@ -44,12 +48,20 @@ Eigen::MatrixXd exitance(const Scene& scene, const PatchMesh& mesh) {
   Eigen::MatrixXd result(mesh.size(), scene.bands.count());
   for (Index i = 0; i < mesh.size(); ++i) {
     const Surface& surface = surface_of(scene, mesh, i);
-    const Eigen::VectorXd value = surface_exitance(scene.materials[surface.material],
-                                                   areas[mesh.surface[i]], scene.bands.count());
+    const Eigen::VectorXd value =
+        surface_exitance(scene.materials[surface.material], areas[mesh.surface[i]], scene.bands);
     assert(value.size() == result.cols());
     result.row(i) = surface.emission_factor * value.transpose();
   }
   return result;
+}
+
+Eigen::MatrixXd initial_radiosity(const Eigen::MatrixXd& exitance,
+                                  const Eigen::MatrixXd& reflectance,
+                                  const Eigen::MatrixXd& incident) {
+  if (incident.size() == 0) return exitance;
+  const Index n = exitance.cols() / incident.cols();
+  return exitance + reflectance.cwiseProduct(incident).replicate(1, n);
 }
 
 Eigen::MatrixXd reflectance(const Scene& scene, const PatchMesh& mesh) {

@@ -8,14 +8,19 @@
 #include <vector>
 
 #include "radiosity/base/geometry.h"
+#include "radiosity/scene/sun.h"
 
 namespace radiosity {
 
-/// The spectral bands of a scene: one grey band, linear RGB, or a list of wavelengths.
+/// The spectral bands of a scene: one grey band, linear RGB, or a list of wavelengths; of heat the
+/// sun's light and infrared, or grey bands between wavelengths.
 struct Bands {
-  enum class Kind { grey, rgb, wavelengths };
+  enum class Kind { grey, rgb, wavelengths, solar_infrared, thermal };
   Kind kind = Kind::rgb;
   std::vector<double> wavelengths;  ///< nm, increasing; used by Kind::wavelengths only
+  /// µm, increasing: between the bands of Kind::thermal; of Kind::solar_infrared the wavelength
+  /// that parts them, or none: then all that surfaces emit is infrared.
+  std::vector<double> edges = {};
 
   /// Number of bands, >= 1.
   [[nodiscard]] Index count() const {
@@ -24,11 +29,17 @@ struct Bands {
         return 1;
       case Kind::rgb:
         return 3;
+      case Kind::solar_infrared:
+        return 2;
+      case Kind::thermal:
+        return static_cast<Index>(edges.size()) + 1;
       case Kind::wavelengths:
         break;
     }
     return static_cast<Index>(wavelengths.size());
   }
+  /// Whether the bands hold all thermal radiation, so that surfaces can emit by temperature.
+  [[nodiscard]] bool hold_heat() const { return kind != Kind::rgb && kind != Kind::wavelengths; }
 };
 
 /// What a surface emits by itself. One value per band, or a single kelvin value for temperature.
@@ -38,7 +49,7 @@ struct Emission {
     radiance,    ///< L, W/(m² sr); M_e = π L
     exitance,    ///< M_e, W/m²
     power,       ///< Φ, W, of each surface with this material; M_e = Φ / A
-    temperature  ///< T, K; M_e = ε σ T⁴ with ε = 1 - ρ (one grey band)
+    temperature  ///< T, K; M_e = ε f σ T⁴ with ε = 1 - ρ and f the bands' thermal_fractions
   };
   Kind kind = Kind::none;
   Eigen::VectorXd value;  ///< size = number of bands; 1 for temperature; empty for none
@@ -94,6 +105,7 @@ struct Scene {
   /// How far a coordinate may be off what was meant, for its last digits were rounded away: half a
   /// unit in the last place of the file, m. 0 = exact but for the rounding of `double`.
   double precision = 0;
+  std::optional<Sun> sun;
   std::optional<Camera> camera;
   std::vector<View> views;            ///< other cameras, no two of one name
   std::optional<bool> closed;         ///< as declared by the user; absent = to be found out

@@ -51,20 +51,23 @@ struct SolveOptions {
   Progress progress = {};
 };
 
-/// Where the power goes, W, one value per column of the solution. emitted = absorbed + escaped.
+/// Where the power goes, W, one value per column of the solution. emitted + incident = absorbed +
+/// escaped.
 struct EnergyBalance {
-  Eigen::VectorXd emitted;   ///< Σ A M_e
-  Eigen::VectorXd absorbed;  ///< Σ A (1 - ρ) H, and what backs and covers take
-  Eigen::VectorXd escaped;   ///< Σ A B (1 - covered - backs - row sum): leaves the scene
+  Eigen::VectorXd emitted;        ///< Σ A M_e
+  Eigen::VectorXd incident = {};  ///< Σ A E, from without: the sun on emitting sides; 0 without one
+  Eigen::VectorXd absorbed;       ///< Σ A (1 - ρ) H, and what backs and covers take
+  Eigen::VectorXd escaped;        ///< Σ A B (1 - covered - backs - row sum): leaves the scene
 };
 
 /// The radiosity of every patch, and what is known about its error. The energy norm of a field B is
 /// ‖B‖ = sqrt(Σ A B²); relative figures are the largest over the columns.
 struct Solution {
-  Eigen::MatrixXd radiosity;        ///< B, W/m², n x k
-  Eigen::MatrixXd irradiance;       ///< H = F B, W/m², n x k
-  Eigen::MatrixXd exitance;         ///< M_e as given, W/m², n x k
-  Eigen::MatrixXd reflectance;      ///< ρ as given, n x k
+  Eigen::MatrixXd radiosity;    ///< B, W/m², n x k
+  Eigen::MatrixXd irradiance;   ///< H = F B + E, W/m², n x k
+  Eigen::MatrixXd exitance;     ///< M_e as given, W/m², n x k
+  Eigen::MatrixXd reflectance;  ///< ρ as given, n x k
+  Eigen::MatrixXd incident;     ///< E, direct irradiance from without (the sun), n x k; or empty
   Eigen::MatrixXd radiosity_error;  ///< one standard error of B (form factors and iteration), W/m²
   EnergyBalance energy;             ///< per column
   Method method = Method::conjugate_gradients;
@@ -80,6 +83,10 @@ struct Solution {
 
   /// B - H, what each patch loses by radiation (negative: gains), W/m², n x k.
   [[nodiscard]] Eigen::MatrixXd net_flux() const { return radiosity - irradiance; }
+  /// (1 - ρ) H, what each patch absorbs, W/m², n x k.
+  [[nodiscard]] Eigen::MatrixXd absorbed_flux() const {
+    return irradiance - reflectance.cwiseProduct(irradiance);
+  }
 };
 
 }  // namespace radiosity

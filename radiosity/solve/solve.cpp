@@ -95,6 +95,7 @@ EnergyBalance energy_balance(const IrradianceSystem& system, const Eigen::Matrix
       area.cwiseProduct(Eigen::VectorXd::Ones(b.rows()) - system.row_sums) - taken;
   EnergyBalance energy;
   energy.emitted = system.exitance.transpose() * area;
+  energy.incident = Eigen::VectorXd::Zero(b.cols());
   energy.escaped = b.transpose() * leak;
   energy.absorbed.resize(b.cols());
   for (Index c = 0; c < b.cols(); ++c) {

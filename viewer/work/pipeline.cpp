@@ -15,8 +15,10 @@
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/radiometry.h"
 #include "radiosity/solve/discretisation_error.h"
+#include "radiosity/solve/incident_light.h"
 #include "radiosity/solve/solution.h"
 #include "radiosity/solve/solve.h"
+#include "radiosity/visibility/sunlight.h"
 #include "radiosity/visibility/visibility.h"
 #include "study/study.h"
 #include "study/warnings.h"
@@ -41,6 +43,7 @@ Model with_patches(Model model, study::Patches patches) {
   model.mesh = std::make_shared<PatchMesh>(std::move(patches.mesh));
   model.bounds = radiosity::bounds(*model.mesh);
   model.visibility = std::make_shared<radiosity::Visibility>(std::move(patches.visibility));
+  model.sun = radiosity::sun_irradiance(*model.scene, *model.mesh);
   return model;
 }
 
@@ -70,7 +73,9 @@ EmitterLights separate(const Model& model, const LightMix& mix, const Scene& sce
   const Index n_bands = reflectance.cols();
   const auto n_emitters = static_cast<Index>(mix.emitters.size());
   const Eigen::MatrixXd full = radiosity::exitance(scene, *model.mesh);
-  Eigen::MatrixXd all(reflectance.rows(), n_emitters * n_bands);
+  const bool has_sun = model.sun.size() > 0;
+  Eigen::MatrixXd all(reflectance.rows(), (n_emitters + (has_sun ? 1 : 0)) * n_bands);
+  if (has_sun) all.rightCols(n_bands) = reflectance.cwiseProduct(model.sun);
   for (Index e = 0; e < n_emitters; ++e) {
     lights.exitance.push_back(emitter_exitance(*model.mesh, full, mix.emitters[e]));
     all.middleCols(e * n_bands, n_bands) = lights.exitance.back();
@@ -80,7 +85,18 @@ EmitterLights separate(const Model& model, const LightMix& mix, const Scene& sce
   for (Index e = 0; e < n_emitters; ++e) {
     lights.irradiance.emplace_back(solution.irradiance.middleCols(e * n_bands, n_bands));
   }
+  if (has_sun) lights.sun = solution.irradiance.rightCols(n_bands) + model.sun;
   return lights;
+}
+
+/// Solves for the mix's own light and the sun's.
+Solution solve_with_sun(const Model& model, const Transport& transport,
+                        const Eigen::MatrixXd& emitted, const Eigen::MatrixXd& reflectance,
+                        const radiosity::SolveOptions& options) {
+  Solution solution =
+      solve(transport, radiosity::initial_radiosity(emitted, reflectance, model.sun), reflectance,
+            options);
+  return with_incident(std::move(solution), emitted, model.sun, transport.area());
 }
 
 }  // namespace
@@ -174,8 +190,8 @@ Light rough_light(const Model& model, const Transport& rough, const LightMix& mi
   radiosity::SolveOptions options = solve_options(kQuickTolerance, progress);
   options.start = irradiance;
   return {.kind = Light::Kind::preview,
-          .solution = solve(rough, mix_exitance(scene, *model.mesh, mix),
-                            radiosity::reflectance(scene, *model.mesh), options),
+          .solution = solve_with_sun(model, rough, mix_exitance(scene, *model.mesh, mix),
+                                     radiosity::reflectance(scene, *model.mesh), options),
           .factor_error = rough.report().compression.value().verified_error};
 }
 
@@ -192,12 +208,12 @@ void solve_light(const Model& model, const LightMix& mix, const LightStart& star
     events.lit({Light::Kind::solved, std::move(sum)});
   }
   if (start.is_quick_wanted) {
-    Solution quick = solve(*model.transport, emitted, reflectance, options);
+    Solution quick = solve_with_sun(model, *model.transport, emitted, reflectance, options);
     options.start = quick.irradiance;
     events.lit({Light::Kind::quick, std::move(quick)});
   }
   options.tolerance = start.tolerance;
-  Solution solution = solve(*model.transport, emitted, reflectance, options);
+  Solution solution = solve_with_sun(model, *model.transport, emitted, reflectance, options);
   study::warn_of_unconverged(solution, options, {.warned = events.warned});
   options.start = solution.irradiance;
   events.lit({Light::Kind::solved, std::move(solution)});
@@ -205,11 +221,14 @@ void solve_light(const Model& model, const LightMix& mix, const LightStart& star
     events.separated(separate(model, mix, scene, reflectance, start.tolerance, progress));
   }
   options.estimates_errors = true;
-  Solution complete = solve(*model.transport, emitted, reflectance, options);
+  Solution complete =
+      solve(*model.transport, radiosity::initial_radiosity(emitted, reflectance, model.sun),
+            reflectance, options);
   const auto discretisation =
       radiosity::discretisation_error(*model.mesh, *model.transport, complete, progress);
   Light light{Light::Kind::complete,
-              radiosity::with_discretisation_error(std::move(complete), discretisation)};
+              with_incident(with_discretisation_error(std::move(complete), discretisation), emitted,
+                            model.sun, model.transport->area())};
   light.relative_error = relative_error(*model.mesh, light.solution);
   events.lit(std::move(light));
 }

@@ -98,7 +98,9 @@ void Session::record_iteration(radiosity::Method method) {
   ++versions_.iteration;
   recording_.start([this, method, model = model_, mix = mix_](const Worker::Context& context) {
     const Scene scene = with_reflectance(*model.scene, mix);
-    const Eigen::MatrixXd emitted = mix_exitance(scene, *model.mesh, mix);
+    const Eigen::MatrixXd reflectance = radiosity::reflectance(scene, *model.mesh);
+    const Eigen::MatrixXd emitted =
+        radiosity::initial_radiosity(mix_exitance(scene, *model.mesh, mix), reflectance, model.sun);
     IterationRecorder recorder(method, model.transport->area(), emitted);
     const auto show = [&] {
       context.post([this, record = std::make_shared<const IterationRecord>(recorder.record())] {
@@ -120,8 +122,7 @@ void Session::record_iteration(radiosity::Method method) {
       show();
       shown = Clock::now();
     };
-    recorder.finish(
-        solve(*model.transport, emitted, radiosity::reflectance(scene, *model.mesh), options));
+    recorder.finish(solve(*model.transport, emitted, reflectance, options));
     show();
   });
 }
