@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "radiosity/base/geometry.h"
+#include "radiosity/scene/symmetry.h"
 
 namespace radiosity {
 
@@ -96,6 +97,7 @@ struct Scene {
   double precision = 0;
   std::optional<Camera> camera;
   std::vector<View> views;            ///< other cameras, no two of one name
+  Symmetry symmetry;                  ///< the polygons are a part of a whole, if there is any
   std::optional<bool> closed;         ///< as declared by the user; absent = to be found out
   std::vector<std::string> warnings;  ///< what the reader noticed and the user should know
 
