@@ -8,6 +8,7 @@
 #include "io/base/line_reader.h"
 #include "io/scene/json_materials.h"
 #include "io/scene/json_surfaces.h"
+#include "io/scene/json_symmetry.h"
 #include "io/scene/scene_keys.h"
 
 namespace io {
@@ -160,6 +161,7 @@ FileScene read_json_scene(const std::filesystem::path& path, const ReadOptions& 
   if (const auto camera = root.find("camera")) scene.camera = read_camera(*camera, unit);
   if (const auto views = root.find("views")) scene.views = read_views(*views, unit);
   if (const auto closed = root.find("closed")) scene.closed = closed->boolean();
+  if (const auto symmetry = root.find("symmetry")) scene.symmetry = read_symmetry(*symmetry, unit);
   if (scene.n_polygons() == 0) fail(path, "has no polygons");
   return file;
 }
