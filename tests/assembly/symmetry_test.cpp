@@ -178,6 +178,32 @@ TEST(Symmetry, ShadowsCrossTheMirrors) {
   }
 }
 
+/// Half of a box that stands on the mirror plane has its other half there.
+TEST(Symmetry, BoxesGoOnBeyondTheMirrors) {
+  PatchMesh mesh = cube_corner(2);
+  add_grid(mesh, Vec3(0.4, 0.3, 0), Vec3(0, 0.3, 0), Vec3(0, 0, 0.5), 1, 1);    // +x, cut by z = 0
+  add_grid(mesh, Vec3(0.2, 0.3, 0), Vec3(0, 0, 0.5), Vec3(0, 0.3, 0), 1, 1);    // -x
+  add_grid(mesh, Vec3(0.2, 0.6, 0), Vec3(0, 0, 0.5), Vec3(0.2, 0, 0), 1, 1);    // +y
+  add_grid(mesh, Vec3(0.2, 0.3, 0), Vec3(0.2, 0, 0), Vec3(0, 0, 0.5), 1, 1);    // -y
+  add_grid(mesh, Vec3(0.2, 0.3, 0.5), Vec3(0.2, 0, 0), Vec3(0, 0.3, 0), 1, 1);  // +z
+  for (const Placement& placement : placements()) {
+    const PatchMesh part = part_of(mesh, three_mirrors(), placement);
+    const auto made =
+        make_dense_transport(part, Visibility(part), {.tolerance = 1e-3, .closed = Closed::no});
+    const PatchMesh whole = make_whole(part);
+    const auto all =
+        make_dense_transport(whole, Visibility(whole), {.tolerance = 1e-3, .closed = Closed::no});
+    for (Index i = 0; i < part.size(); ++i) {
+      const Eigen::VectorXd row = rows_of(*made).row(i);
+      const Eigen::VectorXd of_whole = rows_of(*all).row(i);
+      const double sigma = rows_of(*made).row_error(i).sum();
+      // Open to nothing: the box is closed by its images.
+      EXPECT_NEAR(row.sum(), 1, 6 * sigma + kExact) << i;
+      EXPECT_NEAR(of_whole.sum(), 1, 6 * rows_of(*all).row_error(i).sum() + kExact) << i;
+    }
+  }
+}
+
 /// A sector of two concentric prisms of `folds` sides, the outer one facing inwards, with ends.
 PatchMesh sector(int folds, double inner, double outer, double height) {
   const double half = kPi / folds;
