@@ -20,7 +20,9 @@ radiosity::TransportChoice transport_choice(const radiosity::Scene& scene,
   const bool by_rows = options.method == radiosity::Method::gauss_seidel ||
                        options.method == radiosity::Method::southwell;
   if (scene.symmetry.is_none()) return {.kind = options.transport, .by_rows = by_rows};
-  radiosity::refuse_compressed_part(options.transport);
+  if (options.transport == radiosity::TransportKind::compressed) {
+    radiosity::refuse_compressed_part();
+  }
   return {.kind = radiosity::TransportKind::dense, .by_rows = by_rows};
 }
 

@@ -38,12 +38,6 @@ void check_rows_memory(Index n_patches, Index n_polygons, std::size_t limit) {
 
 }  // namespace
 
-void refuse_compressed_part(TransportKind kind) {
-  if (kind != TransportKind::compressed) return;
-  throw SolveError(
-      "compressed form factors do not know the scene's symmetry: use --transport dense or auto");
-}
-
 TransportKind chosen_kind(const TransportChoice& choice, Index n_patches, double tolerance,
                           std::size_t memory) {
   if (choice.kind != TransportKind::automatic) return choice.kind;
@@ -80,7 +74,7 @@ std::unique_ptr<Transport> make_transport(const PatchMesh& mesh, const Visibilit
                                           const TransportChoice& choice,
                                           const ExpectedLight& light) {
   if (!mesh.images.empty()) {
-    refuse_compressed_part(choice.kind);
+    if (choice.kind == TransportKind::compressed) refuse_compressed_part();
     return make_dense_transport(mesh, visibility, options);
   }
   check_choice(choice, mesh.size(), mesh.n_polygons(), options.tolerance, options.memory);

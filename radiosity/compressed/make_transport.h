@@ -35,9 +35,6 @@ struct TransportChoice {
   bool by_rows = false;  ///< for a method that goes by rows, over and over: dense
 };
 
-/// Throws SolveError if the operator of a part of a symmetric whole is to be compressed.
-void refuse_compressed_part(TransportKind kind);
-
 /// What the choice comes to for so many patches and a tolerance of the form factors, dense or
 /// compressed, with `memory` bytes allowed (0 = what the machine has).
 TransportKind chosen_kind(const TransportChoice& choice, Index n_patches, double tolerance,
