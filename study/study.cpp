@@ -19,9 +19,10 @@ namespace {
 using namespace radiosity;
 
 /// Throws SolveError if so many patches will not do, of which there may be more in the end.
-void check_expected(Index n_patches, Index n_polygons, const StudyOptions& options) {
+void check_expected(const Scene& scene, Index n_patches, const StudyOptions& options) {
+  const Index n_polygons = scene.n_polygons();
   if (options.storage == Storage::memory) {
-    check_choice(transport_choice(options), n_patches, n_polygons, factor_tolerance(options),
+    check_choice(transport_choice(scene, options), n_patches, n_polygons, factor_tolerance(options),
                  options.memory);
   } else {
     // How much must be allowed can be told once their number is known.
@@ -29,9 +30,10 @@ void check_expected(Index n_patches, Index n_polygons, const StudyOptions& optio
   }
 }
 
-void check_made(Index n_patches, Index n_polygons, const StudyOptions& options) {
+void check_made(const Scene& scene, Index n_patches, const StudyOptions& options) {
+  const Index n_polygons = scene.n_polygons();
   if (options.storage == Storage::memory) {
-    check_choice(transport_choice(options), n_patches, n_polygons, factor_tolerance(options),
+    check_choice(transport_choice(scene, options), n_patches, n_polygons, factor_tolerance(options),
                  options.memory);
   } else {
     check_streaming_memory(n_patches,
@@ -66,7 +68,7 @@ FormFactors make_adaptive(const Scene& scene, const StudyOptions& options,
       scene, {.tolerance = options.tolerance,
               .max_patches = options.patches.n_patches.value_or(meshing::kMostAdaptivePatches),
               .transport = transport,
-              .choice = transport_choice(options),
+              .choice = transport_choice(scene, options),
               .progress = events.progress});
   return {.refined = Patches{std::move(made.mesh), std::move(made.visibility)},
           .refinement = made.refinement,
@@ -89,13 +91,14 @@ DiscretisationError estimate_discretisation(const PatchMesh& mesh, const Transpo
 Patches divide(const Scene& scene, const StudyOptions& options, const StudyEvents& events) {
   const meshing::PatchOptions patch_options =
       meshing::make_patch_options(options.patches, scene, events.progress);
-  check_expected(meshing::least_patches(scene, patch_options), scene.n_polygons(), options);
+  check_expected(scene, meshing::least_patches(scene, patch_options), options);
   warn_of_findings(scene, events);
   PatchMesh mesh = meshing::make_patches(scene, patch_options);
   if (events.warned && !options.patches.as_is) {
     if (const auto uncut = meshing::uncut_warning(mesh)) events.warn(*uncut);
   }
-  check_made(mesh.size(), scene.n_polygons(), options);
+  check_made(scene, mesh.size(), options);
+  warn_of_cut_off(scene, mesh, events);
   Visibility visibility(mesh);
   Patches patches{std::move(mesh), std::move(visibility)};
   if (events.divided) events.divided(scene, patches);
@@ -115,9 +118,9 @@ FormFactors make_form_factors(const Scene& scene, const PatchMesh& mesh,
   if (options.patches.adaptive) {
     result = make_adaptive(scene, options, events);
   } else {
-    result.transport =
-        make_transport(mesh, visibility, transport_options(scene, options, events),
-                       transport_choice(options), expected_light(scene, mesh, events.progress));
+    result.transport = make_transport(mesh, visibility, transport_options(scene, options, events),
+                                      transport_choice(scene, options),
+                                      expected_light(scene, mesh, events.progress));
   }
   warn_of_unverified(result.transport->report(), factor_tolerance(options), events);
   const PatchMesh& made = result.refined ? result.refined->mesh : mesh;

@@ -15,6 +15,10 @@ namespace study {
 /// Of serious flaws of the scene, unless it is too large to be searched.
 void warn_of_findings(const radiosity::Scene& scene, const StudyEvents& events);
 
+/// Of what repeated scenes lose beyond the images that are reckoned with.
+void warn_of_cut_off(const radiosity::Scene& scene, const radiosity::PatchMesh& mesh,
+                     const StudyEvents& events);
+
 /// What to say if a scene taken as closed has patches that see an opening; else empty.
 std::optional<std::string> open_rows_warning(const radiosity::AssemblyReport& report);
 /// Says it.

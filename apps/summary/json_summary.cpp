@@ -303,6 +303,7 @@ std::string inspect_json(const radiosity::Scene& scene, const meshing::Inspectio
                {"area", inspection.area},
                {"bounds", bounds(inspection.bounds)},
                {"precision", scene.precision},
+               {"parts", n_parts(scene)},
                {"closed", inspection.closed},
                {"boundary_edges", inspection.n_boundary_edges},
                {"bands", scene.bands.count()},

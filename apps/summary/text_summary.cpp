@@ -366,6 +366,9 @@ std::string inspect_text(const radiosity::Scene& scene, const meshing::Inspectio
   text += line("precision", scene.precision > 0 ? fmt::format("coordinates are rounded to {:.1g} m",
                                                               scene.precision)
                                                 : "coordinates are exact");
+  if (!scene.symmetry.is_none()) {
+    text += line("symmetry", fmt::format("one part of a whole of {}", n_parts(scene)));
+  }
   text += line("closed",
                fmt::format("{}: light {} ({} boundary edges)", inspection.closed ? "yes" : "no",
                            inspection.closed ? "meets fronts only" : "escapes or meets backs",

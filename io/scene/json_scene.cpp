@@ -9,6 +9,7 @@
 #include "io/scene/json_materials.h"
 #include "io/scene/json_sun.h"
 #include "io/scene/json_surfaces.h"
+#include "io/scene/json_symmetry.h"
 #include "io/scene/scene_keys.h"
 
 namespace io {
@@ -201,7 +202,11 @@ FileScene read_json_scene(const std::filesystem::path& path, const ReadOptions& 
   }
   if (const auto views = root.find("views")) scene.views = read_views(*views, unit);
   if (const auto closed = root.find("closed")) scene.closed = closed->boolean();
+  if (const auto symmetry = root.find("symmetry")) scene.symmetry = read_symmetry(*symmetry, unit);
   if (scene.n_polygons() == 0) fail(path, "has no polygons");
+  if (scene.sun && !scene.symmetry.is_none()) {
+    fail(path, "has both a sun and a symmetry, whose images it would shine upon otherwise");
+  }
   return file;
 }
 

@@ -6,9 +6,9 @@
 /// The keys that each object of a JSON scene file may have, as docs/scene.schema.json lists them.
 namespace io::keys {
 
-inline constexpr auto kScene =
-    std::to_array<std::string_view>({"$schema", "name", "description", "unit", "precision", "bands",
-                                     "materials", "surfaces", "camera", "views", "closed", "sun"});
+inline constexpr auto kScene = std::to_array<std::string_view>(
+    {"$schema", "name", "description", "unit", "precision", "bands", "materials", "surfaces",
+     "camera", "views", "closed", "sun", "symmetry"});
 
 inline constexpr auto kBands = std::to_array<std::string_view>({"thermal", "split_wavelength"});
 
@@ -39,6 +39,14 @@ inline constexpr auto kTransform =
     std::to_array<std::string_view>({"scale", "rotate", "translate", "matrix"});
 
 inline constexpr auto kRotation = std::to_array<std::string_view>({"axis", "degrees"});
+
+inline constexpr auto kSymmetry =
+    std::to_array<std::string_view>({"mirror", "rotation", "translation", "cut_off", "images"});
+
+inline constexpr auto kMirror = std::to_array<std::string_view>({"point", "normal"});
+
+inline constexpr auto kSymmetryRotation =
+    std::to_array<std::string_view>({"axis", "point", "folds"});
 
 inline constexpr auto kCamera = std::to_array<std::string_view>(
     {"position", "look_at", "direction", "up", "vertical_fov_deg", "focal_length", "film"});

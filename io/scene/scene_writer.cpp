@@ -150,6 +150,24 @@ Json sun_json(const radiosity::Sun& sun) {
   return {{"direction", point_json(sun.direction)}, {"irradiance", values_json(sun.irradiance)}};
 }
 
+Json symmetry_json(const radiosity::Symmetry& symmetry) {
+  Json json = Json::object();
+  for (const auto& mirror : symmetry.mirrors) {
+    json["mirror"].push_back(
+        {{"point", point_json(mirror.point)}, {"normal", point_json(mirror.normal)}});
+  }
+  if (symmetry.rotation) {
+    json["rotation"] = {{"axis", point_json(symmetry.rotation->axis)},
+                        {"point", point_json(symmetry.rotation->point)},
+                        {"folds", symmetry.rotation->folds}};
+  }
+  for (const auto& translation : symmetry.translations) {
+    json["translation"].push_back(point_json(translation.step));
+    json["images"].push_back(translation.n_images);
+  }
+  return json;
+}
+
 /// The polygons of each surface.
 std::vector<std::vector<Index>> polygons_by_surface(const Scene& scene) {
   std::vector<std::vector<Index>> polygons(scene.surfaces.size());
@@ -277,6 +295,9 @@ void write_json(const Scene& scene, std::ostream& stream) {
   if (scene.camera) stream << ",\n  \"camera\": " << text(camera_json(*scene.camera));
   if (!scene.views.empty()) write_views(scene, stream);
   if (scene.closed) stream << ",\n  \"closed\": " << (*scene.closed ? "true" : "false");
+  if (!scene.symmetry.is_none()) {
+    stream << ",\n  \"symmetry\": " << text(symmetry_json(scene.symmetry));
+  }
   stream << "\n}\n";
 }
 

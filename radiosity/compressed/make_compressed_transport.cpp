@@ -247,10 +247,16 @@ class CompressedAssembly {
   double estimate_ = 0;  // of the relative error of F 1
 };
 
+void refuse_compressed_part() {
+  throw SolveError(
+      "compressed form factors do not know the scene's symmetry: use --transport dense or auto");
+}
+
 std::unique_ptr<CompressedTransport> make_compressed_transport(const PatchMesh& mesh,
                                                                const Visibility& visibility,
                                                                const TransportOptions& options,
                                                                const ExpectedLight& light) {
+  if (!mesh.images.empty()) refuse_compressed_part();
   check_compressed_memory(mesh.size(), options.memory);
   return CompressedAssembly(mesh, visibility, options, light).make();
 }

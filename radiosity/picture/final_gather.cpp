@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "radiosity/picture/point_gather.h"
+#include "radiosity/scene/whole_mesh.h"
 #include "radiosity/visibility/sun_shadows.h"
 
 namespace radiosity {
@@ -22,7 +23,7 @@ struct FinalGather::Implementation {
                  const std::optional<Sun>& given_sun)
       : mesh(patch_mesh), scene(patch_mesh, radiosity), sun(given_sun) {
     if (sun) shadows.emplace(mesh, sun->direction);
-    const Box3 box = bounds(mesh);
+    const Box3 box = bounds(WholeMesh(mesh).mesh());
     if (!box.isEmpty()) ray_error = kRayError * box.diagonal().norm();
   }
 
@@ -105,7 +106,8 @@ Index FinalGather::n_bands() const { return implementation_->scene.radiosity.row
 void FinalGather::Implementation::keep_within_patch(std::int32_t patch, Vec3& x) const {
   const HalfSpace& plane = scene.planes[patch];
   const ConvexPolygon& polygon = scene.polygons[patch];
-  const double margin = std::min(ray_error, kShareOfPatch * std::sqrt(mesh.area[patch]));
+  const double margin =
+      std::min(ray_error, kShareOfPatch * std::sqrt(mesh.area[patch % mesh.size()]));
   x -= (plane.normal.dot(x) - plane.offset) * plane.normal;
   for (std::size_t k = 0; k < polygon.size(); ++k) {
     const Vec3& start = polygon[k];

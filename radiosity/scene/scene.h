@@ -9,6 +9,7 @@
 
 #include "radiosity/base/geometry.h"
 #include "radiosity/scene/sun.h"
+#include "radiosity/scene/symmetry.h"
 
 namespace radiosity {
 
@@ -108,6 +109,7 @@ struct Scene {
   std::optional<Sun> sun;
   std::optional<Camera> camera;
   std::vector<View> views;            ///< other cameras, no two of one name
+  Symmetry symmetry;                  ///< the polygons are a part of a whole, if there is any
   std::optional<bool> closed;         ///< as declared by the user; absent = to be found out
   std::vector<std::string> warnings;  ///< what the reader noticed and the user should know
 

@@ -1,5 +1,6 @@
 #include "radiosity/visibility/sunlight.h"
 
+#include "radiosity/base/error.h"
 #include "radiosity/scene/radiometry.h"
 #include "radiosity/visibility/sun_shadows.h"
 
@@ -12,6 +13,7 @@ Eigen::VectorXd lit_shares(const PatchMesh& mesh, const Vec3& direction, const P
 Eigen::MatrixXd sun_irradiance(const Scene& scene, const PatchMesh& mesh,
                                const Progress& progress) {
   if (!scene.sun) return {};
+  if (!scene.symmetry.is_none()) throw SolveError("a sun does not shine on all images of a part");
   const SunShadows shadows(mesh, scene.sun->direction);
   const Eigen::VectorXd shares = shadows.lit_shares(progress);
   Eigen::MatrixXd result(mesh.size(), scene.bands.count());

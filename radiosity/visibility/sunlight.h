@@ -15,7 +15,8 @@ Eigen::VectorXd lit_shares(const PatchMesh& mesh, const Vec3& direction,
 
 /// Direct irradiance of the scene's sun on each patch, n_patches x n_bands, W/m²:
 /// E = E_n cosθ · lit share, with exact shadows (SunShadows); empty without a sun. (1 - ρ) E is
-/// what the patch absorbs of it before any reflection. Throws Interrupted.
+/// what the patch absorbs of it before any reflection. Throws Interrupted, and SolveError for a
+/// scene with a symmetry.
 Eigen::MatrixXd sun_irradiance(const Scene& scene, const PatchMesh& mesh,
                                const Progress& progress = {});
 

@@ -280,6 +280,24 @@ TEST_F(SceneJson, ExplainsBadStructure) {
       {scene(R"("unit": "m", "unit": "mm", )"), "key \"unit\" stands twice"},
       {scene(R"("unit": "yard", )"), "a.json: unit: unknown unit \"yard\", expected one of m, mm"},
       {scene(R"("unit": 1, )"), "a.json: unit: expected a string, found 1"},
+      {scene(
+           R"("symmetry": {"mirror": ["x=0"]}, "sun": {"direction": [0, 0, -1], "irradiance": 1}, )"),
+       "a.json: has both a sun and a symmetry"},
+      {scene(R"("symmetry": {}, )"), "symmetry: expected \"mirror\", \"rotation\" or"},
+      {scene(R"("symmetry": {"mirror": ["w=0"]}, )"),
+       "a.json: symmetry.mirror[0]: found \"w=0\", expected a plane such as \"x=0\""},
+      {scene(R"("symmetry": {"mirror": ["x=0", "x=1"]}, )"), "symmetry: mirror planes or axes"},
+      {scene(R"("symmetry": {"mirror": [{"point": [0, 0, 0], "normal": [0, 0, 0]}]}, )"),
+       "symmetry.mirror[0].normal: "},
+      {scene(R"("symmetry": {"rotation": {"axis": [0, 0, 1], "folds": 2.5}}, )"),
+       "symmetry.rotation.folds: is 2.5, expected a whole number from 2 to 4096"},
+      {scene(R"("symmetry": {"translation": [[1, 0, 0]]}, )"),
+       "symmetry: expected either \"cut_off\" or \"images\""},
+      {scene(R"("symmetry": {"translation": [[0, 0, 0]], "images": 1}, )"),
+       "symmetry.translation[0]: is 0"},
+      {scene(R"("symmetry": {"translation": [[1, 0, 0]], "cut_off": -1}, )"),
+       "symmetry.cut_off: is -1"},
+      {scene(R"("symmetry": {"mirror": ["x=0"], "images": 3}, )"), "a cut-off without a"},
       {scene(R"("closed": "yes", )"), "closed: expected true or false, found \"yes\""},
       {scene(R"("bands": "gray", )"), "bands: found \"gray\", expected \"rgb\", \"grey\""},
       {scene(R"("bands": [500, 400], )"), "bands[1]: wavelength 400 does not follow 500"},
@@ -421,6 +439,9 @@ TEST(SceneSchema, ListsTheKeysOfTheReader) {
   expect_keys("bands", io::keys::kBands);
   expect_keys("solar", io::keys::kSolar);
   expect_keys("infrared", io::keys::kInfrared);
+  expect_keys("symmetry", io::keys::kSymmetry);
+  expect_keys("mirror", io::keys::kMirror);
+  expect_keys("symmetry_rotation", io::keys::kSymmetryRotation);
   for (const auto& unit : definitions.at("unit").at("enum")) {
     EXPECT_GT(io::metres_per_unit(unit.get<std::string>()), 0);
   }

@@ -128,7 +128,9 @@ OpenedFile open_result(const std::string& path) {
   } else {
     auto reader = std::make_shared<io::FormFactorReader>(path);
     file.warnings = reader->warnings();
-    model.mesh = std::make_shared<PatchMesh>(reader->mesh());
+    auto mesh = std::make_shared<PatchMesh>(reader->mesh());
+    mesh->images = {};  // the part of a symmetric whole is shown by itself
+    model.mesh = std::move(mesh);
     model.bands.kind = radiosity::Bands::Kind::grey;
     model.factors = reader;
   }
@@ -143,6 +145,10 @@ Scene read_whole_scene(const std::string& path, const io::ReadOptions& options,
   reading.progress = progress;
   Scene scene = io::read_scene(path, reading);
   if (scene.n_polygons() == 0) throw radiosity::SceneError(path + ": the scene has no polygons");
+  if (!scene.symmetry.is_none()) {
+    throw radiosity::SceneError(
+        path + ": symmetry: the window shows no symmetric scenes; radiosity solve and render do");
+  }
   return scene;
 }
 
