@@ -55,7 +55,8 @@ TransportOptions transport_options(const Scene& scene, const StudyOptions& optio
 
 /// The light that operators are made for.
 ExpectedLight expected_light(const Scene& scene, const PatchMesh& mesh, const Progress& progress) {
-  return {initial_radiosity(scene, mesh, progress), reflectance(scene, mesh)};
+  return {initial_radiosity(scene, mesh, progress), reflectance(scene, mesh),
+          exitance(scene, mesh)};
 }
 
 FormFactors make_adaptive(const Scene& scene, const StudyOptions& options,

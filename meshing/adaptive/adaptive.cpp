@@ -127,7 +127,7 @@ class Refiner {
     transport.known = {earlier.get(), same};
     transport.memory = memory_beside(earlier.get());
     const ExpectedLight light{initial_radiosity(scene_, mesh, options_.progress),
-                              reflectance(scene_, mesh)};
+                              reflectance(scene_, mesh), exitance(scene_, mesh)};
     stage.transport = make_transport(mesh, stage.visibility, transport, choice(stage.kind), light);
     SolveOptions solving;
     solving.tolerance = kSolveTolerance;

@@ -92,8 +92,8 @@ class CompressedAssembly {
 
   std::unique_ptr<CompressedTransport> make() {
     const auto start = std::chrono::steady_clock::now();
-    lights_ =
-        make_light_polygons(evaluator_, mesh_, emitting_polygons(mesh_, light_.exitance), options_);
+    const Eigen::MatrixXd& emitted = light_.emitted.size() > 0 ? light_.emitted : light_.exitance;
+    lights_ = make_light_polygons(evaluator_, mesh_, emitting_polygons(mesh_, emitted), options_);
     is_closed_ = options_.closed == Closed::yes ||
                  (options_.closed == Closed::automatic &&
                   is_enclosed(mesh_, visibility_, options_.tolerance, options_.seed));
@@ -269,7 +269,7 @@ Fingerprint compressed_fingerprint(const PatchMesh& mesh, const TransportOptions
   fingerprint.add(options.tolerance);
   fingerprint.add(options.closed);
   fingerprint.add(options.seed);
-  for (const Eigen::MatrixXd* values : {&light.exitance, &light.reflectance}) {
+  for (const Eigen::MatrixXd* values : {&light.exitance, &light.reflectance, &light.emitted}) {
     fingerprint.add(values->rows());
     fingerprint.add(std::as_bytes(std::span(values->data(), values->size())));
   }

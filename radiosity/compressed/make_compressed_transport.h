@@ -12,10 +12,12 @@
 namespace radiosity {
 
 /// The light that an operator is made for, besides B = 1 and others: what F B is off by is verified
-/// for it, too. Both n x k as solve() takes them, or empty.
+/// for it, too. All n x k as solve() takes them, or empty.
 struct ExpectedLight {
   Eigen::MatrixXd exitance = {};     ///< W/m²
   Eigen::MatrixXd reflectance = {};  ///< in [0, 1]
+  /// What of it patches emit by themselves, if it is not all: light from these polygons is exact.
+  Eigen::MatrixXd emitted = {};
 };
 
 /// Throws SolveError: a part of a symmetric whole (PatchMesh::images) has no compressed operator.
