@@ -26,7 +26,7 @@ TEST_F(ViewWelcome, OffersExamplesAndATour) {
                                       {{"report", result("end.json")}}});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const json examples = report("empty.json")["examples"];
-  EXPECT_EQ(examples.size(), 8U);
+  EXPECT_EQ(examples.size(), 10U);
   for (const json& example : examples) EXPECT_EQ(example["has_picture"], true) << example;
   EXPECT_NE(report("tour.json")["path"].get<std::string>().find("furnace-cube.json"),
             std::string::npos);
