@@ -17,7 +17,7 @@ constexpr std::string_view kSurfaces = "Surfaces and errors";
 
 constexpr std::array kGroups = {kLight, kPower, kExchange, kIteration, kSurfaces};
 
-constexpr std::array<ShowInfo, 23> kInfos = {{
+constexpr std::array<ShowInfo, 25> kInfos = {{
     {"true-colour", kLight, "true colour", "",
      "The light that leaves each patch, as the eye would see it: radiosity B times an exposure."},
     {"illuminance", kLight, "illuminance", "lux",
@@ -38,6 +38,9 @@ constexpr std::array<ShowInfo, 23> kInfos = {{
      "What arrives straight from what emits: Σ_j F_ij M_j."},
     {"indirect", kPower, "indirect irradiance", "W/m²",
      "What arrives by way of reflections: H_i − Σ_j F_ij M_j."},
+    {"sunlight", kPower, "sunlight", "W/m²",
+     "What arrives straight from the sun: E = E_n cosθ, times the share of the patch that is lit."},
+    {"absorbed", kPower, "absorbed", "W/m²", "What stays of all that arrives: (1 − ρ) H."},
     {"radiance", kPower, "radiance", "W/(m² sr)",
      "What leaves in any direction, of a surface that scatters evenly: L = B / π."},
     {"exitance", kPower, "emitted (exitance)", "W/m²", "What a surface emits by itself: M."},
