@@ -13,6 +13,17 @@ namespace radiosity {
 CompressedTransport::CompressedTransport(Parts parts)
     : parts_(std::move(parts)), order_(parts_.order), matrix_(std::move(parts_.blocks)) {}
 
+void CompressedTransport::add_source(Parts::Source source) {
+  const auto own =
+      std::find_if(parts_.sources.begin(), parts_.sources.end(),
+                   [&](const Parts::Source& known) { return known.patches == source.patches; });
+  if (own == parts_.sources.end()) {
+    parts_.sources.push_back(std::move(source));
+  } else {
+    own->lacking += source.lacking;
+  }
+}
+
 Eigen::MatrixXd CompressedTransport::apply(const Eigen::MatrixXd& radiosity) const {
   Eigen::MatrixXd power = radiosity;
   power.array().colwise() *= parts_.area.array();

@@ -62,9 +62,10 @@ class CompressedTransport final : public Transport, public FactorRows, public Pa
   [[nodiscard]] const CompressedMatrix& matrix() const { return matrix_; }
   /// Of the matrix's rows.
   [[nodiscard]] const PatchOrder& order() const { return order_; }
-  /// Replaces what is added to the blocks: for light, as Parts::sources; to close the rows, as
-  /// Parts::multipliers.
-  void set_sources(std::vector<Parts::Source> sources) { parts_.sources = std::move(sources); }
+  /// Adds to the blocks for light: to what is lacking of the source with these patches, or one
+  /// more.
+  void add_source(Parts::Source source);
+  /// Replaces what closes the rows.
   void set_multipliers(Eigen::VectorXd multipliers) { parts_.multipliers = std::move(multipliers); }
   void set_report(AssemblyReport report) { parts_.report = std::move(report); }
 

@@ -74,17 +74,7 @@ Eigen::VectorXd exchange_with(const CompressedTransport& transport,
 /// Adds to the operator, as it stands, what it lacks of the exchange with these polygons.
 void set_light(CompressedTransport& transport, const std::vector<LightPolygon>& lights) {
   for (const LightPolygon& light : lights) {
-    const Eigen::VectorXd lacking = light.exchange - exchange_with(transport, light.patches);
-    std::vector<CompressedTransport::Parts::Source> sources = transport.parts().sources;
-    const auto own = std::find_if(sources.begin(), sources.end(), [&](const auto& source) {
-      return source.patches == light.patches;
-    });
-    if (own == sources.end()) {
-      sources.push_back({light.patches, lacking});
-    } else {
-      own->lacking += lacking;
-    }
-    transport.set_sources(std::move(sources));
+    transport.add_source({light.patches, light.exchange - exchange_with(transport, light.patches)});
   }
 }
 

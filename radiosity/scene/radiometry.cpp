@@ -45,13 +45,17 @@ const Surface& surface_of(const Scene& scene, const PatchMesh& mesh, Index patch
 
 Eigen::MatrixXd exitance(const Scene& scene, const PatchMesh& mesh) {
   const std::vector<double> areas = surface_areas(scene, mesh);
+  std::vector<Eigen::VectorXd> values;
+  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
+    const Surface& surface = scene.surfaces[s];
+    values.push_back(surface.emission_factor *
+                     surface_exitance(scene.materials[surface.material], areas[s], scene.bands));
+  }
   Eigen::MatrixXd result(mesh.size(), scene.bands.count());
   for (Index i = 0; i < mesh.size(); ++i) {
-    const Surface& surface = surface_of(scene, mesh, i);
-    const Eigen::VectorXd value =
-        surface_exitance(scene.materials[surface.material], areas[mesh.surface[i]], scene.bands);
+    const Eigen::VectorXd& value = values[mesh.surface[i]];
     assert(value.size() == result.cols());
-    result.row(i) = surface.emission_factor * value.transpose();
+    result.row(i) = value.transpose();
   }
   return result;
 }

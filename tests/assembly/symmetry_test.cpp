@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -66,9 +67,14 @@ PatchMesh part_of(const PatchMesh& mesh, const Symmetry& symmetry, const Placeme
   return part;
 }
 
+/// As evaluated: rows are not closed.
+std::unique_ptr<Transport> raw_transport(const PatchMesh& mesh, double tolerance) {
+  return make_dense_transport(mesh, Visibility(mesh),
+                              {.tolerance = tolerance, .closed = Closed::no});
+}
+
 Eigen::MatrixXd factors(const PatchMesh& mesh, double tolerance = 1e-7) {
-  const auto transport =
-      make_dense_transport(mesh, Visibility(mesh), {.tolerance = tolerance, .closed = Closed::no});
+  const auto transport = raw_transport(mesh, tolerance);
   Eigen::MatrixXd rows(mesh.size(), mesh.size());
   for (Index i = 0; i < mesh.size(); ++i) rows.row(i) = rows_of(*transport).row(i).transpose();
   return rows;
@@ -155,11 +161,8 @@ PatchMesh blocked_corner() {
 TEST(Symmetry, ShadowsCrossTheMirrors) {
   for (const Placement& placement : placements()) {
     const PatchMesh part = part_of(blocked_corner(), three_mirrors(), placement);
-    const auto made =
-        make_dense_transport(part, Visibility(part), {.tolerance = 1e-3, .closed = Closed::no});
-    const PatchMesh whole = make_whole(part);
-    const auto all =
-        make_dense_transport(whole, Visibility(whole), {.tolerance = 1e-3, .closed = Closed::no});
+    const auto made = raw_transport(part, 1e-3);
+    const auto all = raw_transport(make_whole(part), 1e-3);
     for (Index i = 0; i < part.size(); ++i) {
       const Eigen::VectorXd row = rows_of(*made).row(i);
       const Eigen::VectorXd error = rows_of(*made).row_error(i);
@@ -188,11 +191,8 @@ TEST(Symmetry, BoxesGoOnBeyondTheMirrors) {
   add_grid(mesh, Vec3(0.2, 0.3, 0.5), Vec3(0.2, 0, 0), Vec3(0, 0.3, 0), 1, 1);  // +z
   for (const Placement& placement : placements()) {
     const PatchMesh part = part_of(mesh, three_mirrors(), placement);
-    const auto made =
-        make_dense_transport(part, Visibility(part), {.tolerance = 1e-3, .closed = Closed::no});
-    const PatchMesh whole = make_whole(part);
-    const auto all =
-        make_dense_transport(whole, Visibility(whole), {.tolerance = 1e-3, .closed = Closed::no});
+    const auto made = raw_transport(part, 1e-3);
+    const auto all = raw_transport(make_whole(part), 1e-3);
     for (Index i = 0; i < part.size(); ++i) {
       const Eigen::VectorXd row = rows_of(*made).row(i);
       const Eigen::VectorXd of_whole = rows_of(*all).row(i);

@@ -68,20 +68,24 @@ std::string l_room() {
          R"(]]}, {"name": "ceiling", "material": "m", "polygons": [[)" + ceiling + "]]}]}";
 }
 
+void expect_same(const View3dFile& ours, const View3dFile& theirs, double tolerance) {
+  EXPECT_EQ(ours.header, theirs.header);
+  ASSERT_EQ(ours.lines.size(), theirs.lines.size());
+  for (std::size_t k = 0; k < ours.lines.size(); ++k) {
+    ASSERT_EQ(ours.lines[k].size(), theirs.lines[k].size()) << k;
+    for (std::size_t j = 0; j < ours.lines[k].size(); ++j) {
+      EXPECT_NEAR(ours.lines[k][j], theirs.lines[k][j], tolerance) << k << ", " << j;
+    }
+  }
+}
+
 TEST_F(View3d, HasTheSameFactorsOfAnLShapedRoom) {
   const Outcome outcome = run({"form-factors", write_file("l.json", l_room()), "--as-is",
                                "--tolerance", "1e-7", "--quiet", "-o", result("l.txt")});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const View3dFile ours = read_view3d(result("l.txt"));
   const View3dFile theirs = read_view3d(RADIOSITY_TEST_DATA "/view3d/l-room.txt");
-  EXPECT_EQ(ours.header, theirs.header);
-  ASSERT_EQ(ours.lines.size(), theirs.lines.size());
-  for (std::size_t k = 0; k < ours.lines.size(); ++k) {
-    ASSERT_EQ(ours.lines[k].size(), theirs.lines[k].size()) << k;
-    for (std::size_t j = 0; j < ours.lines[k].size(); ++j) {
-      EXPECT_NEAR(ours.lines[k][j], theirs.lines[k][j], kTheirError) << k << ", " << j;
-    }
-  }
+  ASSERT_NO_FATAL_FAILURE(expect_same(ours, theirs, kTheirError));
   EXPECT_NEAR(ours.lines[2][0], kBesideLong, 0.5e-6);
   EXPECT_NEAR(ours.lines[2][2], kBesideShort, 0.5e-6);
 }
@@ -142,17 +146,6 @@ std::string l_room_vs3(const std::string& geometry, const std::string& control) 
     }
   }
   return "T an L\nC " + control + "\nF " + geometry + "\n" + vertices + surfaces + "End of data\n";
-}
-
-void expect_same(const View3dFile& ours, const View3dFile& theirs, double tolerance) {
-  EXPECT_EQ(ours.header, theirs.header);
-  ASSERT_EQ(ours.lines.size(), theirs.lines.size());
-  for (std::size_t k = 0; k < ours.lines.size(); ++k) {
-    ASSERT_EQ(ours.lines[k].size(), theirs.lines[k].size()) << k;
-    for (std::size_t j = 0; j < ours.lines[k].size(); ++j) {
-      EXPECT_NEAR(ours.lines[k][j], theirs.lines[k][j], tolerance) << k << ", " << j;
-    }
-  }
 }
 
 class Vs3Program : public Program {
