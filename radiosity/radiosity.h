@@ -64,6 +64,7 @@
 #include "radiosity/solve/solution.h"
 #include "radiosity/solve/solve.h"
 #include "radiosity/solve/surface_flux.h"
+#include "radiosity/solve/trapped_light.h"
 #include "radiosity/stream/streamed_factors.h"
 #include "radiosity/stream/streaming_memory.h"
 #include "radiosity/visibility/visibility.h"

@@ -34,6 +34,9 @@ Solution solve_coarser(const AggregatedTransport& coarser, const Solution& solut
   SolveOptions options;
   options.tolerance = kTolerance;
   options.start = coarser.means(solution.irradiance);
+  if (solution.incident.size() > 0) options.incident = coarser.means(solution.incident);
+  if (solution.transmission.size() > 0) options.transmission = coarser.means(solution.transmission);
+  options.has_sinks = true;  // checked in the finer one
   options.progress.stop = progress.stop;
   return solve(coarser, coarser.means(solution.exitance), coarser.means(solution.reflectance),
                options);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 #include <functional>
 #include <optional>
 #include <span>
@@ -45,28 +46,44 @@ struct SolveOptions {
   /// its solution's. Takes part in the first product. Unlit columns start from darkness all the
   /// same.
   Eigen::MatrixXd start = {};
+  /// Irradiance that does not come from patches, of the sun or of surroundings, W/m², n x k, >= 0:
+  /// H = F B + this. Empty: none.
+  Eigen::MatrixXd incident = {};
+  /// Light that patches pass on to others than themselves, as the two sides of a sheet do:
+  /// B = M_e + (ρ + T) H with T n x n, the same in all columns; not negative, A_i T_ij = A_j T_ji,
+  /// ρ + T positive semidefinite, its row sums at most 1. Empty: none. Not with Gauss-Seidel and
+  /// Southwell.
+  Eigen::SparseMatrix<double> transmission = {};
+  /// Whether exitance may be negative: heat that is taken away.
+  bool has_sinks = false;
   /// Called at the beginning and after each step, of Southwell after each shot. A column that has
   /// converged waits for the others.
   std::function<void(const SolveStep&)> on_step = {};
   Progress progress = {};
 };
 
-/// Where the power goes, W, one value per column of the solution. emitted = absorbed + escaped.
+/// Where the power goes, W, one value per column of the solution. emitted + entered = absorbed +
+/// escaped.
 struct EnergyBalance {
-  Eigen::VectorXd emitted;   ///< Σ A M_e
-  Eigen::VectorXd absorbed;  ///< Σ A (1 - ρ) H, and what backs and covers take
-  Eigen::VectorXd escaped;   ///< Σ A B (1 - covered - backs - row sum): leaves the scene
+  Eigen::VectorXd emitted;       ///< Σ A M_e
+  Eigen::VectorXd entered = {};  ///< Σ A of what does not come from patches
+  Eigen::VectorXd absorbed;      ///< Σ A (1 - ρ - T) H, and what backs and covers take
+  Eigen::VectorXd escaped;       ///< Σ A B (1 - covered - backs - row sum): leaves the scene
 };
 
 /// The radiosity of every patch, and what is known about its error. The energy norm of a field B is
 /// ‖B‖ = sqrt(Σ A B²); relative figures are the largest over the columns.
 struct Solution {
   Eigen::MatrixXd radiosity;        ///< B, W/m², n x k
-  Eigen::MatrixXd irradiance;       ///< H = F B, W/m², n x k
+  Eigen::MatrixXd irradiance;       ///< H = F B and what was incident besides, W/m², n x k
   Eigen::MatrixXd exitance;         ///< M_e as given, W/m², n x k
   Eigen::MatrixXd reflectance;      ///< ρ as given, n x k
   Eigen::MatrixXd radiosity_error;  ///< one standard error of B (form factors and iteration), W/m²
-  EnergyBalance energy;             ///< per column
+  Eigen::MatrixXd incident;         ///< as given, W/m², n x k; or empty
+  Eigen::SparseMatrix<double> transmission;  ///< T as given, n x n; or empty
+  /// What each patch is at if the light is heat, K, n (radiosity::temperatures); or empty.
+  Eigen::VectorXd temperature;
+  EnergyBalance energy;  ///< per column
   Method method = Method::conjugate_gradients;
   int iterations = 0;   ///< steps of the method
   double products = 0;  ///< operator products that these cost (not those for radiosity_error)
