@@ -56,6 +56,7 @@
 #include "radiosity/scene/radiometry.h"
 #include "radiosity/scene/scenario.h"
 #include "radiosity/scene/scene.h"
+#include "radiosity/solve/conditions.h"
 #include "radiosity/solve/discretisation_error.h"
 #include "radiosity/solve/exchange_network.h"
 #include "radiosity/solve/importance.h"

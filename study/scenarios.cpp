@@ -6,6 +6,7 @@
 
 #include "radiosity/compressed/light_polygons.h"
 #include "radiosity/scene/radiometry.h"
+#include "radiosity/solve/conditions.h"
 
 namespace study {
 namespace {
@@ -20,8 +21,11 @@ constexpr Index kMostColumns = 24;
 std::vector<double> surface_reflectances(const Scene& scene) {
   std::vector<double> values;
   for (const Surface& surface : scene.surfaces) {
-    const Eigen::VectorXd& reflectance = scene.materials[surface.material].reflectance;
-    values.insert(values.end(), reflectance.begin(), reflectance.end());
+    for (const int material : {surface.material, surface.back_material}) {
+      if (material < 0) continue;
+      const Eigen::VectorXd& reflectance = scene.materials[material].reflectance;
+      values.insert(values.end(), reflectance.begin(), reflectance.end());
+    }
   }
   return values;
 }
@@ -66,9 +70,11 @@ Solution columns_of(const Solution& all, Index first, Index n) {
     part.*field = (all.*field).middleCols(first, n);
   }
   for (Eigen::VectorXd EnergyBalance::*field :
-       {&EnergyBalance::emitted, &EnergyBalance::absorbed, &EnergyBalance::escaped}) {
+       {&EnergyBalance::emitted, &EnergyBalance::entered, &EnergyBalance::absorbed,
+        &EnergyBalance::escaped}) {
     part.energy.*field = (all.energy.*field).segment(first, n);
   }
+  if (all.incident.size() > 0) part.incident = all.incident.middleCols(first, n);
   return part;
 }
 
@@ -91,12 +97,17 @@ Study solve_scenarios(Study study, const std::vector<Scenario>& scenarios,
       emitted.middleCols(static_cast<Index>(k) * n_bands, n_bands) =
           exitance(study.scene, study.mesh);
     }
-    const Light light = solve_light(study.mesh, *study.transport, emitted,
-                                    reflectance(study.scene, study.mesh), options, events);
+    Conditions conditions = make_conditions(study.scene, study.mesh, *study.transport);
+    conditions.exitance = std::move(emitted);
+    const Light light = solve_light(study.mesh, *study.transport, conditions, options, events);
     study.discretisation = light.discretisation;
     for (std::size_t k = 0; k < group.size(); ++k) {
       study.scene = scene_of(scene, scenarios[group[k]]);
       study.solution = columns_of(light.solution, static_cast<Index>(k) * n_bands, n_bands);
+      if (conditions.emissivity.size() > 0) {
+        study.solution.temperature =
+            temperatures(study.mesh, study.solution, conditions.emissivity);
+      }
       visit(group[k], study);
     }
   }

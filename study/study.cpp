@@ -1,12 +1,19 @@
 #include "study/study.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <set>
+#include <string>
 #include <utility>
 
 #include "radiosity/compressed/light_polygons.h"
 #include "radiosity/compressed/make_compressed_transport.h"
 #include "radiosity/compressed/make_transport.h"
 #include "radiosity/scene/radiometry.h"
+#include "radiosity/solve/conditions.h"
 #include "radiosity/solve/solve.h"
+#include "radiosity/solve/trapped_light.h"
 #include "radiosity/stream/streaming_memory.h"
 #include "study/row_check.h"
 #include "study/warnings.h"
@@ -77,6 +84,27 @@ DiscretisationError estimate_discretisation(const PatchMesh& mesh, const Transpo
   return result;
 }
 
+/// `solve`, but of a group that keeps its light it tells the surfaces.
+Solution solve_named(const PatchMesh& mesh, const Transport& transport,
+                     const Conditions& conditions, const SolveOptions& options) {
+  try {
+    return solve(transport, conditions.exitance, conditions.reflectance, options);
+  } catch (const TrappedLight& trapped) {
+    std::set<std::string> names;
+    double heat = 0;
+    for (const std::int32_t patch : trapped.patches) {
+      names.insert(mesh.surface_names[mesh.surface[patch]]);
+      heat += mesh.area[patch] * conditions.exitance.row(patch).sum();
+    }
+    if (conditions.emissivity.size() == 0) throw;
+    throw SolveError(fmt::format(
+        "no surface of a floating group has a temperature and nothing leaves it: {}; {:.6g} W are "
+        "given to it in all, which nothing can take up; expected a temperature of one of them, or "
+        "an opening",
+        fmt::join(names, ", "), heat));
+  }
+}
+
 }  // namespace
 
 Patches divide(const Scene& scene, const StudyOptions& options, const StudyEvents& events) {
@@ -97,8 +125,9 @@ Patches divide(const Scene& scene, const StudyOptions& options, const StudyEvent
 
 Fingerprint compressed_fingerprint(const Scene& scene, const PatchMesh& mesh,
                                    const StudyOptions& options) {
-  return radiosity::compressed_fingerprint(mesh, transport_options(scene, options, {}),
-                                           {exitance(scene, mesh), reflectance(scene, mesh)});
+  return radiosity::compressed_fingerprint(
+      mesh, transport_options(scene, options, {}),
+      {exitance(scene, mesh).cwiseAbs(), reflectance(scene, mesh)});
 }
 
 FormFactors make_form_factors(const Scene& scene, const PatchMesh& mesh,
@@ -110,7 +139,7 @@ FormFactors make_form_factors(const Scene& scene, const PatchMesh& mesh,
   } else {
     result.transport = make_transport(mesh, visibility, transport_options(scene, options, events),
                                       transport_choice(options),
-                                      {exitance(scene, mesh), reflectance(scene, mesh)});
+                                      {exitance(scene, mesh).cwiseAbs(), reflectance(scene, mesh)});
   }
   warn_of_unverified(result.transport->report(), factor_tolerance(options), events);
   const PatchMesh& made = result.refined ? result.refined->mesh : mesh;
@@ -125,23 +154,38 @@ FormFactors make_form_factors(const Scene& scene, const PatchMesh& mesh,
 
 Light solve_light(const Scene& scene, const PatchMesh& mesh, const Transport& transport,
                   const StudyOptions& options, const StudyEvents& events) {
-  return solve_light(mesh, transport, exitance(scene, mesh), reflectance(scene, mesh), options,
-                     events);
+  return solve_light(mesh, transport, make_conditions(scene, mesh, transport), options, events);
 }
 
 Light solve_light(const PatchMesh& mesh, const Transport& transport, const Eigen::MatrixXd& emitted,
                   const Eigen::MatrixXd& reflectance, const StudyOptions& options,
                   const StudyEvents& events) {
-  if (emitted.isZero(0)) {
+  return solve_light(mesh, transport,
+                     {.exitance = emitted,
+                      .reflectance = reflectance,
+                      .incident = {},
+                      .transmission = {},
+                      .emissivity = {}},
+                     options, events);
+}
+
+Light solve_light(const PatchMesh& mesh, const Transport& transport, const Conditions& conditions,
+                  const StudyOptions& options, const StudyEvents& events) {
+  const Eigen::MatrixXd& emitted = conditions.exitance;
+  if (emitted.isZero(0) && conditions.incident.isZero(0)) {
     events.warn("no surface emits light: the radiosity is zero everywhere");
   }
-  const SolveOptions solving{.method = options.method,
-                             .tolerance = iteration_tolerance(options.tolerance),
-                             .progress = events.progress};
-  Solution solution = solve(transport, emitted, reflectance, solving);
+  const SolveOptions solving = with_conditions({.method = options.method,
+                                                .tolerance = iteration_tolerance(options.tolerance),
+                                                .progress = events.progress},
+                                               conditions, emitted.cols());
+  Solution solution = solve_named(mesh, transport, conditions, solving);
   warn_of_unconverged(solution, solving, events);
   DiscretisationError discretisation = estimate_discretisation(mesh, transport, solution, events);
   solution = with_discretisation_error(std::move(solution), discretisation);
+  if (conditions.emissivity.size() > 0 && solution.radiosity.cols() == 1) {
+    solution.temperature = temperatures(mesh, solution, conditions.emissivity);
+  }
   return {std::move(solution), std::move(discretisation)};
 }
 

@@ -10,6 +10,7 @@
 #include "radiosity/operator/transport.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/scene.h"
+#include "radiosity/solve/conditions.h"
 #include "radiosity/solve/discretisation_error.h"
 #include "radiosity/solve/solution.h"
 #include "radiosity/visibility/visibility.h"
@@ -70,6 +71,13 @@ radiosity::Fingerprint compressed_fingerprint(const radiosity::Scene& scene,
 /// converge and if the errors can't be told. Throws SolveError, Interrupted.
 Light solve_light(const radiosity::Scene& scene, const radiosity::PatchMesh& mesh,
                   const radiosity::Transport& transport, const StudyOptions& options = {},
+                  const StudyEvents& events = {});
+
+/// The same of any conditions; tells temperatures if they are of heat. Throws SolveError where heat
+/// is given to surfaces that nothing takes it from, with their names, and where a temperature would
+/// be below absolute zero.
+Light solve_light(const radiosity::PatchMesh& mesh, const radiosity::Transport& transport,
+                  const radiosity::Conditions& conditions, const StudyOptions& options = {},
                   const StudyEvents& events = {});
 
 /// The same of what is emitted, W/m², n x k, and reflectances, n x b, as radiosity::solve takes

@@ -78,6 +78,7 @@ Json discretisation(const radiosity::DiscretisationError& error) {
 
 Json energy(const radiosity::EnergyBalance& energy) {
   return {{"emitted", array(energy.emitted)},
+          {"entered", array(energy.entered)},
           {"absorbed", array(energy.absorbed)},
           {"escaped", array(energy.escaped)}};
 }
@@ -96,6 +97,7 @@ Json surfaces(const std::vector<radiosity::SurfaceFlux>& fluxes) {
                     {"area", flux.area},
                     {"net_flux", flux.flux},
                     {"net_heat", flux.heat}});
+    if (flux.temperature) list.back()["temperature"] = *flux.temperature;
   }
   return list;
 }

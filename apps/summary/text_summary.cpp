@@ -140,21 +140,25 @@ std::string discretisation_lines(const radiosity::DiscretisationError& discretis
 std::string energy_table(const radiosity::Bands& bands, const radiosity::EnergyBalance& energy) {
   const std::string unit = radiosity::band_unit("W", bands);
   std::vector<Row> rows = {{"energy", "emitted, " + unit, "absorbed, " + unit, "escaped, " + unit}};
+  const bool is_open_to_light = !energy.entered.isZero(0);
+  if (is_open_to_light) rows.front().push_back("entered, " + unit);
   const Row names = band_names(bands);
   for (std::size_t band = 0; band < names.size(); ++band) {
     const auto k = static_cast<Eigen::Index>(band);
     rows.push_back({names[band], fmt::format("{:.6g}", energy.emitted[k]),
                     fmt::format("{:.6g}", energy.absorbed[k]),
                     fmt::format("{:.6g}", energy.escaped[k])});
+    if (is_open_to_light) rows.back().push_back(fmt::format("{:.6g}", energy.entered[k]));
   }
   return table(rows);
 }
 
 std::string flux_table(const std::vector<radiosity::SurfaceFlux>& fluxes) {
-  std::vector<Row> rows = {{"net heat lost by", "area, m²", "W/m²", "W"}};
+  std::vector<Row> rows = {{"net heat lost by", "area, m²", "W/m²", "W", "K"}};
   for (const radiosity::SurfaceFlux& flux : fluxes) {
     rows.push_back({one_line(flux.surface), fmt::format("{:.4g}", flux.area),
-                    fmt::format("{:.6g}", flux.flux), fmt::format("{:.6g}", flux.heat)});
+                    fmt::format("{:.6g}", flux.flux), fmt::format("{:.6g}", flux.heat),
+                    flux.temperature ? fmt::format("{:.6g}", *flux.temperature) : "-"});
   }
   return table(rows);
 }
@@ -192,7 +196,7 @@ std::string emission_text(const radiosity::Emission& emission, double factor,
   if (emission.kind == Kind::none) return "-";
   std::string_view unit = "W/m²";
   if (emission.kind == Kind::radiance) unit = "W/(m² sr)";
-  if (emission.kind == Kind::power) unit = "W";
+  if (emission.kind == Kind::power || emission.kind == Kind::heat_power) unit = "W";
   if (emission.kind == Kind::temperature) unit = "K";
   std::string light;
   if (factor != 1) light = factor == 0 ? ", off" : fmt::format(", {:.4g} of it", factor);

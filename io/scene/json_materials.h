@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "io/base/json_item.h"
@@ -13,5 +15,12 @@ namespace io {
 std::vector<radiosity::Material> read_materials(const JsonItem& materials,
                                                 const radiosity::Bands& bands,
                                                 const std::filesystem::path& folder);
+
+/// What "environment" says: one of radiance, exitance and temperature.
+radiosity::Emission read_environment(const JsonItem& item, const radiosity::Bands& bands,
+                                     const std::filesystem::path& folder);
+
+/// What is odd about the temperatures: that all look like degrees Celsius.
+std::optional<std::string> temperature_warning(const radiosity::Scene& scene);
 
 }  // namespace io

@@ -6,23 +6,26 @@
 /// The keys that each object of a JSON scene file may have, as docs/scene.schema.json lists them.
 namespace io::keys {
 
-inline constexpr auto kScene =
-    std::to_array<std::string_view>({"$schema", "name", "description", "unit", "precision", "bands",
-                                     "materials", "surfaces", "camera", "views", "closed"});
+inline constexpr auto kScene = std::to_array<std::string_view>(
+    {"$schema", "name", "description", "unit", "precision", "bands", "materials", "surfaces",
+     "environment", "camera", "views", "closed"});
 
-inline constexpr auto kEmission =
-    std::to_array<std::string_view>({"radiance", "exitance", "power", "temperature"});
+inline constexpr auto kEmission = std::to_array<std::string_view>(
+    {"radiance", "exitance", "power", "temperature", "heat_flux", "heat_power", "adiabatic"});
+
+inline constexpr auto kEnvironment =
+    std::to_array<std::string_view>({"radiance", "exitance", "temperature"});
 
 /// An emission may stand in the material itself or in its "emission".
-inline constexpr auto kMaterial =
-    std::to_array<std::string_view>({"name", "description", "reflectance", "emissivity", "emission",
-                                     "radiance", "exitance", "power", "temperature"});
+inline constexpr auto kMaterial = std::to_array<std::string_view>(
+    {"name", "description", "reflectance", "emissivity", "emission", "radiance", "exitance",
+     "power", "temperature", "heat_flux", "heat_power", "adiabatic"});
 
 inline constexpr auto kSpectrum = std::to_array<std::string_view>({"csv", "column"});
 
 inline constexpr auto kSurface = std::to_array<std::string_view>(
-    {"name", "description", "material", "two_sided", "light", "mesh", "object", "transform", "unit",
-     "polygons", "vertices"});
+    {"name", "description", "material", "back", "two_sided", "shield", "light", "mesh", "object",
+     "transform", "unit", "polygons", "vertices"});
 
 inline constexpr auto kTransform =
     std::to_array<std::string_view>({"scale", "rotate", "translate", "matrix"});

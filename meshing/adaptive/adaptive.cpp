@@ -11,6 +11,7 @@
 #include "radiosity/compressed/make_compressed_transport.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/radiometry.h"
+#include "radiosity/solve/conditions.h"
 #include "radiosity/solve/discretisation_error.h"
 #include "radiosity/solve/refinement.h"
 #include "radiosity/solve/solution.h"
@@ -125,13 +126,15 @@ class Refiner {
     transport.closed = is_dense ? Closed::no : asked.closed;
     transport.known = {earlier.get(), same};
     transport.memory = memory_beside(earlier.get());
-    const ExpectedLight light{exitance(scene_, mesh), reflectance(scene_, mesh)};
+    const ExpectedLight light{exitance(scene_, mesh).cwiseAbs(), reflectance(scene_, mesh)};
     stage.transport = make_transport(mesh, stage.visibility, transport, choice(stage.kind), light);
     SolveOptions solving;
     solving.tolerance = kSolveTolerance;
     solving.estimates_errors = false;
     solving.progress = options_.progress;
-    stage.solution = solve(*stage.transport, light.exitance, light.reflectance, solving);
+    const Conditions conditions = make_conditions(scene_, mesh, *stage.transport);
+    solving = with_conditions(std::move(solving), conditions, conditions.exitance.cols());
+    stage.solution = solve(*stage.transport, conditions.exitance, conditions.reflectance, solving);
     return stage;
   }
 

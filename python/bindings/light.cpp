@@ -97,6 +97,8 @@ py::dict light_dict(Solution solution, const DiscretisationError& discretisation
   result["error"] = std::move(solution.radiosity_error);
   result["emitted"] = std::move(solution.energy.emitted);
   result["absorbed"] = std::move(solution.energy.absorbed);
+  result["entered"] = std::move(solution.energy.entered);
+  result["temperature"] = std::move(solution.temperature);
   result["escaped"] = std::move(solution.energy.escaped);
   result["method"] = std::string(method_name(solution.method));
   result["iterations"] = solution.iterations;

@@ -11,10 +11,11 @@ from ._progress import reporter
 
 
 class Energy:
-    """Where the power goes, W, by band: emitted = absorbed + escaped."""
+    """Where the power goes, W, by band: emitted + entered = absorbed + escaped."""
 
-    def __init__(self, emitted, absorbed, escaped):
+    def __init__(self, emitted, absorbed, escaped, entered):
         self.emitted: np.ndarray = emitted
+        self.entered: np.ndarray = entered  #: from the scene's environment
         self.absorbed: np.ndarray = absorbed
         self.escaped: np.ndarray = escaped
 
@@ -45,7 +46,11 @@ class Light:
         self.reflectance: np.ndarray = field("reflectance")  #: ρ
         self.error: np.ndarray = field("error")  #: one standard error of the radiosity, W/m²
         self.net_flux: np.ndarray = field("net_flux")  #: B - H, W/m²
-        self.energy = Energy(core["emitted"], core["absorbed"], core["escaped"])
+        #: what each patch is at, K, (n,), if the scene has temperatures or heats; or None
+        self.temperature = core["temperature"] if len(core["temperature"]) else None
+        self.energy = Energy(
+            core["emitted"], core["absorbed"], core["escaped"], core["entered"]
+        )
         self.converged: bool = core["converged"]
         self.residual: float = core["residual"]
         #: guaranteed bound on ‖ΔB‖/‖B‖ of the iteration

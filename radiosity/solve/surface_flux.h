@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,9 +16,12 @@ struct SurfaceFlux {
   double area = 0;  ///< m², both sides of a two-sided surface
   double flux = 0;  ///< area-weighted mean of B - H, W/m²
   double heat = 0;  ///< Σ A (B - H), W
+  /// Area-weighted mean of what its patches are at, K, if that is known.
+  std::optional<double> temperature = {};
 };
 
-/// Whether any surface's material emits by its temperature.
+/// Whether any surface's material emits by its temperature or gives off a given heat, or what
+/// surrounds them has a temperature.
 bool is_thermal(const Scene& scene);
 
 /// One entry per surface, in the scene's order; bands are added up.

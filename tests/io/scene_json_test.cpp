@@ -349,7 +349,7 @@ TEST(Scenes, AllLoad) {
     }
     ++n_scenes;
   }
-  EXPECT_EQ(n_scenes, 8);
+  EXPECT_EQ(n_scenes, 10);
 }
 
 TEST(Scenes, CornellBoxFacesInwards) {

@@ -58,7 +58,9 @@ LightMix make_mix(const Scene& scene) {
   for (const Material& material : scene.materials) mix.reflectance.push_back(material.reflectance);
   std::vector<std::int32_t> emitting;
   for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
-    if (emits(scene.materials[scene.surfaces[s].material])) {
+    const int back = scene.surfaces[s].back_material;
+    if (emits(scene.materials[scene.surfaces[s].material]) ||
+        (back >= 0 && emits(scene.materials[back]))) {
       emitting.push_back(static_cast<std::int32_t>(s));
     }
   }

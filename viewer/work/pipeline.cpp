@@ -14,9 +14,11 @@
 #include "radiosity/operator/transport.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/radiometry.h"
+#include "radiosity/solve/conditions.h"
 #include "radiosity/solve/discretisation_error.h"
 #include "radiosity/solve/solution.h"
 #include "radiosity/solve/solve.h"
+#include "radiosity/solve/surface_flux.h"
 #include "radiosity/visibility/visibility.h"
 #include "study/study.h"
 #include "study/warnings.h"
@@ -75,8 +77,9 @@ EmitterLights separate(const Model& model, const LightMix& mix, const Scene& sce
     lights.exitance.push_back(emitter_exitance(*model.mesh, full, mix.emitters[e]));
     all.middleCols(e * n_bands, n_bands) = lights.exitance.back();
   }
-  const Solution solution =
-      solve(*model.transport, all, reflectance, solve_options(tolerance, progress));
+  radiosity::SolveOptions options = solve_options(tolerance, progress);
+  options.has_sinks = radiosity::is_thermal(scene);
+  const Solution solution = solve(*model.transport, all, reflectance, options);
   for (Index e = 0; e < n_emitters; ++e) {
     lights.irradiance.emplace_back(solution.irradiance.middleCols(e * n_bands, n_bands));
   }
@@ -172,6 +175,8 @@ Light rough_light(const Model& model, const Transport& rough, const LightMix& mi
                   const Eigen::MatrixXd& irradiance, const Progress& progress) {
   const Scene scene = with_reflectance(*model.scene, mix);
   radiosity::SolveOptions options = solve_options(kQuickTolerance, progress);
+  options =
+      with_conditions(options, make_conditions(scene, *model.mesh, rough), scene.bands.count());
   options.start = irradiance;
   return {.kind = Light::Kind::preview,
           .solution = solve(rough, mix_exitance(scene, *model.mesh, mix),
@@ -184,7 +189,9 @@ void solve_light(const Model& model, const LightMix& mix, const LightStart& star
   const Scene scene = with_reflectance(*model.scene, mix);
   const Eigen::MatrixXd reflectance = radiosity::reflectance(scene, *model.mesh);
   const Eigen::MatrixXd emitted = mix_exitance(scene, *model.mesh, mix);
-  radiosity::SolveOptions options = solve_options(kQuickTolerance, progress);
+  const radiosity::Conditions conditions = make_conditions(scene, *model.mesh, *model.transport);
+  radiosity::SolveOptions options =
+      with_conditions(solve_options(kQuickTolerance, progress), conditions, scene.bands.count());
   options.start = start.irradiance;
   if (start.separated) {
     Solution sum = superpose(*start.separated, mix);
@@ -201,7 +208,10 @@ void solve_light(const Model& model, const LightMix& mix, const LightStart& star
   study::warn_of_unconverged(solution, options, {.warned = events.warned});
   options.start = solution.irradiance;
   events.lit({Light::Kind::solved, std::move(solution)});
-  if (start.is_separation_wanted && !mix.emitters.empty()) {
+  // Light of the surroundings belongs to no emitter, and sums of lights know no shields.
+  const bool is_separable = !mix.emitters.empty() && conditions.incident.size() == 0 &&
+                            conditions.transmission.size() == 0;
+  if (start.is_separation_wanted && is_separable) {
     events.separated(separate(model, mix, scene, reflectance, start.tolerance, progress));
   }
   options.estimates_errors = true;
