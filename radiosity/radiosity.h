@@ -20,6 +20,8 @@
 ///    leaving i that reaches j; Σ_j F_ij <= 1, with equality in a closed scene.
 ///  - B = M_e + ρ H with H = F B, per band: radiosity B, radiant exitance M_e (self-emitted) and
 ///    irradiance H, all W/m²; reflectance ρ in [0, 1]. B / π is radiance, W/(m² sr).
+///  - With a sun or an environment: H = F B + H_0, H_0 their direct irradiance, so that
+///    B = M_e + ρ H_0 + ρ F B (make_conditions, SolveOptions::incident).
 ///  - Bands: one grey band and the three of linear RGB (Rec. 709 primaries) hold all the power that
 ///    they stand for, W/m². The bands of a wavelength list hold spectral densities at those
 ///    wavelengths, W/(m² nm); integrals over wavelength are by the trapezoidal rule on the list.
@@ -35,6 +37,7 @@
 #include "radiosity/base/parallel.h"
 #include "radiosity/base/progress.h"
 #include "radiosity/compressed/make_transport.h"
+#include "radiosity/exchange/cut_off.h"
 #include "radiosity/exchange/evaluated_row.h"
 #include "radiosity/exchange/point_factors.h"
 #include "radiosity/exchange/sampled_destinations.h"
@@ -51,11 +54,14 @@
 #include "radiosity/picture/shooting_preview.h"
 #include "radiosity/polygon/exchange_area.h"
 #include "radiosity/polygon/point_to_polygon.h"
+#include "radiosity/scene/black_body.h"
 #include "radiosity/scene/color_matching.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/radiometry.h"
 #include "radiosity/scene/scenario.h"
 #include "radiosity/scene/scene.h"
+#include "radiosity/scene/symmetry.h"
+#include "radiosity/scene/whole_mesh.h"
 #include "radiosity/solve/conditions.h"
 #include "radiosity/solve/discretisation_error.h"
 #include "radiosity/solve/exchange_network.h"
@@ -68,4 +74,5 @@
 #include "radiosity/solve/trapped_light.h"
 #include "radiosity/stream/streamed_factors.h"
 #include "radiosity/stream/streaming_memory.h"
+#include "radiosity/visibility/sunlight.h"
 #include "radiosity/visibility/visibility.h"

@@ -32,7 +32,7 @@ void check_surfaces(const Scene& scene, const KnownFactors& known) {
   }
   if (known.geometry != geometry_fingerprint(scene)) {
     refuse_known(known, fmt::format("has form factors of other polygons than those of {}, or of "
-                                    "other digits or precision",
+                                    "other digits, precision or symmetry",
                                     scene.source));
   }
 }
@@ -83,6 +83,7 @@ std::string geometry_fingerprint(const Scene& scene) {
     fingerprint.add(surface.two_sided);
   }
   fingerprint.add(scene.precision);
+  add_symmetry(fingerprint, scene.symmetry);
   return fingerprint.text();
 }
 

@@ -7,6 +7,7 @@
 #include "radiosity/compressed/light_polygons.h"
 #include "radiosity/scene/radiometry.h"
 #include "radiosity/solve/conditions.h"
+#include "radiosity/visibility/sunlight.h"
 
 namespace study {
 namespace {
@@ -56,7 +57,7 @@ std::vector<Group> make_groups(const Scene& scene, const std::vector<Scenario>& 
 Eigen::MatrixXd total_exitance(const Study& study, const std::vector<Scenario>& scenarios) {
   Eigen::MatrixXd total = Eigen::MatrixXd::Zero(study.mesh.size(), study.scene.bands.count());
   for (const Scenario& scenario : scenarios) {
-    total += exitance(scene_of(study.scene, scenario), study.mesh);
+    total += exitance(scene_of(study.scene, scenario), study.mesh).cwiseAbs();
   }
   return total;
 }
@@ -69,12 +70,12 @@ Solution columns_of(const Solution& all, Index first, Index n) {
         &Solution::radiosity_error}) {
     part.*field = (all.*field).middleCols(first, n);
   }
+  if (all.incident.size() > 0) part.incident = all.incident.middleCols(first, n);
   for (Eigen::VectorXd EnergyBalance::*field :
-       {&EnergyBalance::emitted, &EnergyBalance::entered, &EnergyBalance::absorbed,
+       {&EnergyBalance::emitted, &EnergyBalance::incident, &EnergyBalance::absorbed,
         &EnergyBalance::escaped}) {
     part.energy.*field = (all.energy.*field).segment(first, n);
   }
-  if (all.incident.size() > 0) part.incident = all.incident.middleCols(first, n);
   return part;
 }
 
@@ -90,6 +91,7 @@ Study solve_scenarios(Study study, const std::vector<Scenario>& scenarios,
       {.tolerance = study.factor_tolerance, .seed = options.seed, .progress = events.progress},
       total_exitance(study, scenarios));
   const Index n_bands = scene.bands.count();
+  const Eigen::MatrixXd sun = sun_irradiance(scene, study.mesh, events.progress);
   for (const Group& group : groups) {
     Eigen::MatrixXd emitted(study.mesh.size(), n_bands * static_cast<Index>(group.size()));
     for (std::size_t k = 0; k < group.size(); ++k) {
@@ -97,7 +99,7 @@ Study solve_scenarios(Study study, const std::vector<Scenario>& scenarios,
       emitted.middleCols(static_cast<Index>(k) * n_bands, n_bands) =
           exitance(study.scene, study.mesh);
     }
-    Conditions conditions = make_conditions(study.scene, study.mesh, *study.transport);
+    Conditions conditions = make_conditions(study.scene, study.mesh, *study.transport, sun);
     conditions.exitance = std::move(emitted);
     const Light light = solve_light(study.mesh, *study.transport, conditions, options, events);
     study.discretisation = light.discretisation;

@@ -15,6 +15,7 @@
 #include "radiosity/solve/solve.h"
 #include "radiosity/solve/trapped_light.h"
 #include "radiosity/stream/streaming_memory.h"
+#include "radiosity/visibility/sunlight.h"
 #include "study/row_check.h"
 #include "study/warnings.h"
 
@@ -24,9 +25,10 @@ namespace {
 using namespace radiosity;
 
 /// Throws SolveError if so many patches will not do, of which there may be more in the end.
-void check_expected(Index n_patches, Index n_polygons, const StudyOptions& options) {
+void check_expected(const Scene& scene, Index n_patches, const StudyOptions& options) {
+  const Index n_polygons = scene.n_polygons();
   if (options.storage == Storage::memory) {
-    check_choice(transport_choice(options), n_patches, n_polygons, factor_tolerance(options),
+    check_choice(transport_choice(scene, options), n_patches, n_polygons, factor_tolerance(options),
                  options.memory);
   } else {
     // How much must be allowed can be told once their number is known.
@@ -34,9 +36,10 @@ void check_expected(Index n_patches, Index n_polygons, const StudyOptions& optio
   }
 }
 
-void check_made(Index n_patches, Index n_polygons, const StudyOptions& options) {
+void check_made(const Scene& scene, Index n_patches, const StudyOptions& options) {
+  const Index n_polygons = scene.n_polygons();
   if (options.storage == Storage::memory) {
-    check_choice(transport_choice(options), n_patches, n_polygons, factor_tolerance(options),
+    check_choice(transport_choice(scene, options), n_patches, n_polygons, factor_tolerance(options),
                  options.memory);
   } else {
     check_streaming_memory(n_patches,
@@ -56,6 +59,11 @@ TransportOptions transport_options(const Scene& scene, const StudyOptions& optio
           .rough = events.rough};
 }
 
+/// The light that operators are made for.
+ExpectedLight expected_light(const Scene& scene, const PatchMesh& mesh, const Progress& progress) {
+  return {initial_radiosity(scene, mesh, progress), reflectance(scene, mesh)};
+}
+
 FormFactors make_adaptive(const Scene& scene, const StudyOptions& options,
                           const StudyEvents& events) {
   TransportOptions transport = transport_options(scene, options, events);
@@ -66,7 +74,7 @@ FormFactors make_adaptive(const Scene& scene, const StudyOptions& options,
       scene, {.tolerance = options.tolerance,
               .max_patches = options.patches.n_patches.value_or(meshing::kMostAdaptivePatches),
               .transport = transport,
-              .choice = transport_choice(options),
+              .choice = transport_choice(scene, options),
               .progress = events.progress});
   return {.refined = Patches{std::move(made.mesh), std::move(made.visibility)},
           .refinement = made.refinement,
@@ -110,13 +118,14 @@ Solution solve_named(const PatchMesh& mesh, const Transport& transport,
 Patches divide(const Scene& scene, const StudyOptions& options, const StudyEvents& events) {
   const meshing::PatchOptions patch_options =
       meshing::make_patch_options(options.patches, scene, events.progress);
-  check_expected(meshing::least_patches(scene, patch_options), scene.n_polygons(), options);
+  check_expected(scene, meshing::least_patches(scene, patch_options), options);
   warn_of_findings(scene, events);
   PatchMesh mesh = meshing::make_patches(scene, patch_options);
   if (events.warned && !options.patches.as_is) {
     if (const auto uncut = meshing::uncut_warning(mesh)) events.warn(*uncut);
   }
-  check_made(mesh.size(), scene.n_polygons(), options);
+  check_made(scene, mesh.size(), options);
+  warn_of_cut_off(scene, mesh, events);
   Visibility visibility(mesh);
   Patches patches{std::move(mesh), std::move(visibility)};
   if (events.divided) events.divided(scene, patches);
@@ -125,9 +134,8 @@ Patches divide(const Scene& scene, const StudyOptions& options, const StudyEvent
 
 Fingerprint compressed_fingerprint(const Scene& scene, const PatchMesh& mesh,
                                    const StudyOptions& options) {
-  return radiosity::compressed_fingerprint(
-      mesh, transport_options(scene, options, {}),
-      {exitance(scene, mesh).cwiseAbs(), reflectance(scene, mesh)});
+  return radiosity::compressed_fingerprint(mesh, transport_options(scene, options, {}),
+                                           expected_light(scene, mesh, {}));
 }
 
 FormFactors make_form_factors(const Scene& scene, const PatchMesh& mesh,
@@ -138,8 +146,8 @@ FormFactors make_form_factors(const Scene& scene, const PatchMesh& mesh,
     result = make_adaptive(scene, options, events);
   } else {
     result.transport = make_transport(mesh, visibility, transport_options(scene, options, events),
-                                      transport_choice(options),
-                                      {exitance(scene, mesh).cwiseAbs(), reflectance(scene, mesh)});
+                                      transport_choice(scene, options),
+                                      expected_light(scene, mesh, events.progress));
   }
   warn_of_unverified(result.transport->report(), factor_tolerance(options), events);
   const PatchMesh& made = result.refined ? result.refined->mesh : mesh;
@@ -154,31 +162,19 @@ FormFactors make_form_factors(const Scene& scene, const PatchMesh& mesh,
 
 Light solve_light(const Scene& scene, const PatchMesh& mesh, const Transport& transport,
                   const StudyOptions& options, const StudyEvents& events) {
-  return solve_light(mesh, transport, make_conditions(scene, mesh, transport), options, events);
-}
-
-Light solve_light(const PatchMesh& mesh, const Transport& transport, const Eigen::MatrixXd& emitted,
-                  const Eigen::MatrixXd& reflectance, const StudyOptions& options,
-                  const StudyEvents& events) {
-  return solve_light(mesh, transport,
-                     {.exitance = emitted,
-                      .reflectance = reflectance,
-                      .incident = {},
-                      .transmission = {},
-                      .emissivity = {}},
-                     options, events);
+  return solve_light(
+      mesh, transport,
+      make_conditions(scene, mesh, transport, sun_irradiance(scene, mesh, events.progress)),
+      options, events);
 }
 
 Light solve_light(const PatchMesh& mesh, const Transport& transport, const Conditions& conditions,
                   const StudyOptions& options, const StudyEvents& events) {
-  const Eigen::MatrixXd& emitted = conditions.exitance;
-  if (emitted.isZero(0) && conditions.incident.isZero(0)) {
-    events.warn("no surface emits light: the radiosity is zero everywhere");
-  }
+  warn_of_darkness(conditions.exitance, conditions.incident, events);
   const SolveOptions solving = with_conditions({.method = options.method,
                                                 .tolerance = iteration_tolerance(options.tolerance),
                                                 .progress = events.progress},
-                                               conditions, emitted.cols());
+                                               conditions, conditions.exitance.cols());
   Solution solution = solve_named(mesh, transport, conditions, solving);
   warn_of_unconverged(solution, solving, events);
   DiscretisationError discretisation = estimate_discretisation(mesh, transport, solution, events);
@@ -210,7 +206,7 @@ Study assemble(Scene scene, KnownFactors known, const StudyOptions& options,
   TransportOptions made = transport_options(scene, options, events);
   made.tolerance = known.tolerance;
   add_missing_light(*known.transport, patches.mesh, patches.visibility, made,
-                    exitance(scene, patches.mesh));
+                    exitance(scene, patches.mesh).cwiseAbs());
   refuse_excess(scene, patches.mesh, known.transport->report(), known.tolerance,
                 [&](Index row) { return rows_of(*known.transport).row_error(row); });
   warn_of_open_rows(known.transport->report(), events);

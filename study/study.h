@@ -67,24 +67,18 @@ radiosity::Fingerprint compressed_fingerprint(const radiosity::Scene& scene,
                                               const radiosity::PatchMesh& mesh,
                                               const StudyOptions& options);
 
-/// The radiosity by the scene's own materials. Warns if nothing emits, if the iteration does not
-/// converge and if the errors can't be told. Throws SolveError, Interrupted.
+/// The radiosity by the scene's own materials, sun and environment. Warns if nothing emits, if the
+/// iteration does not converge and if the errors can't be told. Throws SolveError, Interrupted.
 Light solve_light(const radiosity::Scene& scene, const radiosity::PatchMesh& mesh,
                   const radiosity::Transport& transport, const StudyOptions& options = {},
                   const StudyEvents& events = {});
 
-/// The same of any conditions; tells temperatures if they are of heat. Throws SolveError where heat
-/// is given to surfaces that nothing takes it from, with their names, and where a temperature would
-/// be below absolute zero.
+/// The same of any conditions, n x k emitted of n x b; tells temperatures if they are of heat.
+/// Throws SolveError where heat is given to surfaces that nothing takes it from, with their names,
+/// and where a temperature would be below absolute zero.
 Light solve_light(const radiosity::PatchMesh& mesh, const radiosity::Transport& transport,
                   const radiosity::Conditions& conditions, const StudyOptions& options = {},
                   const StudyEvents& events = {});
-
-/// The same of what is emitted, W/m², n x k, and reflectances, n x b, as radiosity::solve takes
-/// them.
-Light solve_light(const radiosity::PatchMesh& mesh, const radiosity::Transport& transport,
-                  const Eigen::MatrixXd& exitance, const Eigen::MatrixXd& reflectance,
-                  const StudyOptions& options = {}, const StudyEvents& events = {});
 
 /// The stages up to the form factors: there is no light yet.
 Study assemble(radiosity::Scene scene, const StudyOptions& options = {},

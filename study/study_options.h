@@ -50,8 +50,10 @@ radiosity::Closed closedness(const radiosity::Scene& scene, radiosity::Closed as
 /// The relative error that is asked of the form factors.
 double factor_tolerance(const StudyOptions& options);
 
-/// How an operator in memory is to be kept, by these options.
-radiosity::TransportChoice transport_choice(const StudyOptions& options);
+/// How an operator in memory is to be kept, by these options: dense if the scene is symmetric.
+/// Throws SolveError if it is and shall be compressed.
+radiosity::TransportChoice transport_choice(const radiosity::Scene& scene,
+                                            const StudyOptions& options);
 
 /// The tolerance of the iteration: it shall add nothing to the error of the form factors, and
 /// digits cost it little.

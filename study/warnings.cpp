@@ -5,6 +5,7 @@
 #include <string>
 
 #include "meshing/inspect/inspect.h"
+#include "radiosity/exchange/cut_off.h"
 
 namespace study {
 
@@ -13,6 +14,17 @@ using namespace radiosity;
 void warn_of_findings(const Scene& scene, const StudyEvents& events) {
   if (!events.warned) return;
   for (const std::string& message : meshing::serious_findings(scene)) events.warn(message);
+}
+
+void warn_of_cut_off(const Scene& scene, const PatchMesh& mesh, const StudyEvents& events) {
+  if (!events.warned || scene.symmetry.translations.empty()) return;
+  const Eigen::VectorXd bound = cut_off_bound(mesh, scene.symmetry);
+  Index worst = 0;
+  const double most = bound.maxCoeff(&worst);
+  events.warn(fmt::format(
+      "the repeated scene is cut off: beyond its images goes at most {:.2g} of what a patch sends "
+      "(surface '{}'), {:.2g} on average, which counts as escaped",
+      most, mesh.surface_names[mesh.surface[worst]], bound.mean()));
 }
 
 std::optional<std::string> open_rows_warning(const AssemblyReport& report) {
@@ -25,6 +37,17 @@ std::optional<std::string> open_rows_warning(const AssemblyReport& report) {
 
 void warn_of_open_rows(const AssemblyReport& report, const StudyEvents& events) {
   if (const auto warning = open_rows_warning(report)) events.warn(*warning);
+}
+
+void warn_of_darkness(const Eigen::MatrixXd& exitance, const Eigen::MatrixXd& incident,
+                      const StudyEvents& events) {
+  const bool is_sunless = incident.size() == 0 || incident.isZero(0);
+  if (incident.size() > 0 && is_sunless) {
+    events.warn("the sun shines on no surface's emitting side");
+  }
+  if (exitance.isZero(0) && is_sunless) {
+    events.warn("no surface emits light: the radiosity is zero everywhere");
+  }
 }
 
 void warn_of_unverified(const AssemblyReport& report, double tolerance, const StudyEvents& events) {

@@ -15,10 +15,19 @@ namespace study {
 /// Of serious flaws of the scene, unless it is too large to be searched.
 void warn_of_findings(const radiosity::Scene& scene, const StudyEvents& events);
 
+/// Of what repeated scenes lose beyond the images that are reckoned with.
+void warn_of_cut_off(const radiosity::Scene& scene, const radiosity::PatchMesh& mesh,
+                     const StudyEvents& events);
+
 /// What to say if a scene taken as closed has patches that see an opening; else empty.
 std::optional<std::string> open_rows_warning(const radiosity::AssemblyReport& report);
 /// Says it.
 void warn_of_open_rows(const radiosity::AssemblyReport& report, const StudyEvents& events);
+
+/// If nothing emits and no sun shines, and if a sun (direct irradiance `incident`, empty without
+/// one) reaches nothing.
+void warn_of_darkness(const Eigen::MatrixXd& exitance, const Eigen::MatrixXd& incident,
+                      const StudyEvents& events);
 
 /// If the error of a compressed operator could not be brought down to `tolerance`.
 void warn_of_unverified(const radiosity::AssemblyReport& report, double tolerance,

@@ -5,6 +5,7 @@
 #include <CLI/App.hpp>
 #include <algorithm>
 
+#include "apps/run/factor_table.h"
 #include "apps/run/factors_from.h"
 #include "apps/run/scene_input.h"
 #include "apps/run/shown_events.h"
@@ -15,14 +16,11 @@
 #include "apps/terminal/memory_size.h"
 #include "apps/terminal/number_list.h"
 #include "apps/terminal/output_files.h"
-#include "io/base/extension.h"
 #include "io/result/destinations_csv.h"
 #include "io/result/form_factor_file.h"
 #include "io/result/form_factor_reader.h"
 #include "io/result/operator_file.h"
 #include "io/result/row_csv.h"
-#include "io/result/surface_csv.h"
-#include "io/result/view3d_file.h"
 #include "meshing/patches/patches.h"
 #include "radiosity/assembly/dense_memory.h"
 #include "radiosity/base/machine_memory.h"
@@ -41,26 +39,6 @@ namespace {
 std::string check_memory_size(const std::string& text) {
   if (parse_memory_size(text)) return "";
   return fmt::format("found '{}', expected a size such as 2GB, 500MB or 750MiB", text);
-}
-
-/// 1 - ρ of each surface, on average over the bands.
-Eigen::VectorXd emissivities(const radiosity::Scene& scene) {
-  Eigen::VectorXd result(static_cast<Eigen::Index>(scene.surfaces.size()));
-  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
-    const auto& material = scene.materials[scene.surfaces[s].material];
-    result[static_cast<Eigen::Index>(s)] = 1 - material.reflectance.mean();
-  }
-  return result;
-}
-
-/// Factors between surfaces, as the extension of the file says.
-void write_table(const std::string& path, const radiosity::Scene& scene,
-                 const radiosity::PatchMesh& mesh, const Eigen::MatrixXd& factors) {
-  if (io::lower_case_extension(path) == ".txt") {
-    io::write_view3d(path, mesh, factors, emissivities(scene));
-  } else {
-    io::write_surface_csv(path, mesh, factors);
-  }
 }
 
 Eigen::VectorXd row_error(const radiosity::StreamedFactors& factors, radiosity::Index row) {
@@ -255,7 +233,8 @@ Eigen::MatrixXd FormFactorsCommand::write_outputs(const radiosity::Scene& scene,
   if (!is_table_asked()) return {};
   if (!sums) visit_rows({});
   for (const std::string& output : outputs) {
-    if (!is_factor_file(output)) write_table(output, scene, mesh, sums->factors());
+    if (is_factor_file(output)) continue;
+    write_factor_table(output, scene, mesh, sums->factors(), factors.report().closed);
   }
   return sums->factors();
 }
@@ -315,7 +294,7 @@ void FormFactorsCommand::write_compressed_outputs(const FactorSummary& summary,
                          progress);
     } else {
       const auto lock = interruption_.hold();
-      write_table(output, summary.scene, summary.mesh, table);
+      write_factor_table(output, summary.scene, summary.mesh, table, transport.report().closed);
     }
     progress.check();
   }

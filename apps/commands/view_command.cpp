@@ -22,8 +22,9 @@ ViewCommand::ViewCommand(CLI::App& program, Interruption& interruption)
   CLI::App* command =
       program.add_subcommand("view", "Look at a scene or a result in a desktop window");
   command
-      ->add_option("scene", path_,
-                   "Scene (.json, .obj, .ply, .stl, .off, .gltf, .glb, .msh) or result (.vtp, .h5)")
+      ->add_option(
+          "scene", path_,
+          "Scene (.json, .obj, .ply, .stl, .off, .gltf, .glb, .msh, .vs3) or result (.vtp, .h5)")
       ->type_name("SCENE|RESULT");
   command->add_option("--unit", unit_, "Unit of the file's coordinates: m, mm, cm, in, ft, km, um")
       ->type_name("U");

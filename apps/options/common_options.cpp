@@ -57,7 +57,7 @@ void add_common_options(CLI::App& command, CommonOptions& options) {
   command
       .add_option(
           "SCENE", options.scene,
-          "Scene file: .json (own format), .obj, .ply, .stl, .off, .gltf, .glb, .msh, .vtk, "
+          "Scene file: .json (own format), .obj, .ply, .stl, .off, .gltf, .glb, .msh, .vs3, .vtk, "
           ".vtp or .vtu")
       ->required()
       ->type_name("");

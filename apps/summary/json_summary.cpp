@@ -78,7 +78,7 @@ Json discretisation(const radiosity::DiscretisationError& error) {
 
 Json energy(const radiosity::EnergyBalance& energy) {
   return {{"emitted", array(energy.emitted)},
-          {"entered", array(energy.entered)},
+          {"incident", array(energy.incident)},
           {"absorbed", array(energy.absorbed)},
           {"escaped", array(energy.escaped)}};
 }
@@ -90,7 +90,7 @@ Json refinement(const meshing::Refinement& refinement) {
           {"seconds", refinement.seconds}};
 }
 
-Json surfaces(const std::vector<radiosity::SurfaceFlux>& fluxes) {
+Json surfaces(const std::vector<radiosity::SurfaceFlux>& fluxes, const radiosity::Bands& bands) {
   Json list = Json::array();
   for (const radiosity::SurfaceFlux& flux : fluxes) {
     list.push_back({{"name", flux.surface},
@@ -98,6 +98,11 @@ Json surfaces(const std::vector<radiosity::SurfaceFlux>& fluxes) {
                     {"net_flux", flux.flux},
                     {"net_heat", flux.heat}});
     if (flux.temperature) list.back()["temperature"] = *flux.temperature;
+    if (bands.count() > 1) list.back()["net_heat_by_band"] = array(flux.band_heat);
+    if (bands.kind == radiosity::Bands::Kind::solar_infrared) {
+      list.back()["solar_absorbed"] = 0 - flux.band_heat[0];
+      list.back()["infrared_net_heat"] = flux.band_heat[1];
+    }
   }
   return list;
 }
@@ -208,7 +213,8 @@ std::string solve_json(const SolveSummary& summary, const std::vector<std::strin
   }
   if (solved.refinement) json["refinement"] = refinement(*solved.refinement);
   if (radiosity::is_thermal(solved.scene)) {
-    json["surfaces"] = surfaces(radiosity::surface_fluxes(solved.mesh, solved.solution));
+    json["surfaces"] =
+        surfaces(radiosity::surface_fluxes(solved.mesh, solved.solution), solved.scene.bands);
   }
   for (const radiosity::QuantitySummary& quantity : summary.quantities) {
     json["quantities"][std::string(quantity.info.name)] = by_surface(quantity);
@@ -298,6 +304,7 @@ std::string inspect_json(const radiosity::Scene& scene, const meshing::Inspectio
                {"area", inspection.area},
                {"bounds", bounds(inspection.bounds)},
                {"precision", scene.precision},
+               {"parts", n_parts(scene)},
                {"closed", inspection.closed},
                {"boundary_edges", inspection.n_boundary_edges},
                {"bands", scene.bands.count()},

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 
 #include "meshing/inspect/inspect.h"
@@ -40,6 +41,11 @@ constexpr std::string_view severity_name(meshing::Finding::Severity severity) {
       return "serious";
   }
   return "";
+}
+
+/// How many times the scene its whole is: 1 if it has no symmetry.
+inline std::size_t n_parts(const radiosity::Scene& scene) {
+  return radiosity::image_motions(scene.symmetry).size() + 1;
 }
 
 }  // namespace apps

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "apps/summary/scene_text.h"
 #include "apps/summary/text_table.h"
@@ -137,28 +138,55 @@ std::string discretisation_lines(const radiosity::DiscretisationError& discretis
                                           discretisation.relative, discretisation.order));
 }
 
-std::string energy_table(const radiosity::Bands& bands, const radiosity::EnergyBalance& energy) {
+/// What the light that does not come from patches is called; nothing if there is none.
+std::string incoming_name(const radiosity::Scene& scene) {
+  if (scene.environment.kind != radiosity::Emission::Kind::none) return "from without";
+  return scene.sun ? "from the sun" : "";
+}
+
+std::string energy_table(const radiosity::Bands& bands, const radiosity::EnergyBalance& energy,
+                         const std::string& incoming) {
   const std::string unit = radiosity::band_unit("W", bands);
-  std::vector<Row> rows = {{"energy", "emitted, " + unit, "absorbed, " + unit, "escaped, " + unit}};
-  const bool is_open_to_light = !energy.entered.isZero(0);
-  if (is_open_to_light) rows.front().push_back("entered, " + unit);
+  std::vector<std::pair<std::string, const Eigen::VectorXd*>> columns = {
+      {"emitted", &energy.emitted}, {"absorbed", &energy.absorbed}, {"escaped", &energy.escaped}};
+  if (!incoming.empty()) columns.insert(columns.begin() + 1, {incoming, &energy.incident});
+  std::vector<Row> rows = {{"energy"}};
+  for (const auto& [name, values] : columns) rows.front().push_back(name + ", " + unit);
   const Row names = band_names(bands);
   for (std::size_t band = 0; band < names.size(); ++band) {
-    const auto k = static_cast<Eigen::Index>(band);
-    rows.push_back({names[band], fmt::format("{:.6g}", energy.emitted[k]),
-                    fmt::format("{:.6g}", energy.absorbed[k]),
-                    fmt::format("{:.6g}", energy.escaped[k])});
-    if (is_open_to_light) rows.back().push_back(fmt::format("{:.6g}", energy.entered[k]));
+    Row row = {names[band]};
+    for (const auto& [name, values] : columns) {
+      row.push_back(fmt::format("{:.6g}", (*values)[static_cast<Eigen::Index>(band)]));
+    }
+    rows.push_back(row);
   }
   return table(rows);
 }
 
-std::string flux_table(const std::vector<radiosity::SurfaceFlux>& fluxes) {
-  std::vector<Row> rows = {{"net heat lost by", "area, m²", "W/m²", "W", "K"}};
+/// Net heat by surface; with several bands that in each of them, too: of the sun's what is
+/// absorbed. Temperatures where they are known.
+std::string flux_table(const std::vector<radiosity::SurfaceFlux>& fluxes,
+                       const radiosity::Bands& bands) {
+  const bool is_solar = bands.kind == radiosity::Bands::Kind::solar_infrared;
+  const bool has_temperatures = std::any_of(
+      fluxes.begin(), fluxes.end(), [](const auto& flux) { return flux.temperature.has_value(); });
+  std::vector<Row> rows = {{"net heat lost by", "area, m²", "W/m²", "W"}};
+  if (bands.count() > 1) {
+    for (const std::string& name : band_names(bands)) {
+      rows[0].push_back(is_solar && name == "solar" ? "solar absorbed, W" : name + ", W");
+    }
+  }
+  if (has_temperatures) rows[0].emplace_back("K");
   for (const radiosity::SurfaceFlux& flux : fluxes) {
     rows.push_back({one_line(flux.surface), fmt::format("{:.4g}", flux.area),
-                    fmt::format("{:.6g}", flux.flux), fmt::format("{:.6g}", flux.heat),
-                    flux.temperature ? fmt::format("{:.6g}", *flux.temperature) : "-"});
+                    fmt::format("{:.6g}", flux.flux), fmt::format("{:.6g}", flux.heat)});
+    for (Eigen::Index k = 0; bands.count() > 1 && k < bands.count(); ++k) {
+      const double heat = is_solar && k == 0 ? 0 - flux.band_heat[k] : flux.band_heat[k];
+      rows.back().push_back(fmt::format("{:.6g}", heat));
+    }
+    if (has_temperatures) {
+      rows.back().push_back(flux.temperature ? fmt::format("{:.6g}", *flux.temperature) : "-");
+    }
   }
   return table(rows);
 }
@@ -291,9 +319,9 @@ std::string solve_text(const SolveSummary& summary) {
   if (solved.refinement) text += refinement_lines(*solved.refinement);
   text += solve_lines(solved.solution);
   text += discretisation_lines(solved.discretisation);
-  text += energy_table(solved.scene.bands, solved.solution.energy);
+  text += energy_table(solved.scene.bands, solved.solution.energy, incoming_name(solved.scene));
   if (radiosity::is_thermal(solved.scene))
-    text += flux_table(radiosity::surface_fluxes(solved.mesh, solved.solution));
+    text += flux_table(radiosity::surface_fluxes(solved.mesh, solved.solution), solved.scene.bands);
   for (const radiosity::QuantitySummary& quantity : summary.quantities)
     text += quantity_table(quantity);
   if (summary.false_color) text += line("false colours", scale_text(*summary.false_color));
@@ -350,6 +378,9 @@ std::string inspect_text(const radiosity::Scene& scene, const meshing::Inspectio
   text += line("precision", scene.precision > 0 ? fmt::format("coordinates are rounded to {:.1g} m",
                                                               scene.precision)
                                                 : "coordinates are exact");
+  if (!scene.symmetry.is_none()) {
+    text += line("symmetry", fmt::format("one part of a whole of {}", n_parts(scene)));
+  }
   text += line("closed",
                fmt::format("{}: light {} ({} boundary edges)", inspection.closed ? "yes" : "no",
                            inspection.closed ? "meets fronts only" : "escapes or meets backs",

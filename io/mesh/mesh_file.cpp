@@ -17,6 +17,7 @@
 #include "io/mesh/ply_reader.h"
 #include "io/mesh/read_vtk_mesh.h"
 #include "io/mesh/stl_reader.h"
+#include "io/mesh/vs3_reader.h"
 
 namespace io {
 namespace {
@@ -32,6 +33,7 @@ FileScene read_by_extension(const std::filesystem::path& path, MeshMaterials mat
   if (extension == ".off") return read_off(path, progress);
   if (extension == ".ply") return read_ply(path, progress);
   if (extension == ".stl") return read_stl(path, progress);
+  if (extension == ".vs3") return read_vs3(path, progress);
   if (extension == ".vtk" || extension == ".vtp" || extension == ".vtu") {
     if (radiosity_io_read_vtk_mesh == nullptr) {
       fail(path, "this program was built without VTK, which " + extension + " files need");
@@ -46,7 +48,7 @@ FileScene read_by_extension(const std::filesystem::path& path, MeshMaterials mat
     return file;
   }
   fail(path, fmt::format("unknown extension \"{}\", expected .obj, .off, .ply, .stl, .gltf, "
-                         ".glb, .msh, .vtk, .vtp, .vtu or .json",
+                         ".glb, .msh, .vs3, .vtk, .vtp, .vtu or .json",
                          extension));
 }
 

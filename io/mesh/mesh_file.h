@@ -7,8 +7,8 @@
 
 namespace io {
 
-/// Reads a mesh by its extension: .obj, .off, .ply, .stl, .gltf, .glb, .msh, .vtk, .vtp or .vtu.
-/// Coordinates are in the file's unit, and so is Scene::precision, found from their digits;
+/// Reads a mesh by its extension: .obj, .off, .ply, .stl, .gltf, .glb, .msh, .vs3, .vtk, .vtp or
+/// .vtu. Coordinates are in the file's unit, and so is Scene::precision, found from their digits;
 /// Surface::material is -1 where the file names no material; Scene::bands is RGB. Polygons may have
 /// fewer than three corners, or be bad otherwise. Throws SceneError, also if the file holds no
 /// polygons or more than can be numbered.

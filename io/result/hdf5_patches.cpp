@@ -20,6 +20,7 @@ using radiosity::Vec3;
 /// worked out by the same sums.
 constexpr double kAreaTolerance = 1e-6;
 constexpr const char* kPrecision = "precision";
+constexpr const char* kImages = "images";
 
 std::vector<double> flat(const std::vector<radiosity::Vec3>& points) {
   std::vector<double> values;
@@ -140,6 +141,41 @@ void read_polygons(hid_t file, PatchMesh& mesh) {
   mesh.precision = read_attribute<double>(file, kPrecision);
 }
 
+/// Of a part of a symmetric whole: rows of [linear | shift].
+void write_images(hid_t file, const PatchMesh& mesh) {
+  if (mesh.images.empty()) return;
+  std::vector<double> values;
+  for (const radiosity::Motion& image : mesh.images) {
+    for (int row = 0; row < 3; ++row) {
+      for (int column = 0; column < 3; ++column) values.push_back(image.linear(row, column));
+      values.push_back(image.shift[row]);
+    }
+  }
+  write_dataset(file, kImages, values, {mesh.images.size(), 12});
+}
+
+void read_images(hid_t file, PatchMesh& mesh) {
+  if (!has_dataset(file, kImages)) return;
+  const hsize_t n = Dataset(file, kImages).shape[0];
+  if (n > static_cast<hsize_t>(radiosity::kMostImages)) {
+    throw HdfError(fmt::format("has {} images", n));
+  }
+  const auto values = read_all<double>(file, kImages, {n, 12});
+  for (std::size_t g = 0; g < n; ++g) {
+    radiosity::Motion image;
+    for (int row = 0; row < 3; ++row) {
+      const double* first = &values[12 * g + 4 * row];
+      for (int column = 0; column < 3; ++column) image.linear(row, column) = first[column];
+      image.shift[row] = first[3];
+    }
+    const Eigen::Matrix3d square = image.linear * image.linear.transpose();
+    if (!(square.isIdentity(kAreaTolerance) && image.shift.allFinite())) {
+      throw HdfError(fmt::format("image {} is no motion", g));
+    }
+    mesh.images.push_back(image);
+  }
+}
+
 }  // namespace
 
 void write_mesh(hid_t file, const PatchMesh& mesh) {
@@ -163,6 +199,7 @@ void write_mesh(hid_t file, const PatchMesh& mesh) {
       surfaces, "two_sided",
       std::vector<std::int32_t>(mesh.surface_two_sided.begin(), mesh.surface_two_sided.end()));
   write_attribute(file, kPrecision, mesh.precision);
+  write_images(file, mesh);
 }
 
 PatchMesh read_mesh(hid_t file, std::vector<std::string>& warnings) {
@@ -193,6 +230,7 @@ PatchMesh read_mesh(hid_t file, std::vector<std::string>& warnings) {
   }
   read_sides(file, mesh);
   read_polygons(file, mesh);
+  read_images(file, mesh);
   return mesh;
 }
 

@@ -193,6 +193,7 @@ void read_energies(const PolydataArrays& arrays, const PatchMesh& mesh, Solution
   const Eigen::VectorXd absorbed = taken.transpose() * area;
   solution.energy = {
       .emitted = read_energy(arrays, "energy_emitted", n_bands, emitted, path),
+      .incident = read_energy(arrays, "energy_incident", n_bands, {}, path),
       .absorbed = read_energy(arrays, "energy_absorbed", n_bands, absorbed, path),
       .escaped = read_energy(arrays, "energy_escaped", n_bands, emitted - absorbed, path)};
 }

@@ -119,6 +119,7 @@ void add_solve_report(vtkPolyData& polydata, const Solution& solution) {
     if (watts.size() > 0) add_field(polydata, name, std::span(watts.data(), watts.size()));
   };
   add_energy("energy_emitted", solution.energy.emitted);
+  add_energy("energy_incident", solution.energy.incident);
   add_energy("energy_absorbed", solution.energy.absorbed);
   add_energy("energy_escaped", solution.energy.escaped);
   add_field(polydata, "solve_method", {std::string(method_name(solution.method))});

@@ -25,10 +25,10 @@ inline constexpr int kResultVersion = 1;
 /// rows. `quantities` are added by their column names, those of the same name once. Field data:
 /// surface_names (strings, indexed by `surface`), surface_two_sided (0 or 1), radiosity_version,
 /// bands ("grey", "rgb" or "wavelengths"; absent for another number of bands without
-/// `wavelengths`), wavelengths (nm), energy_emitted, energy_absorbed, energy_escaped (one value per
-/// band), solve_method, solve_iterations, solve_converged, solve_products, solve_residual,
-/// solve_error_bound, transport_error_bound, and `camera`, if there is one: position (m),
-/// direction, up, vertical field of view (radian).
+/// `wavelengths`), wavelengths (nm), energy_emitted, energy_incident, energy_absorbed,
+/// energy_escaped (one value per band), solve_method, solve_iterations, solve_converged,
+/// solve_products, solve_residual, solve_error_bound, transport_error_bound, and `camera`, if there
+/// is one: position (m), direction, up, vertical field of view (radian).
 vtkSmartPointer<vtkPolyData> make_polydata(
     const radiosity::PatchMesh& mesh, const radiosity::Solution& solution,
     const std::vector<radiosity::QuantityField>& quantities = {},

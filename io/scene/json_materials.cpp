@@ -70,8 +70,36 @@ Eigen::VectorXd read_values(const JsonItem& item, const Bands& bands,
   return values;
 }
 
+/// A number in [0, 1].
+double read_share(const JsonItem& item, std::string_view name) {
+  const double share = item.number();
+  if (!(share >= 0 && share <= 1)) item.fail(fmt::format("{} {} is outside [0, 1]", name, share));
+  return share;
+}
+
+/// Of what a material is to the sun's light and to thermal radiation.
+Eigen::VectorXd read_solar_infrared(const JsonItem& material, const Bands& bands) {
+  if (bands.kind != Bands::Kind::solar_infrared) {
+    material.fail("\"solar\" and \"infrared\" need \"bands\": \"solar-infrared\"");
+  }
+  for (const std::string_view key : {"reflectance", "emissivity"}) {
+    if (material.has(key)) {
+      material.fail(fmt::format("expected either \"solar\" and \"infrared\" or \"{}\"", key));
+    }
+  }
+  const JsonItem solar = material.at("solar");
+  const JsonItem infrared = material.at("infrared");
+  solar.check_keys(keys::kSolar);
+  infrared.check_keys(keys::kInfrared);
+  return Eigen::Vector2d(1 - read_share(solar.at("absorptivity"), "absorptivity"),
+                         1 - read_share(infrared.at("emissivity"), "emissivity"));
+}
+
 Eigen::VectorXd read_reflectance(const JsonItem& material, const Bands& bands,
                                  const std::filesystem::path& folder) {
+  if (material.has("solar") || material.has("infrared")) {
+    return read_solar_infrared(material, bands);
+  }
   if (material.has("reflectance") == material.has("emissivity")) {
     material.fail("expected either \"reflectance\" or \"emissivity\"");
   }
@@ -79,11 +107,14 @@ Eigen::VectorXd read_reflectance(const JsonItem& material, const Bands& bands,
     return read_values(*item, bands, folder, reflectance_problem);
   }
   const JsonItem item = material.at("emissivity");
-  const double emissivity = item.number();
-  if (!(emissivity >= 0 && emissivity <= 1)) {
-    item.fail(fmt::format("emissivity {} is outside [0, 1]", emissivity));
+  if (!item.value().is_array()) {
+    return Eigen::VectorXd::Constant(bands.count(), 1 - read_share(item, "emissivity"));
   }
-  return Eigen::VectorXd::Constant(bands.count(), 1 - emissivity);
+  Eigen::VectorXd result = read_numbers(item, bands);
+  for (std::size_t k = 0; k < item.size(); ++k) {
+    result[static_cast<Eigen::Index>(k)] = 1 - read_share(item[k], "emissivity");
+  }
+  return result;
 }
 
 Emission::Kind emission_kind(std::string_view key) {
@@ -97,6 +128,12 @@ Emission::Kind emission_kind(std::string_view key) {
 
 void require_grey(const JsonItem& item, const char* what, const Bands& bands) {
   if (bands.kind == Bands::Kind::grey) return;
+  if (bands.hold_heat()) {
+    item.fail(
+        fmt::format("{} needs \"bands\": \"grey\": the temperature that follows would couple "
+                    "the bands, which is not reckoned with",
+                    what));
+  }
   item.fail(fmt::format("{} needs \"bands\": \"grey\", which then is all thermal radiation", what));
 }
 
@@ -127,7 +164,11 @@ Emission read_emission_value(const JsonItem& item, std::string_view key, const B
   };
   Emission emission{.kind = emission_kind(key), .value = {}};
   if (emission.kind == Emission::Kind::temperature) {
-    require_grey(item, "a temperature", bands);
+    if (!bands.hold_heat()) {
+      item.fail(
+          "a temperature needs \"bands\": \"grey\", which then is all thermal radiation, or "
+          "bands of heat");
+    }
     emission.value = Eigen::VectorXd::Constant(1, read_temperature(item));
   } else if (is_heat(emission)) {
     require_grey(item, "heat", bands);
@@ -169,7 +210,7 @@ Material read_material(const JsonItem& item, const std::string& name, const Band
   Material material{.name = name,
                     .reflectance = read_reflectance(item, bands, folder),
                     .emission = read_emission(item, bands, folder)};
-  if (needs_emissivity(material.emission) && material.reflectance[0] == 1) {
+  if (needs_emissivity(material.emission) && material.reflectance.minCoeff() == 1) {
     item.fail(
         "emissivity 0 with a temperature or heat that it cannot give off; expected more than 0, or "
         "\"adiabatic\": true");
@@ -203,6 +244,12 @@ std::optional<std::string> temperature_warning(const radiosity::Scene& scene) {
   return fmt::format(
       "all temperatures lie from {} to {} K: are they degrees Celsius? Kelvin is expected, {} more",
       low, high, kCelsius);
+}
+
+Eigen::VectorXd read_band_values(const JsonItem& item, const std::string& name, const Bands& bands,
+                                 const std::filesystem::path& folder) {
+  return read_values(item, bands, folder,
+                     [&](const Eigen::VectorXd& value) { return emission_problem(name, value); });
 }
 
 std::vector<Material> read_materials(const JsonItem& materials, const Bands& bands,

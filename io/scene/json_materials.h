@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -22,5 +23,11 @@ radiosity::Emission read_environment(const JsonItem& item, const radiosity::Band
 
 /// What is odd about the temperatures: that all look like degrees Celsius.
 std::optional<std::string> temperature_warning(const radiosity::Scene& scene);
+
+/// One value per band, all finite and at least 0, as emissions have them: a number for all bands, a
+/// list, or a column of a CSV file. `name` is what messages call it.
+Eigen::VectorXd read_band_values(const JsonItem& item, const std::string& name,
+                                 const radiosity::Bands& bands,
+                                 const std::filesystem::path& folder);
 
 }  // namespace io

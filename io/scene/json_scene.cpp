@@ -7,7 +7,9 @@
 #include "io/base/json_item.h"
 #include "io/base/line_reader.h"
 #include "io/scene/json_materials.h"
+#include "io/scene/json_sun.h"
 #include "io/scene/json_surfaces.h"
+#include "io/scene/json_symmetry.h"
 #include "io/scene/scene_keys.h"
 
 namespace io {
@@ -22,26 +24,62 @@ using radiosity::Vec3;
 /// Sine of the angle between `up` and the view below which they count as parallel.
 constexpr double kParallel = 1e-6;
 
+double read_wavelength(const JsonItem& item) {
+  const double wavelength = item.number();
+  if (!(wavelength > 0)) item.fail(fmt::format("wavelength {} is not positive", wavelength));
+  return wavelength;
+}
+
+/// Increasing ones, of any unit.
+std::vector<double> read_wavelengths(const JsonItem& item) {
+  std::vector<double> wavelengths;
+  for (std::size_t i = 0; i < item.size(); ++i) {
+    const double wavelength = read_wavelength(item[i]);
+    if (i > 0 && !(wavelength > wavelengths.back())) {
+      item[i].fail(fmt::format("wavelength {} does not follow {}, expected increasing ones",
+                               wavelength, wavelengths.back()));
+    }
+    wavelengths.push_back(wavelength);
+  }
+  return wavelengths;
+}
+
+/// Bands of heat with their edges.
+Bands read_heat_bands(const JsonItem& item) {
+  item.check_keys(keys::kBands);
+  if (item.has("thermal") == item.has("split_wavelength")) {
+    item.fail("expected either \"thermal\" or \"split_wavelength\"");
+  }
+  Bands bands;
+  if (const auto split = item.find("split_wavelength")) {
+    bands.kind = Bands::Kind::solar_infrared;
+    bands.edges = {read_wavelength(*split)};
+    return bands;
+  }
+  bands.kind = Bands::Kind::thermal;
+  bands.edges = read_wavelengths(item.at("thermal"));
+  if (bands.edges.empty()) item.at("thermal").fail("has no wavelengths");
+  return bands;
+}
+
 Bands read_bands(const JsonItem& item) {
   Bands bands;
+  if (item.value().is_object()) return read_heat_bands(item);
   if (item.value().is_string()) {
     const std::string name = item.text();
-    if (name != "rgb" && name != "grey") {
-      item.fail(fmt::format("found \"{}\", expected \"rgb\", \"grey\" or wavelengths in nm", name));
+    if (name != "rgb" && name != "grey" && name != "solar-infrared") {
+      item.fail(
+          fmt::format("found \"{}\", expected \"rgb\", \"grey\", \"solar-infrared\", "
+                      "wavelengths in nm or an object",
+                      name));
     }
-    bands.kind = name == "rgb" ? Bands::Kind::rgb : Bands::Kind::grey;
+    bands.kind = name == "rgb"    ? Bands::Kind::rgb
+                 : name == "grey" ? Bands::Kind::grey
+                                  : Bands::Kind::solar_infrared;
     return bands;
   }
   bands.kind = Bands::Kind::wavelengths;
-  for (std::size_t i = 0; i < item.size(); ++i) {
-    const double wavelength = item[i].number();
-    if (!(wavelength > 0)) item[i].fail(fmt::format("wavelength {} is not positive", wavelength));
-    if (i > 0 && !(wavelength > bands.wavelengths.back())) {
-      item[i].fail(fmt::format("wavelength {} does not follow {}, expected increasing ones",
-                               wavelength, bands.wavelengths.back()));
-    }
-    bands.wavelengths.push_back(wavelength);
-  }
+  bands.wavelengths = read_wavelengths(item);
   if (bands.wavelengths.empty()) item.fail("has no wavelengths");
   return bands;
 }
@@ -161,12 +199,20 @@ FileScene read_json_scene(const std::filesystem::path& path, const ReadOptions& 
   add_surfaces(root.at("surfaces"), path.parent_path(), unit, options.progress, file);
   if (const auto precision = given_precision(root)) scene.precision = unit * *precision;
   if (const auto camera = root.find("camera")) scene.camera = read_camera(*camera, unit);
+  if (const auto sun = root.find("sun")) {
+    read_sun(*sun, path.parent_path(), scene);
+    add_spectra(sun->value(), path.parent_path(), scene);
+  }
   if (const auto views = root.find("views")) scene.views = read_views(*views, unit);
   if (const auto closed = root.find("closed")) scene.closed = closed->boolean();
   if (const auto warning = temperature_warning(scene)) {
     scene.warnings.push_back(scene.source + ": " + *warning);
   }
+  if (const auto symmetry = root.find("symmetry")) scene.symmetry = read_symmetry(*symmetry, unit);
   if (scene.n_polygons() == 0) fail(path, "has no polygons");
+  if (scene.sun && !scene.symmetry.is_none()) {
+    fail(path, "has both a sun and a symmetry, whose images it would shine upon otherwise");
+  }
   return file;
 }
 

@@ -141,7 +141,8 @@ bool is_mirrored(const JsonItem& item) {
 
 /// Whether values for each band of a mesh are values for the scene's, but for one that is for all.
 bool fit(const Bands& of_mesh, const Bands& of_scene) {
-  return of_mesh.kind == of_scene.kind && of_mesh.wavelengths == of_scene.wavelengths;
+  return of_mesh.kind == of_scene.kind && of_mesh.wavelengths == of_scene.wavelengths &&
+         of_mesh.edges == of_scene.edges;
 }
 
 const char* kind_name(const Bands& bands) {
@@ -150,6 +151,10 @@ const char* kind_name(const Bands& bands) {
       return "grey";
     case Bands::Kind::rgb:
       return "RGB";
+    case Bands::Kind::solar_infrared:
+      return "solar and infrared";
+    case Bands::Kind::thermal:
+      return "thermal";
     case Bands::Kind::wavelengths:
       break;
   }

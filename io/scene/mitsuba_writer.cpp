@@ -166,6 +166,14 @@ std::string shape(const fs::path& file, const std::string& id, const std::string
                      id, escaped(file.filename().string()), bsdf, emitter);
 }
 
+std::string sun_emitter(const radiosity::Sun& sun, const Bands& bands) {
+  const Vec3& d = sun.direction;
+  return fmt::format(
+      "  <emitter type=\"directional\">\n    <vector name=\"direction\" x=\"{}\" "
+      "y=\"{}\" z=\"{}\"/>\n    {}\n  </emitter>\n",
+      d.x(), d.y(), d.z(), spectrum("irradiance", bands, sun.irradiance));
+}
+
 std::string bsdf_of(const std::string& reflectance, bool is_two_sided) {
   const std::string diffuse = "<bsdf type=\"diffuse\">" + reflectance + "</bsdf>";
   return "    " + (is_two_sided ? "<bsdf type=\"twosided\">" + diffuse + "</bsdf>" : diffuse) +
@@ -219,6 +227,7 @@ void write_mitsuba(const fs::path& path, const Scene& scene, const PatchMesh& me
         bsdf_of(spectrum("reflectance", scene.bands, reflectance.row(first)), is_two_sided);
     xml += shape(mesh_path(path, s), identifier(s, mesh.surface_names[s]), bsdf, emitter);
   }
+  if (scene.sun) xml += sun_emitter(*scene.sun, scene.bands);
   xml += "</scene>\n";
   for (std::size_t s = 0; s < patches.size(); ++s) {
     if (!patches[s].empty()) write_surface_ply(mesh_path(path, s), mesh, patches[s]);

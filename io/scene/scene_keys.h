@@ -8,7 +8,12 @@ namespace io::keys {
 
 inline constexpr auto kScene = std::to_array<std::string_view>(
     {"$schema", "name", "description", "unit", "precision", "bands", "materials", "surfaces",
-     "environment", "camera", "views", "closed"});
+     "environment", "camera", "views", "closed", "sun", "symmetry"});
+
+inline constexpr auto kBands = std::to_array<std::string_view>({"thermal", "split_wavelength"});
+
+inline constexpr auto kSun = std::to_array<std::string_view>(
+    {"direction", "azimuth_deg", "elevation_deg", "up", "north", "irradiance"});
 
 inline constexpr auto kEmission = std::to_array<std::string_view>(
     {"radiance", "exitance", "power", "temperature", "heat_flux", "heat_power", "adiabatic"});
@@ -19,7 +24,13 @@ inline constexpr auto kEnvironment =
 /// An emission may stand in the material itself or in its "emission".
 inline constexpr auto kMaterial = std::to_array<std::string_view>(
     {"name", "description", "reflectance", "emissivity", "emission", "radiance", "exitance",
-     "power", "temperature", "heat_flux", "heat_power", "adiabatic"});
+     "power", "temperature", "heat_flux", "heat_power", "adiabatic", "solar", "infrared"});
+
+/// What a material is to the sun's light.
+inline constexpr auto kSolar = std::to_array<std::string_view>({"absorptivity"});
+
+/// What it is to thermal radiation.
+inline constexpr auto kInfrared = std::to_array<std::string_view>({"emissivity"});
 
 inline constexpr auto kSpectrum = std::to_array<std::string_view>({"csv", "column"});
 
@@ -31,6 +42,14 @@ inline constexpr auto kTransform =
     std::to_array<std::string_view>({"scale", "rotate", "translate", "matrix"});
 
 inline constexpr auto kRotation = std::to_array<std::string_view>({"axis", "degrees"});
+
+inline constexpr auto kSymmetry =
+    std::to_array<std::string_view>({"mirror", "rotation", "translation", "cut_off", "images"});
+
+inline constexpr auto kMirror = std::to_array<std::string_view>({"point", "normal"});
+
+inline constexpr auto kSymmetryRotation =
+    std::to_array<std::string_view>({"axis", "point", "folds"});
 
 inline constexpr auto kCamera = std::to_array<std::string_view>(
     {"position", "look_at", "direction", "up", "vertical_fov_deg", "focal_length", "film"});

@@ -61,6 +61,11 @@ Json bands_json(const Bands& bands) {
       return "grey";
     case Bands::Kind::rgb:
       return "rgb";
+    case Bands::Kind::solar_infrared:
+      if (bands.edges.empty()) return "solar-infrared";
+      return {{"split_wavelength", bands.edges.front()}};
+    case Bands::Kind::thermal:
+      return {{"thermal", bands.edges}};
     case Bands::Kind::wavelengths:
       break;
   }
@@ -142,6 +147,28 @@ Json camera_json(const Camera& camera) {
                {"direction", point_json(camera.direction)},
                {"up", point_json(camera.up)}};
   add_fov(camera.vertical_fov, json);
+  return json;
+}
+
+Json sun_json(const radiosity::Sun& sun) {
+  return {{"direction", point_json(sun.direction)}, {"irradiance", values_json(sun.irradiance)}};
+}
+
+Json symmetry_json(const radiosity::Symmetry& symmetry) {
+  Json json = Json::object();
+  for (const auto& mirror : symmetry.mirrors) {
+    json["mirror"].push_back(
+        {{"point", point_json(mirror.point)}, {"normal", point_json(mirror.normal)}});
+  }
+  if (symmetry.rotation) {
+    json["rotation"] = {{"axis", point_json(symmetry.rotation->axis)},
+                        {"point", point_json(symmetry.rotation->point)},
+                        {"folds", symmetry.rotation->folds}};
+  }
+  for (const auto& translation : symmetry.translations) {
+    json["translation"].push_back(point_json(translation.step));
+    json["images"].push_back(translation.n_images);
+  }
   return json;
 }
 
@@ -278,9 +305,13 @@ void write_json(const Scene& scene, std::ostream& stream) {
   write_materials(scene, material_names, stream);
   if (scene.environment.kind != Emission::Kind::none) write_environment(scene.environment, stream);
   write_surfaces(scene, material_names, stream);
+  if (scene.sun) stream << ",\n  \"sun\": " << text(sun_json(*scene.sun));
   if (scene.camera) stream << ",\n  \"camera\": " << text(camera_json(*scene.camera));
   if (!scene.views.empty()) write_views(scene, stream);
   if (scene.closed) stream << ",\n  \"closed\": " << (*scene.closed ? "true" : "false");
+  if (!scene.symmetry.is_none()) {
+    stream << ",\n  \"symmetry\": " << text(symmetry_json(scene.symmetry));
+  }
   stream << "\n}\n";
 }
 

@@ -15,6 +15,7 @@
 #include "radiosity/solve/discretisation_error.h"
 #include "radiosity/solve/refinement.h"
 #include "radiosity/solve/solution.h"
+#include "radiosity/visibility/sunlight.h"
 
 namespace meshing {
 namespace {
@@ -126,13 +127,15 @@ class Refiner {
     transport.closed = is_dense ? Closed::no : asked.closed;
     transport.known = {earlier.get(), same};
     transport.memory = memory_beside(earlier.get());
-    const ExpectedLight light{exitance(scene_, mesh).cwiseAbs(), reflectance(scene_, mesh)};
+    const Eigen::MatrixXd sun = sun_irradiance(scene_, mesh, options_.progress);
+    const Eigen::MatrixXd rho = reflectance(scene_, mesh);
+    const ExpectedLight light{initial_radiosity(exitance(scene_, mesh).cwiseAbs(), rho, sun), rho};
     stage.transport = make_transport(mesh, stage.visibility, transport, choice(stage.kind), light);
     SolveOptions solving;
     solving.tolerance = kSolveTolerance;
     solving.estimates_errors = false;
     solving.progress = options_.progress;
-    const Conditions conditions = make_conditions(scene_, mesh, *stage.transport);
+    const Conditions conditions = make_conditions(scene_, mesh, *stage.transport, sun);
     solving = with_conditions(std::move(solving), conditions, conditions.exitance.cols());
     stage.solution = solve(*stage.transport, conditions.exitance, conditions.reflectance, solving);
     return stage;

@@ -41,6 +41,7 @@ RefinableMesh::RefinableMesh(const PatchMesh& mesh) {
   mesh_.surface_names = mesh.surface_names;
   mesh_.surface_two_sided = mesh.surface_two_sided;
   mesh_.precision = mesh.precision;
+  mesh_.images = mesh.images;
   mesh_.polygon_corners = mesh.polygon_corners;
   mesh_.first_polygon_corner = mesh.first_polygon_corner;
   const std::vector<std::vector<Segment>> lines = contact_lines(mesh);
@@ -257,6 +258,7 @@ void RefinableMesh::build() {
   mesh.surface_names = std::move(mesh_.surface_names);
   mesh.surface_two_sided = std::move(mesh_.surface_two_sided);
   mesh.precision = mesh_.precision;
+  mesh.images = std::move(mesh_.images);
   mesh.polygon_corners = std::move(mesh_.polygon_corners);
   mesh.first_polygon_corner = std::move(mesh_.first_polygon_corner);
   mesh_ = std::move(mesh);

@@ -5,10 +5,13 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "meshing/base/text.h"
 #include "meshing/patches/contact_cuts.h"
 #include "meshing/patches/contact_lines.h"
+#include "meshing/patches/image_overlap.h"
 #include "meshing/patches/patch_builder.h"
 #include "radiosity/base/error.h"
 
@@ -228,17 +231,32 @@ Index least_patches(const Scene& scene, const PatchOptions& options) {
   return least;
 }
 
-PatchMesh make_patches(const Scene& scene, const PatchOptions& options) {
-  assert(!(options.max_edge && options.n_patches));
-  assert(!options.max_edge || *options.max_edge > 0);
-  assert(!options.n_patches || *options.n_patches > 0);
-  PatchMaker maker(scene, options.progress);
+namespace {
+
+PatchMesh make_part(PatchMaker& maker, const PatchOptions& options) {
   if (options.n_patches) {
     return maker.cut_with_about(static_cast<double>(*options.n_patches),
                                 options.least_edge.value_or(0));
   }
   if (options.max_edge) return maker.cut_with_limit({.coarse = *options.max_edge});
   return maker.as_is();
+}
+
+}  // namespace
+
+PatchMesh make_patches(const Scene& scene, const PatchOptions& options) {
+  assert(!(options.max_edge && options.n_patches));
+  assert(!options.max_edge || *options.max_edge > 0);
+  assert(!options.n_patches || *options.n_patches > 0);
+  PatchMaker maker(scene, options.progress);
+  if (scene.symmetry.is_none()) return make_part(maker, options);
+  std::vector<radiosity::Motion> images = radiosity::image_motions(scene.symmetry);
+  PatchMesh polygons = maker.as_is();
+  polygons.images = images;
+  refuse_overlapping_images(scene, polygons);
+  PatchMesh mesh = make_part(maker, options);
+  mesh.images = std::move(images);
+  return mesh;
 }
 
 std::optional<std::string> uncut_warning(const PatchMesh& mesh) {

@@ -52,7 +52,8 @@ radiosity::Index least_patches(const radiosity::Scene& scene, const PatchOptions
 /// sides. What `crossed_patches` finds in the result could not be cut. Deterministic. Patches come
 /// in the order of their polygons. Throws MeshError naming surface and polygon for zero-area
 /// polygons and polygons that cross themselves (leave_out_bad_polygons() makes scenes without
-/// them).
+/// them), and as refuse_overlapping_images() does. Of a part of a symmetric whole it has the part's
+/// patches only, and what moves them to their images.
 radiosity::PatchMesh make_patches(const radiosity::Scene& scene, const PatchOptions& options = {});
 
 /// One line on the patches that reach to both sides of what stands on them (`crossed_patches`), if

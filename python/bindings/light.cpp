@@ -24,12 +24,13 @@ namespace py = pybind11;
 using namespace radiosity;
 
 py::dict solve(const Operator& factors, const Eigen::MatrixXd& exitance,
-               const Eigen::MatrixXd& reflectance, const study::StudyOptions& options,
-               const py::object& report, std::size_t n_threads) {
+               const Eigen::MatrixXd& reflectance, const Eigen::MatrixXd& incident,
+               const study::StudyOptions& options, const py::object& report,
+               std::size_t n_threads) {
   study::Light light;
   run_work({report, n_threads}, [&](const study::StudyEvents& events) {
-    light = study::solve_light(*factors.mesh, *factors.transport, exitance, reflectance, options,
-                               events);
+    light = study::solve_light(*factors.mesh, *factors.transport, {exitance, reflectance, incident},
+                               options, events);
   });
   return light_dict(std::move(light.solution), light.discretisation);
 }
@@ -88,16 +89,19 @@ Eigen::MatrixXd from_points(const PatchMesh& mesh, const Array<double>& points,
 }  // namespace
 
 py::dict light_dict(Solution solution, const DiscretisationError& discretisation) {
+  if (solution.incident.size() == 0)
+    solution.incident.setZero(solution.radiosity.rows(), solution.radiosity.cols());
   py::dict result;
   result["net_flux"] = solution.net_flux();
   result["radiosity"] = std::move(solution.radiosity);
   result["irradiance"] = std::move(solution.irradiance);
+  result["incident"] = std::move(solution.incident);
   result["exitance"] = std::move(solution.exitance);
   result["reflectance"] = std::move(solution.reflectance);
   result["error"] = std::move(solution.radiosity_error);
   result["emitted"] = std::move(solution.energy.emitted);
+  result["incident_power"] = std::move(solution.energy.incident);
   result["absorbed"] = std::move(solution.energy.absorbed);
-  result["entered"] = std::move(solution.energy.entered);
   result["temperature"] = std::move(solution.temperature);
   result["escaped"] = std::move(solution.energy.escaped);
   result["method"] = std::string(method_name(solution.method));

@@ -18,6 +18,7 @@
 #include "radiosity/base/parallel.h"
 #include "radiosity/operator/surface_factors.h"
 #include "radiosity/scene/scene.h"
+#include "radiosity/visibility/sunlight.h"
 
 namespace python {
 namespace {
@@ -150,7 +151,10 @@ void bind_patches(py::module_& module) {
                              [](const PatchMesh& mesh) { return points_array(mesh.normal); })
       .def_property_readonly("centroid",
                              [](const PatchMesh& mesh) { return points_array(mesh.centroid); })
-      .def_readonly("surface_names", &PatchMesh::surface_names);
+      .def_readonly("surface_names", &PatchMesh::surface_names)
+      .def("lit_shares", [](const PatchMesh& mesh, const Eigen::VectorXd& direction) {
+        return unlocked([&] { return lit_shares(mesh, Vec3(direction.stableNormalized())); });
+      });
 }
 
 }  // namespace

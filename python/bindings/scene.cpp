@@ -77,6 +77,10 @@ const char* bands_name(const Scene& scene) {
       return "grey";
     case Bands::Kind::rgb:
       return "rgb";
+    case Bands::Kind::solar_infrared:
+      return "solar-infrared";
+    case Bands::Kind::thermal:
+      return "thermal";
     case Bands::Kind::wavelengths:
       break;
   }

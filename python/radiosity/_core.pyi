@@ -35,6 +35,7 @@ class Patches:
     centroid: np.ndarray
     surface_names: List[str]
     def __len__(self) -> int: ...
+    def lit_shares(self, direction: np.ndarray) -> np.ndarray: ...
 
 class Operator:
     size: int
@@ -127,6 +128,7 @@ def solve(
     factors: Operator,
     exitance: np.ndarray,
     reflectance: np.ndarray,
+    incident: np.ndarray,
     options: StudyOptions,
     report: Any,
     n_threads: int,

@@ -315,7 +315,7 @@ def _single_names(names):
 
 
 def read_scene(path, *, unit=None, precision=None, strict=False, progress=None) -> Scene:
-    """Read a scene: .json, .obj, .ply, .stl, .off, .gltf, .glb, .msh, .vtk, .vtp or .vtu.
+    """Read a scene: .json, .obj, .ply, .stl, .off, .gltf, .glb, .msh, .vs3, .vtk, .vtp or .vtu.
 
     Parameters
     ----------

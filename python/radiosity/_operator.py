@@ -34,6 +34,29 @@ class Patches:
     def __repr__(self) -> str:
         return f"<radiosity.Patches: {len(self)} on {len(self.surface_names)} surfaces>"
 
+    def lit_shares(self, direction) -> np.ndarray:
+        """The share of each patch's area that the sun reaches, (n,), with exact shadows.
+
+        Parameters
+        ----------
+        direction : array_like, (3,)
+            In which its light travels, of any length. On a surface normal to it of irradiance E a
+            patch gets E times the cosine of its normal with the way to the sun times this share.
+
+        Examples
+        --------
+        >>> import radiosity as rad
+        >>> steps = rad.Mesh(
+        ...     [[0, 0, 0], [2, 0, 0], [2, 1, 0], [0, 1, 0],
+        ...      [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]], [[0, 1, 2, 3], [4, 5, 6, 7]])
+        >>> rad.form_factors(steps).patches.lit_shares([0, 0, -1]).tolist()
+        [0.5, 1.0]
+        """
+        way = _arguments.points("direction", direction)[0]
+        if not np.linalg.norm(way) > 0:
+            raise InputError("direction: found 0, expected the direction of the light")
+        return self._core.lit_shares(way)
+
     def to_trimesh(self):
         """As trimesh.Trimesh, quads divided into triangles."""
         return _interop.to_trimesh(self.vertices, self.corners)

@@ -11,11 +11,11 @@ from ._progress import reporter
 
 
 class Energy:
-    """Where the power goes, W, by band: emitted + entered = absorbed + escaped."""
+    """Where the power goes, W, by band: emitted + incident = absorbed + escaped."""
 
-    def __init__(self, emitted, absorbed, escaped, entered):
+    def __init__(self, emitted, absorbed, escaped, incident):
         self.emitted: np.ndarray = emitted
-        self.entered: np.ndarray = entered  #: from the scene's environment
+        self.incident: np.ndarray = incident  #: from without: of sun and environment
         self.absorbed: np.ndarray = absorbed
         self.escaped: np.ndarray = escaped
 
@@ -41,7 +41,8 @@ class Light:
             return values[:, 0] if is_flat else values
 
         self.radiosity: np.ndarray = field("radiosity")  #: B = M + ρ H, W/m²
-        self.irradiance: np.ndarray = field("irradiance")  #: H = F B, W/m²
+        self.irradiance: np.ndarray = field("irradiance")  #: H = F B + E, W/m²
+        self.incident: np.ndarray = field("incident")  #: E, from without: sun, environment, W/m²
         self.exitance: np.ndarray = field("exitance")  #: M, what is emitted, W/m²
         self.reflectance: np.ndarray = field("reflectance")  #: ρ
         self.error: np.ndarray = field("error")  #: one standard error of the radiosity, W/m²
@@ -49,7 +50,7 @@ class Light:
         #: what each patch is at, K, (n,), if the scene has temperatures or heats; or None
         self.temperature = core["temperature"] if len(core["temperature"]) else None
         self.energy = Energy(
-            core["emitted"], core["absorbed"], core["escaped"], core["entered"]
+            core["emitted"], core["absorbed"], core["escaped"], core["incident_power"]
         )
         self.converged: bool = core["converged"]
         self.residual: float = core["residual"]
@@ -72,6 +73,7 @@ def solve(
     exitance,
     reflectance,
     *,
+    incident=None,
     tolerance: float = 1e-2,
     method: str = "cg",
     threads: int = 0,
@@ -86,6 +88,9 @@ def solve(
         What each patch emits, W/m², by band: M = π L of a radiance L, ε σ T⁴ of a temperature.
     reflectance : float or array_like, (n,), (n, b) or (b,)
         In [0, 1]; b bands, of which k is a multiple: column c uses c % b.
+    incident : array_like, (n,) or (n, b), optional
+        Direct irradiance from without, W/m², that patches reflect, too: of a sun E times the cosine
+        times `transport.patches.lit_shares(direction)`.
     tolerance : float
         Relative error asked of the result: the iteration adds a ten-thousandth of it, at most.
     method : {'cg', 'jacobi', 'gauss-seidel', 'southwell', 'chebyshev'}
@@ -117,10 +122,19 @@ def solve(
     if emitted.size and emitted.min() < 0:
         raise InputError(f"exitance: found {emitted.min()}, expected at least 0")
     rho = reflectances(reflectance, n, emitted.shape[1])
+    sun = np.zeros((0, 0))
+    if incident is not None:
+        sun = transport._fields("incident", incident)
+        if sun.size and sun.min() < 0:
+            raise InputError(f"incident: found {sun.min()}, expected at least 0")
+        if sun.shape[1] != rho.shape[1]:
+            raise InputError(
+                f"incident: found {sun.shape[1]} bands, but the reflectance has {rho.shape[1]}"
+            )
     options = _arguments.study_options(tolerance=tolerance, method=method)
     with reporter(progress) as report:
         core = _core.solve(
-            transport._core, emitted, rho, options, report, _arguments.count("threads", threads)
+            transport._core, emitted, rho, sun, options, report, _arguments.count("threads", threads)
         )
     return Light(core, is_flat=np.ndim(exitance) == 1)
 

@@ -1,5 +1,6 @@
 #include "radiosity/assembly/block_walk.h"
 
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -9,9 +10,12 @@ namespace radiosity {
 namespace {
 
 void walk(const ExchangeEvaluator& evaluator, BlockVisitor& visitor, std::int32_t a, std::int32_t b,
-          const Between& wider) {
+          std::span<const Between> wider) {
   if (!visitor.wants(a, b)) return;
-  const Between between = evaluator.narrowed(a, b, wider);
+  std::vector<Between> between;
+  for (std::size_t g = 0; g < wider.size(); ++g) {
+    between.push_back(evaluator.narrowed(a, evaluator.tree().image(b, g), wider[g]));
+  }
   if (visitor.is_whole(a) && visitor.is_whole(b)) {
     visitor.visit(a, b, between);
     return;
@@ -36,7 +40,9 @@ void walk(const ExchangeEvaluator& evaluator, BlockVisitor& visitor, std::int32_
 
 void walk_blocks(const ExchangeEvaluator& evaluator, BlockVisitor& visitor) {
   if (evaluator.tree().clusters.empty()) return;
-  walk(evaluator, visitor, 0, 0, evaluator.everything());
+  const std::vector<std::int32_t>& roots = evaluator.tree().roots;
+  const std::vector<Between> everything(roots.size(), evaluator.everything());
+  walk(evaluator, visitor, roots[0], roots[0], everything);
 }
 
 }  // namespace radiosity

@@ -1,7 +1,9 @@
 #include "radiosity/assembly/exchange_assembly.h"
 
 #include <algorithm>
+#include <cmath>
 #include <mutex>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -11,7 +13,23 @@
 namespace radiosity {
 namespace {
 
-/// Makes dense tiles of the exchange matrix.
+/// Several errors of one entry become one: those of its images are independent.
+void merge_uncertain(std::vector<UncertainEntry>& entries) {
+  const auto place = [](const UncertainEntry& entry) { return std::pair(entry.row, entry.column); };
+  std::stable_sort(entries.begin(), entries.end(),
+                   [&](const auto& a, const auto& b) { return place(a) < place(b); });
+  std::size_t n = 0;
+  for (std::size_t k = 0; k < entries.size(); ++k) {
+    if (n > 0 && place(entries[n - 1]) == place(entries[k])) {
+      entries[n - 1].error = std::hypot(entries[n - 1].error, entries[k].error);
+    } else {
+      entries[n++] = entries[k];
+    }
+  }
+  entries.resize(n);
+}
+
+/// Makes dense tiles of the exchange matrix; entries are sums over the images of their column.
 class TileMaker final : public BlockVisitor {
  public:
   TileMaker(const ExchangeEvaluator& evaluator, const Progress& progress, TileSink& sink)
@@ -37,7 +55,7 @@ class TileMaker final : public BlockVisitor {
     return false;
   }
 
-  void visit(std::int32_t a, std::int32_t b, const Between& between) override {
+  void visit(std::int32_t a, std::int32_t b, std::span<const Between> between) override {
     progress_.check();
     const Cluster& ca = cluster(a);
     const Cluster& cb = cluster(b);
@@ -47,15 +65,23 @@ class TileMaker final : public BlockVisitor {
     tile.values = Eigen::MatrixXd::Zero(ca.end - ca.begin, cb.end - cb.begin);
     ExchangeEvaluator::Worker worker = evaluator_.worker();
     const auto set = [&](Index row, Index column, const ExchangeArea& entry) {
-      tile.values(row, column) = entry.value;
+      tile.values(row, column) += entry.value;
       if (entry.is_certain) return;
       tile.uncertain.push_back({static_cast<std::uint16_t>(row), static_cast<std::uint16_t>(column),
                                 static_cast<float>(entry.error)});
     };
-    evaluator_.visit_block(a, b, between, worker, [&](Index r, Index c, const ExchangeArea& entry) {
-      set(r - ca.begin, c - cb.begin, entry);
-      if (a == b) set(c - cb.begin, r - ca.begin, entry);
-    });
+    for (std::size_t g = 0; g < between.size(); ++g) {
+      const std::int32_t image = evaluator_.tree().image(b, g);
+      const Index first = cluster(image).begin;
+      evaluator_.visit_block(a, image, between[g], worker,
+                             [&](Index r, Index c, const ExchangeArea& entry) {
+                               const Index row = r - ca.begin;
+                               const Index column = c - first;
+                               set(row, column, entry);
+                               if (a == b && row != column) set(column, row, entry);
+                             });
+    }
+    if (between.size() > 1) merge_uncertain(tile.uncertain);
     tile.census = worker.census;
     const double n = n_pairs(tile.row_strip, tile.column_strip);
     sink_.put(std::move(tile));
@@ -109,7 +135,7 @@ class TileMaker final : public BlockVisitor {
 
   void report_progress() const {
     if (!progress_.report) return;
-    const auto n = static_cast<double>(evaluator_.size());
+    const auto n = static_cast<double>(evaluator_.tree().part_size());
     progress_.report("form factors", done_, 0.5 * n * (n - 1), "pairs");
   }
 
@@ -129,14 +155,18 @@ TileLayout tile_layout(const ClusterTree& tree) {
   for (const std::int32_t strip : largest_clusters(tree, kTileSize)) {
     boundaries.push_back(tree.clusters[strip].end);
   }
-  return {tree.order, Strips(std::move(boundaries))};
+  const auto part_end = tree.order.begin() + tree.part_size();
+  return {{tree.order.begin(), part_end}, Strips(std::move(boundaries))};
 }
 
-void assemble_tiles(const PatchMesh& mesh, const Visibility& visibility,
+void assemble_tiles(const WholeMesh& whole, const Visibility& visibility,
                     const TransportOptions& options, const Coverage& coverage, TileSink& sink) {
-  const ExchangeEvaluator evaluator(
-      mesh, visibility, coverage,
-      {.tolerance = options.tolerance, .seed = options.seed, .known = options.known});
+  const bool is_part = whole.n_parts() > 1;  // whose earlier entries are sums over images
+  const ExchangeEvaluator evaluator(whole.mesh(), visibility, coverage,
+                                    {.tolerance = options.tolerance,
+                                     .seed = options.seed,
+                                     .known = is_part ? KnownPairs{} : options.known,
+                                     .n_parts = whole.n_parts()});
   TileMaker maker(evaluator, options.progress, sink);
   walk_blocks(evaluator, maker);
 }

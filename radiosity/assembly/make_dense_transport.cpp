@@ -7,6 +7,7 @@
 #include "radiosity/assembly/dense_memory.h"
 #include "radiosity/assembly/dense_transport.h"
 #include "radiosity/assembly/memory_sink.h"
+#include "radiosity/scene/whole_mesh.h"
 #include "radiosity/visibility/coverage.h"
 
 namespace radiosity {
@@ -16,9 +17,11 @@ std::unique_ptr<Transport> make_dense_transport(const PatchMesh& mesh, const Vis
   check_memory(mesh.size(), mesh.n_polygons(), options.memory);
   const auto start = std::chrono::steady_clock::now();
   const Eigen::VectorXd area = Eigen::Map<const Eigen::VectorXd>(mesh.area.data(), mesh.size());
-  const Coverage coverage = find_coverage(mesh, plane_thickness(mesh));
-  Assembly assembly = assemble_exchange_areas(mesh, visibility, options, coverage);
-  const Eigen::VectorXd open_area = (area.array() * (1 - coverage.share.array()))(assembly.order);
+  const WholeMesh whole(mesh);
+  const Coverage coverage = find_coverage(whole.mesh(), plane_thickness(whole.mesh()));
+  Assembly assembly = assemble_exchange_areas(mesh, whole, visibility, options, coverage);
+  const Eigen::VectorXd open_area =
+      (area.array() * (1 - coverage.share.head(mesh.size()).array()))(assembly.order);
   assembly.tiles.set_row_sums(assembly.row_sums);
   const ClosedRows rows =
       close_rows(assembly.tiles, assembly.row_sums, open_area, options.closed, options.tolerance);

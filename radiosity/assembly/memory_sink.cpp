@@ -1,14 +1,17 @@
 #include "radiosity/assembly/memory_sink.h"
 
 #include "radiosity/scene/patch_mesh.h"
+#include "radiosity/scene/whole_mesh.h"
 #include "radiosity/visibility/visibility.h"
 
 namespace radiosity {
 
-Assembly assemble_exchange_areas(const PatchMesh& mesh, const Visibility& visibility,
-                                 const TransportOptions& options, const Coverage& coverage) {
-  MemorySink sink(mesh.area, coverage.share);
-  assemble_tiles(mesh, visibility, options, coverage, sink);
+Assembly assemble_exchange_areas(const PatchMesh& mesh, const WholeMesh& whole,
+                                 const Visibility& visibility, const TransportOptions& options,
+                                 const Coverage& coverage) {
+  const Eigen::VectorXd covered = coverage.share.head(mesh.size());
+  MemorySink sink(mesh.area, covered);
+  assemble_tiles(whole, visibility, options, coverage, sink);
   return sink.finish();
 }
 

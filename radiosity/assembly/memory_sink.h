@@ -10,6 +10,7 @@
 #include "radiosity/assembly/transport_options.h"
 #include "radiosity/base/geometry.h"
 #include "radiosity/scene/patch_mesh.h"
+#include "radiosity/scene/whole_mesh.h"
 #include "radiosity/visibility/visibility.h"
 
 namespace radiosity {
@@ -53,8 +54,10 @@ class MemorySink final : public TileSink {
   std::optional<TileTotals> totals_;
 };
 
-/// assemble_tiles() into memory.
-Assembly assemble_exchange_areas(const PatchMesh& mesh, const Visibility& visibility,
-                                 const TransportOptions& options, const Coverage& coverage);
+/// assemble_tiles() into memory, of the patches of `mesh` in their whole; `coverage` is the
+/// whole's.
+Assembly assemble_exchange_areas(const PatchMesh& mesh, const WholeMesh& whole,
+                                 const Visibility& visibility, const TransportOptions& options,
+                                 const Coverage& coverage);
 
 }  // namespace radiosity

@@ -57,13 +57,13 @@ Eigen::Array<bool, Eigen::Dynamic, 1> are_open(const CompressedTransport& transp
   return gaps(transport.report()).abs() > most + kSigmas * tolerance;
 }
 
-/// Changes the densities until rows sum to 1.
-void close(CompressedTransport& transport, double tolerance) {
+/// Changes the densities until rows, of which these are the sums as they stand, sum to 1.
+void close(CompressedTransport& transport, const Eigen::VectorXd& row_sums, double tolerance) {
   const PatchOrder& order = transport.order();
   const Eigen::VectorXd& area = transport.area();
   const AssemblyReport& report = transport.report();
   const Eigen::VectorXd mask = (!are_open(transport, tolerance)).cast<double>();
-  RowSums sums{order.to_rows(area.cwiseProduct(report.row_sums)).col(0),
+  RowSums sums{order.to_rows(area.cwiseProduct(row_sums)).col(0),
                order.to_rows(area.array() * (1 - report.covered.array())).col(0),
                order.to_rows(mask).col(0)};
   AdjustableBlocks exchange(transport.matrix(), order.to_rows(area).col(0), sums.present);
@@ -81,7 +81,14 @@ void close_blocks(CompressedTransport& transport, double tolerance) {
     report.closure_max = gaps(report).abs().maxCoeff();
   }
   transport.set_report(std::move(report));
-  if (transport.report().closed) close(transport, tolerance);
+  if (!transport.report().closed) return;
+  close(transport, transport.report().row_sums, tolerance);
+}
+
+void close_again(CompressedTransport& transport, double tolerance) {
+  if (!transport.report().closed) return;
+  transport.set_multipliers({});
+  close(transport, transport.apply(Eigen::VectorXd::Ones(transport.size())), tolerance);
 }
 
 void find_backs(CompressedTransport& transport, const PatchMesh& mesh, const Visibility& visibility,

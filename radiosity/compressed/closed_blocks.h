@@ -12,6 +12,9 @@ namespace radiosity {
 /// Rows further off than their errors and `tolerance` explain are left alone.
 void close_blocks(CompressedTransport& transport, double tolerance);
 
+/// Closes an operator that close_blocks() closed once more, after other changes.
+void close_again(CompressedTransport& transport, double tolerance);
+
 /// Reports what of the light that reaches no front meets backs, and how many rows of a closed scene
 /// lack more than that and errors of `options.tolerance` explain. Follows close_blocks().
 void find_backs(CompressedTransport& transport, const PatchMesh& mesh, const Visibility& visibility,

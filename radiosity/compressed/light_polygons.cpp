@@ -53,15 +53,39 @@ std::optional<ConvexPolygon> undivided(const ExchangeEvaluator& evaluator, const
   return polygon;
 }
 
-/// Those that the operator has not.
-std::vector<std::vector<std::int32_t>> missing_polygons(
-    const CompressedTransport& transport, std::vector<std::vector<std::int32_t>> polygons) {
-  std::erase_if(polygons, [&](const std::vector<std::int32_t>& patches) {
-    const auto& known = transport.parts().sources;
-    return std::any_of(known.begin(), known.end(),
-                       [&](const auto& source) { return source.patches == patches; });
-  });
-  return polygons;
+/// Closing changes the exchange with lights, and that put right opens the rows: each time the
+/// change is some thousand times smaller.
+constexpr int kLightRounds = 2;
+
+bool has_light(const CompressedTransport& transport, const std::vector<std::int32_t>& patches) {
+  const auto& known = transport.parts().sources;
+  return std::any_of(known.begin(), known.end(),
+                     [&](const auto& source) { return source.patches == patches; });
+}
+
+/// What a polygon exchanges with each patch, m².
+Eigen::VectorXd exchange_with(const CompressedTransport& transport,
+                              const std::vector<std::int32_t>& patches) {
+  Eigen::VectorXd indicator = Eigen::VectorXd::Zero(transport.size());
+  for (const std::int32_t patch : patches) indicator[patch] = 1;
+  return transport.apply(indicator).col(0).cwiseProduct(transport.area());
+}
+
+/// Adds to the operator, as it stands, what it lacks of the exchange with these polygons.
+void set_light(CompressedTransport& transport, const std::vector<LightPolygon>& lights) {
+  for (const LightPolygon& light : lights) {
+    const Eigen::VectorXd lacking = light.exchange - exchange_with(transport, light.patches);
+    std::vector<CompressedTransport::Parts::Source> sources = transport.parts().sources;
+    const auto own = std::find_if(sources.begin(), sources.end(), [&](const auto& source) {
+      return source.patches == light.patches;
+    });
+    if (own == sources.end()) {
+      sources.push_back({light.patches, lacking});
+    } else {
+      own->lacking += lacking;
+    }
+    transport.set_sources(std::move(sources));
+  }
 }
 
 }  // namespace
@@ -97,14 +121,14 @@ std::vector<LightPolygon> make_light_polygons(
   return lights;
 }
 
-void add_light(CompressedTransport& transport, const std::vector<LightPolygon>& lights) {
-  for (const LightPolygon& light : lights) {
-    Eigen::VectorXd indicator = Eigen::VectorXd::Zero(transport.size());
-    for (const std::int32_t patch : light.patches) indicator[patch] = 1;
-    const Eigen::VectorXd have = transport.apply(indicator).col(0).cwiseProduct(transport.area());
-    std::vector<CompressedTransport::Parts::Source> sources = transport.parts().sources;
-    sources.push_back({light.patches, light.exchange - have});
-    transport.set_sources(std::move(sources));
+void close_with_light(CompressedTransport& transport, const std::vector<LightPolygon>& lights,
+                      double tolerance) {
+  set_light(transport, lights);
+  close_blocks(transport, tolerance);
+  if (!transport.report().closed || lights.empty()) return;
+  for (int round = 0; round < kLightRounds; ++round) {
+    set_light(transport, lights);
+    close_again(transport, tolerance);
   }
 }
 
@@ -112,15 +136,18 @@ void add_missing_light(Transport& transport, const PatchMesh& mesh, const Visibi
                        const TransportOptions& options, const Eigen::MatrixXd& exitance) {
   auto* compressed = dynamic_cast<CompressedTransport*>(&transport);
   if (compressed == nullptr) return;
-  const auto missing = missing_polygons(*compressed, emitting_polygons(mesh, exitance));
+  auto missing = emitting_polygons(mesh, exitance);
+  std::erase_if(missing, [&](const auto& patches) { return has_light(*compressed, patches); });
   if (missing.empty()) return;
   const Coverage coverage = find_coverage(mesh, plane_thickness(mesh));
   const ExchangeEvaluator evaluator(mesh, visibility, coverage,
                                     {.tolerance = options.tolerance, .seed = options.seed});
-  const std::vector<LightPolygon> lights = make_light_polygons(evaluator, mesh, missing, options);
+  std::vector<LightPolygon> lights = make_light_polygons(evaluator, mesh, missing, options);
+  for (const CompressedTransport::Parts::Source& source : compressed->parts().sources) {
+    lights.push_back({source.patches, exchange_with(*compressed, source.patches)});
+  }
   compressed->set_multipliers({});
-  add_light(*compressed, lights);
-  close_blocks(*compressed, options.tolerance);
+  close_with_light(*compressed, lights, options.tolerance);
   find_backs(*compressed, mesh, visibility, options);
 }
 

@@ -30,8 +30,10 @@ std::vector<LightPolygon> make_light_polygons(
     const ExchangeEvaluator& evaluator, const PatchMesh& mesh,
     const std::vector<std::vector<std::int32_t>>& polygons, const TransportOptions& options);
 
-/// Adds to an operator whose rows are not closed what its blocks lack of that exchange.
-void add_light(CompressedTransport& transport, const std::vector<LightPolygon>& lights);
+/// Adds to an operator whose rows are not closed what its blocks lack of that exchange, and closes
+/// them if its report says that the scene is closed.
+void close_with_light(CompressedTransport& transport, const std::vector<LightPolygon>& lights,
+                      double tolerance);
 
 /// For other light than a compressed operator was made for: adds what it lacks of the exchange with
 /// the polygons that emit now, and closes the rows anew if they were closed. Nothing changes if it

@@ -51,7 +51,7 @@ constexpr Index kRoughRows = 32;
 constexpr double kLightTolerance = 1e-2;
 
 /// To be raised whenever the same scene and options give other numbers than before.
-constexpr int kNumbersVersion = 1;
+constexpr int kNumbersVersion = 2;
 
 /// Memory for the assembly of so many patches, bytes: measured on rooms at 1e-2, 1.3 KB for what is
 /// prepared of a patch and up to 1.5 KB for its blocks.
@@ -180,8 +180,7 @@ class CompressedAssembly {
                                               made_.coefficients, made_.near, made_.densities},
                                    .area = area_,
                                    .report = report_of_pairs()});
-    add_light(*transport, lights_);
-    close_blocks(*transport, tolerance);
+    close_with_light(*transport, lights_, tolerance);
     return transport;
   }
 
@@ -248,10 +247,16 @@ class CompressedAssembly {
   double estimate_ = 0;  // of the relative error of F 1
 };
 
+void refuse_compressed_part() {
+  throw SolveError(
+      "compressed form factors do not know the scene's symmetry: use --transport dense or auto");
+}
+
 std::unique_ptr<CompressedTransport> make_compressed_transport(const PatchMesh& mesh,
                                                                const Visibility& visibility,
                                                                const TransportOptions& options,
                                                                const ExpectedLight& light) {
+  if (!mesh.images.empty()) refuse_compressed_part();
   check_compressed_memory(mesh.size(), options.memory);
   return CompressedAssembly(mesh, visibility, options, light).make();
 }

@@ -18,11 +18,15 @@ struct ExpectedLight {
   Eigen::MatrixXd reflectance = {};  ///< in [0, 1]
 };
 
+/// Throws SolveError: a part of a symmetric whole (PatchMesh::images) has no compressed operator.
+[[noreturn]] void refuse_compressed_part();
+
 /// Makes a compressed operator in rounds, until its verified error is no more than
 /// TransportOptions::tolerance or rounds no longer help (CompressionReport tells). Same input, same
-/// bits, at any number of threads. KnownPairs are not used. Throws MemoryShortage if it will not
-/// fit into memory; OutputError if the work file can't be written, or is to be gone on with and
-/// belongs to another computation; Interrupted if asked to stop.
+/// bits, at any number of threads. KnownPairs are not used. Throws SolveError as
+/// refuse_compressed_part() does of a part; MemoryShortage if it will not fit into memory;
+/// OutputError if the work file can't be written, or is to be gone on with and belongs to another
+/// computation; Interrupted if asked to stop.
 std::unique_ptr<CompressedTransport> make_compressed_transport(const PatchMesh& mesh,
                                                                const Visibility& visibility,
                                                                const TransportOptions& options = {},

@@ -73,6 +73,10 @@ std::unique_ptr<Transport> make_transport(const PatchMesh& mesh, const Visibilit
                                           const TransportOptions& options,
                                           const TransportChoice& choice,
                                           const ExpectedLight& light) {
+  if (!mesh.images.empty()) {
+    if (choice.kind == TransportKind::compressed) refuse_compressed_part();
+    return make_dense_transport(mesh, visibility, options);
+  }
   check_choice(choice, mesh.size(), mesh.n_polygons(), options.tolerance, options.memory);
   if (chosen_kind(choice, mesh.size(), options.tolerance, options.memory) == TransportKind::dense) {
     return make_dense_transport(mesh, visibility, options);

@@ -48,9 +48,10 @@ void check_choice(const TransportChoice& choice, Index n_patches, Index n_polygo
                   double tolerance, std::size_t memory = 0);
 
 /// Makes the operator of all exchange areas, dense or compressed: AssemblyReport::compression tells
-/// which. A compressed one is verified for `light`, too, and does not use TransportOptions::known.
-/// Same input, same bits, at any number of threads. Throws SolveError as check_choice does, before
-/// it starts; Interrupted if asked to stop.
+/// which. That of a part of a symmetric whole (PatchMesh::images) is dense. A compressed one is
+/// verified for `light`, too, and does not use TransportOptions::known. Same input, same bits, at
+/// any number of threads. Throws SolveError as check_choice does, before it starts; Interrupted if
+/// asked to stop.
 std::unique_ptr<Transport> make_transport(const PatchMesh& mesh, const Visibility& visibility,
                                           const TransportOptions& options = {},
                                           const TransportChoice& choice = {},

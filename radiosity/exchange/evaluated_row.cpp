@@ -4,6 +4,7 @@
 
 #include "radiosity/base/parallel.h"
 #include "radiosity/exchange/exchange_evaluator.h"
+#include "radiosity/scene/whole_mesh.h"
 #include "radiosity/visibility/coverage.h"
 
 namespace radiosity {
@@ -17,9 +18,11 @@ constexpr std::size_t kMostRowParts = 16;
 JointRow evaluated_row(const PatchMesh& mesh, const Visibility& visibility,
                        const std::vector<std::int32_t>& patches,
                        const EvaluatedRowOptions& options) {
-  const Coverage coverage = find_coverage(mesh, plane_thickness(mesh));
-  const ExchangeEvaluator evaluator(mesh, visibility, coverage,
-                                    {.tolerance = options.tolerance, .seed = options.seed});
+  const WholeMesh whole(mesh);
+  const Coverage coverage = find_coverage(whole.mesh(), plane_thickness(whole.mesh()));
+  const ExchangeEvaluator evaluator(
+      whole.mesh(), visibility, coverage,
+      {.tolerance = options.tolerance, .seed = options.seed, .n_parts = whole.n_parts()});
   const std::size_t n_parts = std::min(kMostRowParts, patches.size());
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(mesh.size());
   std::vector<JointRow> parts(n_parts, {none, none});
@@ -28,7 +31,7 @@ JointRow evaluated_row(const PatchMesh& mesh, const Visibility& visibility,
     for (auto k = static_cast<std::size_t>(part); k < patches.size(); k += n_parts) {
       options.progress.check();
       evaluator.visit_row(patches[k], worker, [&](Index column, const ExchangeArea& entry) {
-        const std::int32_t j = evaluator.tree().order[column];
+        const Index j = evaluator.tree().order[column] % mesh.size();  // whichever image it is
         parts[part].factor[j] += entry.value;
         parts[part].error[j] += square(entry.error);
       });

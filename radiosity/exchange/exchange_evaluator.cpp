@@ -61,7 +61,7 @@ ExchangeEvaluator::ExchangeEvaluator(const PatchMesh& mesh, const Visibility& vi
     : visibility_(visibility),
       coverage_(coverage),
       options_(options),
-      prepared_(mesh),
+      prepared_(mesh, options.n_parts),
       kernel_(prepared_, kernel_tolerance(mesh.size(), options.tolerance)),
       pair_options_{.tolerance = options.tolerance,
                     .mean_area = mean_exchange_area(mesh),
@@ -172,9 +172,11 @@ void ExchangeEvaluator::visit_block(std::int32_t a, std::int32_t b, const Betwee
   const Cluster& ca = tree().clusters[a];
   const Cluster& cb = tree().clusters[b];
   if (are_averted(ca, cb, prepared_.thickness)) return;
+  const bool is_diagonal = are_images(ca, cb);
+  const Index first = a == b ? 1 : cb.begin - ca.begin;  // beyond a row, on the diagonal or above
   if (ca.is_leaf() && cb.is_leaf()) {
     for (Index r = ca.begin; r < ca.end; ++r) {
-      for (Index c = a == b ? r + 1 : cb.begin; c < cb.end; ++c) {
+      for (Index c = is_diagonal ? r + first : cb.begin; c < cb.end; ++c) {
         const ExchangeArea found = entry(tree().order[r], tree().order[c], between, worker);
         if (found.value != 0 || !found.is_certain) visit(r, c, found);
       }
@@ -184,10 +186,10 @@ void ExchangeEvaluator::visit_block(std::int32_t a, std::int32_t b, const Betwee
   const auto descend = [&](std::int32_t child_a, std::int32_t child_b) {
     visit_block(child_a, child_b, narrowed(child_a, child_b, between), worker, visit);
   };
-  if (a == b) {
-    descend(ca.left, ca.left);
-    descend(ca.left, ca.right);
-    descend(ca.right, ca.right);
+  if (is_diagonal) {
+    descend(ca.left, cb.left);
+    descend(ca.left, cb.right);
+    descend(ca.right, cb.right);
   } else if (cb.is_leaf() || (!ca.is_leaf() && ca.end - ca.begin >= cb.end - cb.begin)) {
     descend(ca.left, b);
     descend(ca.right, b);

@@ -22,6 +22,7 @@ struct EvaluatorOptions {
   double tolerance = 1e-2;  ///< relative error asked of the form factors, > 0
   std::uint64_t seed = 0;   ///< of the visibility samples
   KnownPairs known = {};    ///< from an operator that was not corrected to be closed
+  Index n_parts = 1;        ///< the mesh is so many images of its first patches, and so is the tree
 };
 
 /// What is known of the pairs between two clusters.
@@ -90,7 +91,8 @@ class ExchangeEvaluator {
   /// Takes the exchange area of two places in the tree's order.
   using Visit = std::function<void(Index row, Index column, const ExchangeArea& entry)>;
   /// Visits the entries between two clusters that are not proved to be 0; of a cluster and itself,
-  /// those above the diagonal. Descends to the tree's leaves, narrowing on the way.
+  /// those above the diagonal, and of a cluster and its image in another part those on it, too.
+  /// Descends to the tree's leaves, narrowing on the way.
   void visit_block(std::int32_t a, std::int32_t b, const Between& between, Worker& worker,
                    const Visit& visit) const;
   /// Takes the exchange area of a patch with the one at a place in the tree's order.
@@ -109,6 +111,10 @@ class ExchangeEvaluator {
                      Worker& worker) const;
 
  private:
+  /// Whether two clusters are images of each other, or the same.
+  [[nodiscard]] bool are_images(const Cluster& a, const Cluster& b) const {
+    return a.end - a.begin == b.end - b.begin && (b.begin - a.begin) % tree().part_size() == 0;
+  }
   [[nodiscard]] Placed placed(std::int32_t patch) const {
     return {prepared_.polygons[patch], prepared_.planes[patch]};
   }

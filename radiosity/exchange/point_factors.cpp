@@ -9,6 +9,7 @@
 
 #include "radiosity/base/parallel.h"
 #include "radiosity/polygon/convex_polygon.h"
+#include "radiosity/scene/whole_mesh.h"
 #include "radiosity/visibility/occluders.h"
 #include "radiosity/visibility/visible_polygon.h"
 
@@ -264,7 +265,8 @@ class View {
 
 Destinations point_factors(const PatchMesh& mesh, const Vec3& point, const Vec3& normal,
                            const Progress& progress) {
-  return View(mesh, point, normal, progress).divide();
+  const WholeMesh whole(mesh);
+  return View(whole.mesh(), point, normal, progress).divide();
 }
 
 }  // namespace radiosity

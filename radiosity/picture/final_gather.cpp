@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "radiosity/picture/point_gather.h"
+#include "radiosity/scene/whole_mesh.h"
+#include "radiosity/visibility/sun_shadows.h"
 
 namespace radiosity {
 namespace {
@@ -17,10 +19,19 @@ constexpr double kShareOfPatch = 1e-3;
 }  // namespace
 
 struct FinalGather::Implementation {
-  Implementation(const PatchMesh& patch_mesh, const Eigen::MatrixXd& radiosity)
-      : mesh(patch_mesh), scene(patch_mesh, radiosity) {
-    const Box3 box = bounds(mesh);
+  Implementation(const PatchMesh& patch_mesh, const Eigen::MatrixXd& radiosity,
+                 const std::optional<Sun>& given_sun)
+      : mesh(patch_mesh), scene(patch_mesh, radiosity), sun(given_sun) {
+    if (sun) shadows.emplace(mesh, sun->direction);
+    const Box3 box = bounds(WholeMesh(mesh).mesh());
     if (!box.isEmpty()) ray_error = kRayError * box.diagonal().norm();
+  }
+
+  /// Adds the sun's direct light at a point to a column of irradiance.
+  void add_sun(const Vec3& point, const Vec3& normal,
+               Eigen::Ref<Eigen::VectorXd> irradiance) const {
+    if (!sun || !shadows->is_lit(point, normal)) return;
+    irradiance += shadows->cosine(normal) * sun->irradiance;
   }
 
   void keep_within_patch(std::int32_t patch, Vec3& x) const;
@@ -28,11 +39,14 @@ struct FinalGather::Implementation {
 
   const PatchMesh& mesh;
   GatherScene scene;
+  std::optional<Sun> sun;
+  std::optional<SunShadows> shadows;
   double ray_error = 0;  // m
 };
 
-FinalGather::FinalGather(const PatchMesh& mesh, const Eigen::MatrixXd& radiosity)
-    : implementation_(std::make_unique<Implementation>(mesh, radiosity)) {}
+FinalGather::FinalGather(const PatchMesh& mesh, const Eigen::MatrixXd& radiosity,
+                         const std::optional<Sun>& sun)
+    : implementation_(std::make_unique<Implementation>(mesh, radiosity, sun)) {}
 FinalGather::~FinalGather() = default;
 
 bool FinalGather::are_coplanar(std::int32_t i, std::int32_t j) const {
@@ -64,6 +78,10 @@ Eigen::MatrixXd FinalGather::irradiance(std::span<const SurfacePoint> points) co
       Eigen::MatrixXd::Zero(scene.radiosity.rows(), static_cast<Index>(points.size()));
   PointGather gather(scene);
   for (Group& group : groups) gather.gather(scene.planes[group.patch], group.points, result);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    implementation_->add_sun(points[k].position, implementation_->mesh.normal[points[k].patch],
+                             result.col(static_cast<Index>(k)));
+  }
   return result.transpose();
 }
 
@@ -77,6 +95,9 @@ Eigen::MatrixXd FinalGather::irradiance(std::span<const Vec3> points, const Vec3
   }
   const HalfSpace plane = {normal, normal.dot(places.front().position)};
   PointGather(scene).gather(plane, places, result);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    implementation_->add_sun(points[k], normal, result.col(static_cast<Index>(k)));
+  }
   return result.transpose();
 }
 
@@ -85,7 +106,8 @@ Index FinalGather::n_bands() const { return implementation_->scene.radiosity.row
 void FinalGather::Implementation::keep_within_patch(std::int32_t patch, Vec3& x) const {
   const HalfSpace& plane = scene.planes[patch];
   const ConvexPolygon& polygon = scene.polygons[patch];
-  const double margin = std::min(ray_error, kShareOfPatch * std::sqrt(mesh.area[patch]));
+  const double margin =
+      std::min(ray_error, kShareOfPatch * std::sqrt(mesh.area[patch % mesh.size()]));
   x -= (plane.normal.dot(x) - plane.offset) * plane.normal;
   for (std::size_t k = 0; k < polygon.size(); ++k) {
     const Vec3& start = polygon[k];

@@ -84,8 +84,8 @@ class GatherRenderer {
   void add_light(const Share& share, const Eigen::RowVectorXd& irradiance, Image& image) const {
     Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(irradiance.cols());
     for (const SurfacePoint& point : share.points) {
-      sum += light_.exitance.row(point.patch) +
-             light_.reflectance.row(point.patch).cwiseProduct(irradiance);
+      const Index patch = point.patch % light_.exitance.rows();  // images have its light
+      sum += light_.exitance.row(patch) + light_.reflectance.row(patch).cwiseProduct(irradiance);
     }
     image.values.row(share.pixel) += (sum / (kPi * rays_.n_samples())).cast<float>();
   }

@@ -8,6 +8,7 @@
 #include "radiosity/polygon/convex_hull.h"
 #include "radiosity/polygon/point_to_polygon.h"
 #include "radiosity/scene/patch_mesh.h"
+#include "radiosity/scene/whole_mesh.h"
 #include "radiosity/visibility/point_shadow.h"
 
 namespace radiosity {
@@ -36,7 +37,9 @@ std::array<double, RectangleInterpolation::kLargestOrder + 1> make_least_ratios(
 }  // namespace
 
 GatherScene::GatherScene(const PatchMesh& mesh, const Eigen::MatrixXd& patch_radiosity)
-    : PreparedMesh(mesh), radiosity(patch_radiosity.transpose()) {
+    : PreparedMesh(WholeMesh(mesh).mesh()),
+      radiosity(
+          patch_radiosity.transpose().replicate(1, static_cast<Index>(mesh.images.size()) + 1)) {
   for (Index i = 0; i < radiosity.cols(); ++i) is_dark.push_back(radiosity.col(i).isZero(0));
 }
 

@@ -15,6 +15,13 @@ Eigen::Vector2d sample_position(int k, int n) {
 
 }  // namespace
 
+SurfacePoint in_part(const PatchMesh& part, const SurfacePoint& point) {
+  if (point.patch < part.size()) return point;
+  const auto n = static_cast<std::int32_t>(part.size());
+  const Motion& image = part.images[point.patch / n - 1];
+  return {point.patch % n, image.linear.transpose() * (point.position - image.shift)};
+}
+
 PrimaryRays::PrimaryRays(const Visibility& visibility, const Camera& camera, int width, int height,
                          int samples)
     : visibility_(visibility),

@@ -6,6 +6,7 @@
 #include "radiosity/base/geometry.h"
 #include "radiosity/base/progress.h"
 #include "radiosity/picture/pinhole.h"
+#include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/scene.h"
 #include "radiosity/visibility/visibility.h"
 
@@ -16,6 +17,9 @@ struct SurfacePoint {
   std::int32_t patch;
   Vec3 position;
 };
+
+/// The place in the part of a symmetric whole of which a point of the whole is an image.
+SurfacePoint in_part(const PatchMesh& part, const SurfacePoint& point);
 
 /// The rays of a pinhole camera through the pixels of a picture, several in each.
 class PrimaryRays {

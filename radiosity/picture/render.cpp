@@ -35,7 +35,8 @@ class CornerRenderer {
       if (!seen) continue;
       ++n_hits;
       // A running mean of equal values is exactly that value, unlike their sum divided.
-      mean += (interpolate(mesh_, corner_values_, seen->patch, seen->position) - mean) / n_hits;
+      const SurfacePoint point = in_part(mesh_, *seen);
+      mean += (interpolate(mesh_, corner_values_, point.patch, point.position) - mean) / n_hits;
     }
     const double coverage = static_cast<double>(n_hits) / rays_.n_samples();
     const Index pixel = static_cast<Index>(y) * image.width + x;

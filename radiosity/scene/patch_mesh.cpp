@@ -56,6 +56,10 @@ void add_patches(Fingerprint& fingerprint, const PatchMesh& mesh) {
   for (const std::string& name : mesh.surface_names) fingerprint.add(name);
   for (const bool two_sided : mesh.surface_two_sided) fingerprint.add(two_sided);
   fingerprint.add(mesh.precision);
+  for (const Motion& image : mesh.images) {
+    fingerprint.add(image.linear);
+    fingerprint.add(image.shift);
+  }
 }
 
 double corner_angle(const PatchMesh& mesh, Index patch, int k) {
@@ -85,6 +89,7 @@ PatchMesh centered(const PatchMesh& mesh) {
   for (Vec3& vertex : result.vertices) vertex -= box.center();
   for (Vec3& centroid : result.centroid) centroid -= box.center();
   for (Vec3& corner : result.polygon_corners) corner -= box.center();
+  for (Motion& image : result.images) image.shift = image(box.center()) - box.center();
   return result;
 }
 

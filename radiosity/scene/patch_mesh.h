@@ -8,6 +8,7 @@
 
 #include "radiosity/base/fingerprint.h"
 #include "radiosity/base/geometry.h"
+#include "radiosity/scene/symmetry.h"
 
 namespace radiosity {
 
@@ -33,6 +34,9 @@ struct PatchMesh {
   /// Empty in meshes that are not made of a scene.
   std::vector<Vec3> polygon_corners;
   std::vector<std::int64_t> first_polygon_corner;  ///< n + 1 offsets into polygon_corners, or none
+  /// What moves the patches to their images, if they are a part of a symmetric whole: these are
+  /// there, too, and have the same light (`image_motions`, whole_mesh.h).
+  std::vector<Motion> images;
 
   [[nodiscard]] Index size() const { return static_cast<Index>(corners.size()); }
   [[nodiscard]] int n_corners(Index patch) const { return corners[patch][3] < 0 ? 3 : 4; }

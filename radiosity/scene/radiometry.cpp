@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "radiosity/scene/black_body.h"
+
 namespace radiosity {
 namespace {
 
@@ -26,12 +28,12 @@ bool is_given_heat(const Material& material) {
          material.emission.kind == Emission::Kind::heat_power;
 }
 
-/// M_e of a surface of the given material and total area, n_bands.
-Eigen::VectorXd surface_exitance(const Material& material, double area, Index n_bands) {
+/// M_e of a surface of the given material and total area, per band.
+Eigen::VectorXd surface_exitance(const Material& material, double area, const Bands& bands) {
   const Emission& emission = material.emission;
   switch (emission.kind) {
     case Emission::Kind::none:
-      return Eigen::VectorXd::Zero(n_bands);
+      return Eigen::VectorXd::Zero(bands.count());
     case Emission::Kind::radiance:
       return kPi * emission.value;
     case Emission::Kind::exitance:
@@ -43,9 +45,11 @@ Eigen::VectorXd surface_exitance(const Material& material, double area, Index n_
       return emission.value;
     case Emission::Kind::temperature:
       return kStefanBoltzmann * std::pow(emission.value[0], 4) *
-             (1 - material.reflectance.array()).matrix();
+             (1 - material.reflectance.array())
+                 .matrix()
+                 .cwiseProduct(thermal_fractions(bands, emission.value[0]));
   }
-  return Eigen::VectorXd::Zero(n_bands);
+  return Eigen::VectorXd::Zero(bands.count());
 }
 
 const Surface& surface_of(const Scene& scene, const PatchMesh& mesh, Index patch) {
@@ -85,7 +89,7 @@ Eigen::MatrixXd exitance(const Scene& scene, const PatchMesh& mesh) {
     const Surface& surface = surface_of(scene, mesh, i);
     const int material = material_of(scene, mesh, i);
     const Eigen::VectorXd value = surface_exitance(
-        scene.materials[material], areas.at({mesh.surface[i], material}), scene.bands.count());
+        scene.materials[material], areas.at({mesh.surface[i], material}), scene.bands);
     assert(value.size() == result.cols());
     result.row(i) = surface.emission_factor * value.transpose();
   }
@@ -99,6 +103,14 @@ Eigen::MatrixXd exitance(const Scene& scene, const PatchMesh& mesh) {
     result.row(i) = (both > 0 ? own / both : 0.) * (given.row(i) + given.row(twin));
   }
   return result;
+}
+
+Eigen::MatrixXd initial_radiosity(const Eigen::MatrixXd& exitance,
+                                  const Eigen::MatrixXd& reflectance,
+                                  const Eigen::MatrixXd& incident) {
+  if (incident.size() == 0) return exitance;
+  const Index n = exitance.cols() / incident.cols();
+  return exitance + reflectance.cwiseProduct(incident).replicate(1, n);
 }
 
 Eigen::MatrixXd reflectance(const Scene& scene, const PatchMesh& mesh) {
@@ -142,7 +154,7 @@ Eigen::VectorXd environment_exitance(const Scene& scene) {
   const Material black{.name = {},
                        .reflectance = Eigen::VectorXd::Zero(scene.bands.count()),
                        .emission = scene.environment};
-  return surface_exitance(black, 1, scene.bands.count());
+  return surface_exitance(black, 1, scene.bands);
 }
 
 }  // namespace radiosity

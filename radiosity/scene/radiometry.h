@@ -16,10 +16,17 @@ int material_of(const Scene& scene, const PatchMesh& mesh, Index patch);
 
 /// Radiant exitance M_e that each patch emits by itself, W/m², n_patches x n_bands.
 /// From radiance L: M_e = π L. From the power Φ of a surface of total emitting area A (both sides
-/// if two-sided): M_e = Φ / A. From temperature T: M_e = (1 - ρ) σ T⁴. A patch whose net heat
-/// q = B - H is given has M_e = q, which may be negative, and the reflectance 1; sides of a shield
-/// have their shares of the heat given to both. Each times the surface's `emission_factor`.
+/// if two-sided): M_e = Φ / A. From temperature T: M_e = (1 - ρ) f σ T⁴ with the share f of the
+/// band (thermal_fractions; 1 if it is one grey band). A patch whose net heat q = B - H is given
+/// has M_e = q, which may be negative, and the reflectance 1; sides of a shield have their shares
+/// of the heat given to both. Each times the surface's `emission_factor`.
 Eigen::MatrixXd exitance(const Scene& scene, const PatchMesh& mesh);
+
+/// What leaves each patch before light is exchanged, M_e + ρ E, W/m², n x k, with irradiance E from
+/// without, n x b; M_e if that is empty.
+Eigen::MatrixXd initial_radiosity(const Eigen::MatrixXd& exitance,
+                                  const Eigen::MatrixXd& reflectance,
+                                  const Eigen::MatrixXd& incident);
 
 /// What each patch sends back of its irradiance, in [0, 1], n_patches x n_bands: the diffuse
 /// reflectance of its material, 1 where its net heat is given. Of a shield with the emissivities ε

@@ -8,14 +8,20 @@
 #include <vector>
 
 #include "radiosity/base/geometry.h"
+#include "radiosity/scene/sun.h"
+#include "radiosity/scene/symmetry.h"
 
 namespace radiosity {
 
-/// The spectral bands of a scene: one grey band, linear RGB, or a list of wavelengths.
+/// The spectral bands of a scene: one grey band, linear RGB, or a list of wavelengths; of heat the
+/// sun's light and infrared, or grey bands between wavelengths.
 struct Bands {
-  enum class Kind { grey, rgb, wavelengths };
+  enum class Kind { grey, rgb, wavelengths, solar_infrared, thermal };
   Kind kind = Kind::rgb;
   std::vector<double> wavelengths;  ///< nm, increasing; used by Kind::wavelengths only
+  /// µm, increasing: between the bands of Kind::thermal; of Kind::solar_infrared the wavelength
+  /// that parts them, or none: then all that surfaces emit is infrared.
+  std::vector<double> edges = {};
 
   /// Number of bands, >= 1.
   [[nodiscard]] Index count() const {
@@ -24,11 +30,17 @@ struct Bands {
         return 1;
       case Kind::rgb:
         return 3;
+      case Kind::solar_infrared:
+        return 2;
+      case Kind::thermal:
+        return static_cast<Index>(edges.size()) + 1;
       case Kind::wavelengths:
         break;
     }
     return static_cast<Index>(wavelengths.size());
   }
+  /// Whether the bands hold all thermal radiation, so that surfaces can emit by temperature.
+  [[nodiscard]] bool hold_heat() const { return kind != Kind::rgb && kind != Kind::wavelengths; }
 };
 
 /// What a surface emits by itself. One value per band, or a single kelvin value for temperature.
@@ -38,12 +50,12 @@ struct Emission {
     radiance,     ///< L, W/(m² sr); M_e = π L
     exitance,     ///< M_e, W/m²
     power,        ///< Φ, W, of each surface with this material; M_e = Φ / A
-    temperature,  ///< T, K; M_e = ε σ T⁴ with ε = 1 - ρ (one grey band)
+    temperature,  ///< T, K; M_e = ε f σ T⁴ with ε = 1 - ρ and f the bands' thermal_fractions
     heat_flux,    ///< B - H, W/m²: what is given off, whatever temperature that takes (grey band)
     heat_power    ///< the same of each surface with this material, W
   };
   Kind kind = Kind::none;
-  Eigen::VectorXd value;  ///< size = number of bands (one if grey); empty for none
+  Eigen::VectorXd value;  ///< size = number of bands; 1 for temperature; empty for none
 };
 
 /// A diffuse material. Reflectance has one value in [0, 1] per band.
@@ -60,8 +72,8 @@ struct Surface {
   bool two_sided = false;  ///< each polygon then gives two patches, back to back
   /// Of the power that its material emits by itself, what this surface does: >= 0; 0 = it is off.
   double emission_factor = 1;
-  int back_material =
-      -1;  ///< of its backs if two-sided: index into Scene::materials; -1 = the same
+  /// Of its backs if two-sided: index into Scene::materials; -1 = the same.
+  int back_material = -1;
   /// Two-sided, its patches each of one temperature for both sides, which follows from the heat:
   /// none is given to it but what its materials say.
   bool is_shield = false;
@@ -104,8 +116,10 @@ struct Scene {
   /// How far a coordinate may be off what was meant, for its last digits were rounded away: half a
   /// unit in the last place of the file, m. 0 = exact but for the rounding of `double`.
   double precision = 0;
+  std::optional<Sun> sun;
   std::optional<Camera> camera;
   std::vector<View> views;            ///< other cameras, no two of one name
+  Symmetry symmetry;                  ///< the polygons are a part of a whole, if there is any
   std::optional<bool> closed;         ///< as declared by the user; absent = to be found out
   std::vector<std::string> warnings;  ///< what the reader noticed and the user should know
 

@@ -37,20 +37,37 @@ void add_heat(const Scene& scene, const PatchMesh& mesh, const Eigen::VectorXd& 
   }
 }
 
+void require_grey_where_heat_is_given(const Scene& scene, const PatchMesh& mesh) {
+  if (scene.bands.kind == Bands::Kind::grey) return;
+  for (Index i = 0; i < mesh.size(); ++i) {
+    if (!is_given_heat(scene, mesh, i)) continue;
+    throw SceneError("surface '" + mesh.surface_names[mesh.surface[i]] +
+                     "': heat or a shield in a scene whose bands are not grey; its temperature "
+                     "would couple them");
+  }
+}
+
 }  // namespace
 
 Conditions make_conditions(const Scene& scene, const PatchMesh& mesh, const Transport& transport,
-                           const Eigen::VectorXd& added) {
+                           const Eigen::MatrixXd& sun, const Eigen::VectorXd& added) {
+  require_grey_where_heat_is_given(scene, mesh);
   Conditions conditions{.exitance = exitance(scene, mesh),
                         .reflectance = reflectance(scene, mesh),
-                        .incident = {},
+                        .incident = sun,
                         .transmission = transmission(scene, mesh),
                         .emissivity = {}};
   const Eigen::VectorXd environment = environment_exitance(scene);
   if (environment.size() > 0 && !environment.isZero(0)) {
-    conditions.incident = environment_irradiance(transport, environment);
+    const Eigen::MatrixXd entering = environment_irradiance(transport, environment);
+    if (sun.size() > 0) {
+      conditions.incident += entering;
+    } else if (!entering.isZero(0)) {
+      conditions.incident = entering;
+    }
   }
-  if (is_thermal(scene)) conditions.emissivity = emissivity(scene, mesh).col(0);
+  const bool is_grey_heat = scene.bands.kind == Bands::Kind::grey && is_thermal(scene);
+  if (is_grey_heat) conditions.emissivity = emissivity(scene, mesh).col(0);
   if (added.size() > 0) add_heat(scene, mesh, added, conditions);
   return conditions;
 }

@@ -12,18 +12,19 @@ namespace radiosity {
 
 /// All that a scene says of its light but the form factors, as `solve` takes it.
 struct Conditions {
-  Eigen::MatrixXd exitance;                  ///< M_e, W/m², n x b; q where net heat is given
-  Eigen::MatrixXd reflectance;               ///< n x b
-  Eigen::MatrixXd incident;                  ///< from the environment, W/m², n x b; or empty
-  Eigen::SparseMatrix<double> transmission;  ///< through shields, n x n; or empty
-  Eigen::VectorXd emissivity;                ///< of the materials, n; empty unless `is_thermal`
+  Eigen::MatrixXd exitance;       ///< M_e, W/m², n x b; q where net heat is given
+  Eigen::MatrixXd reflectance;    ///< n x b
+  Eigen::MatrixXd incident = {};  ///< from without, of sun and environment, W/m², n x b; or empty
+  Eigen::SparseMatrix<double> transmission = {};  ///< through shields, n x n; or empty
+  Eigen::VectorXd emissivity = {};  ///< of the materials, n; empty unless the light is grey heat
 };
 
-/// What a scene says. `added` is heat that patches take up besides, of the sun, W/m², n or empty:
-/// it counts where the net heat is given, and raises that; where a temperature is given it has to
-/// be carried off all the same.
+/// What a scene says. `sun` is its sun's direct irradiance (sun_irradiance), W/m², n x b, or empty.
+/// `added` is heat that patches take up besides, W/m², n or empty: it counts where the net heat is
+/// given, and raises that; where a temperature is given it has to be carried off all the same.
+/// Throws SceneError where heat is given in a scene whose bands are not grey.
 Conditions make_conditions(const Scene& scene, const PatchMesh& mesh, const Transport& transport,
-                           const Eigen::VectorXd& added = {});
+                           const Eigen::MatrixXd& sun = {}, const Eigen::VectorXd& added = {});
 
 /// The options with what of the conditions they hold, for k columns of as many bands each.
 SolveOptions with_conditions(SolveOptions options, const Conditions& conditions, Index n_columns);

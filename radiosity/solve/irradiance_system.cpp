@@ -112,6 +112,12 @@ Eigen::VectorXd IrradianceSystem::passed_on(Index c, const Column& u) const {
   return result;
 }
 
+Eigen::VectorXd IrradianceSystem::source(Index c) const {
+  Eigen::VectorXd result = exitance.col(c);
+  if (incident.size() > 0) result += passed_on(c, incident.col(c));
+  return result;
+}
+
 Eigen::MatrixXd IrradianceSystem::gather(const Eigen::MatrixXd& radiosity) const {
   Eigen::MatrixXd result = transport->apply(radiosity);
   if (incident.size() > 0) result += incident;
@@ -158,10 +164,10 @@ double IrradianceSystem::error_bound(Index c, double residual_norm,
   if (absolute == 0) return 0;
 
   const auto& area = transport->area();
-  const auto emitted = exitance.col(c);
-  const Eigen::VectorXd b = emitted + passed_on(c, irradiance);
-  // B >= M_e >= 0 bounds ‖B‖ from below even while the iterate is poor.
-  const double least = emitted.minCoeff() >= 0 ? std::sqrt(area.dot(emitted.cwiseAbs2())) : 0.;
+  const Eigen::VectorXd b = exitance.col(c) + passed_on(c, irradiance);
+  // B >= M_e + ρ H_0 where M_e >= 0 bounds ‖B‖ from below even while the iterate is poor.
+  const double least =
+      exitance.col(c).minCoeff() >= 0 ? std::sqrt(area.dot(source(c).cwiseAbs2())) : 0.;
   const double norm = std::max(least, std::sqrt(area.dot(b.cwiseAbs2())) - absolute);
   return norm > 0 ? absolute / norm : std::numeric_limits<double>::infinity();
 }

@@ -57,6 +57,8 @@ struct IrradianceSystem {
 
   /// ρ u with the reflectance of column c.
   [[nodiscard]] Eigen::VectorXd passed_on(Index c, const Column& u) const;
+  /// M_e + ρ H_0 of column c: what leaves before light is exchanged.
+  [[nodiscard]] Eigen::VectorXd source(Index c) const;
   /// F B + H_0.
   [[nodiscard]] Eigen::MatrixXd gather(const Eigen::MatrixXd& radiosity) const;
   /// B = M_e + ρ H.

@@ -21,6 +21,8 @@ constexpr std::array kInfos = {
     QuantityInfo{radiosity, "radiosity", "radiosity", "W/m²", kBanded, kIntensity},
     QuantityInfo{irradiance, "irradiance", "irradiance", "W/m²", kBanded, kIntensity},
     QuantityInfo{exitance, "exitance", "exitance", "W/m²", kBanded, kIntensity},
+    QuantityInfo{incident, "incident", "incident", "W/m²", kBanded, kIntensity},
+    QuantityInfo{absorbed, "absorbed", "absorbed", "W/m²", kBanded, kIntensity},
     QuantityInfo{net_flux, "net-flux", "net_flux", "W/m²", kBanded, kIntensity},
     QuantityInfo{power, "power", "power", "W", kBanded, kAdditive},
     QuantityInfo{reflectance, "reflectance", "reflectance", "", kBanded, kIntensity},
@@ -30,6 +32,25 @@ constexpr std::array kInfos = {
     QuantityInfo{luminous_exitance, "luminous-exitance", "luminous_exitance", "lm/m²", kPhotometric,
                  kIntensity},
     QuantityInfo{luminous_flux, "luminous-flux", "luminous_flux", "lm", kPhotometric, kAdditive}};
+
+/// In the shortest digits that tell the number apart.
+std::string number_text(double number) {
+  std::array<char, 512> text{};
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::fixed).ptr;
+  return {text.data(), end};
+}
+
+/// "below 4 µm", "4 to 8 µm", "above 8 µm"; "all" of a single band.
+std::vector<std::string> thermal_names(const std::vector<double>& edges) {
+  if (edges.empty()) return {"all"};
+  std::vector<std::string> names = {"below " + number_text(edges.front()) + " µm"};
+  for (std::size_t k = 1; k < edges.size(); ++k) {
+    names.push_back(number_text(edges[k - 1]) + " to " + number_text(edges[k]) + " µm");
+  }
+  names.push_back("above " + number_text(edges.back()) + " µm");
+  return names;
+}
 
 Eigen::MatrixXd times_area(const Eigen::MatrixXd& values, const PatchMesh& mesh) {
   return Eigen::Map<const Eigen::VectorXd>(mesh.area.data(), mesh.size()).asDiagonal() * values;
@@ -49,6 +70,11 @@ Eigen::MatrixXd band_values(Quantity quantity, const PatchMesh& mesh, const Solu
       return solution.irradiance;
     case exitance:
       return solution.exitance;
+    case incident:
+      if (solution.incident.size() > 0) return solution.incident;
+      return Eigen::MatrixXd::Zero(solution.radiosity.rows(), solution.radiosity.cols());
+    case absorbed:
+      return solution.absorbed_flux();
     case net_flux:
       return solution.net_flux();
     case power:
@@ -84,17 +110,16 @@ std::vector<std::string> band_names(const Bands& bands) {
       return {"grey"};
     case Bands::Kind::rgb:
       return {"red", "green", "blue"};
+    case Bands::Kind::solar_infrared:
+      return {"solar", "infrared"};
+    case Bands::Kind::thermal:
+      return thermal_names(bands.edges);
     case Bands::Kind::wavelengths:
       break;
   }
   std::vector<std::string> names;
-  for (const double wavelength : bands.wavelengths) {
-    std::array<char, 512> text{};  // holds any number in the shortest digits that tell it apart
-    const auto end =
-        std::to_chars(text.data(), text.data() + text.size(), wavelength, std::chars_format::fixed)
-            .ptr;
-    names.push_back(std::string(text.data(), end) + " nm");
-  }
+  for (const double wavelength : bands.wavelengths)
+    names.push_back(number_text(wavelength) + " nm");
   return names;
 }
 
@@ -113,6 +138,9 @@ Eigen::VectorXd luminous_weights(const Bands& bands, double efficacy) {
       return Eigen::VectorXd::Constant(1, efficacy);
     case Bands::Kind::rgb:
       return efficacy * kSrgbLuminance;
+    case Bands::Kind::solar_infrared:
+    case Bands::Kind::thermal:
+      return Eigen::VectorXd::Zero(bands.count());
     case Bands::Kind::wavelengths:
       break;
   }

@@ -20,6 +20,8 @@ enum class Quantity {
   radiosity,          ///< B = M_e + ρ H, what leaves by emission and reflection
   irradiance,         ///< H, what arrives
   exitance,           ///< M_e, what is emitted
+  incident,           ///< H_0, direct irradiance of sun and environment, a part of H
+  absorbed,           ///< (1 - ρ - T) H
   net_flux,           ///< B - H
   power,              ///< A B, what leaves the patch
   reflectance,        ///< ρ
@@ -50,7 +52,7 @@ std::optional<Quantity> quantity_named(std::string_view name);
 /// The unit of a band's values: as given, but per nm if the bands are wavelengths.
 std::string band_unit(std::string_view unit, const Bands& bands);
 
-/// "grey"; "red", "green", "blue"; or "400 nm"...
+/// "grey"; "red", "green", "blue"; "400 nm"...; "solar", "infrared"; or "below 4 µm"...
 std::vector<std::string> band_names(const Bands& bands);
 
 /// lm/W of white light, by which RGB and grey bands become photometric: a convention of lighting
@@ -62,7 +64,7 @@ inline constexpr double kPeakEfficacy = 683;
 /// Weights of the bands in the photometric counterpart of a quantity, lm/W: X_v = Σ_b w_b X_b.
 /// Wavelengths: 683 lm/W ∫ V(λ) X_λ dλ by the trapezoidal rule, with V = ȳ of the CIE 1931
 /// observer, 0 outside 360..830 nm; 0 for a single wavelength, which spans nothing. RGB: `efficacy`
-/// times 0.2126, 0.7152, 0.0722 (linear sRGB, Rec. 709). Grey: `efficacy`.
+/// times 0.2126, 0.7152, 0.0722 (linear sRGB, Rec. 709). Grey: `efficacy`. Bands of heat: 0.
 Eigen::VectorXd luminous_weights(const Bands& bands, double efficacy = kWhiteEfficacy);
 
 /// The mean over bands: with wavelengths (nm, increasing, one per band) that over their range

@@ -62,24 +62,24 @@ struct SolveOptions {
   Progress progress = {};
 };
 
-/// Where the power goes, W, one value per column of the solution. emitted + entered = absorbed +
+/// Where the power goes, W, one value per column of the solution. emitted + incident = absorbed +
 /// escaped.
 struct EnergyBalance {
-  Eigen::VectorXd emitted;       ///< Σ A M_e
-  Eigen::VectorXd entered = {};  ///< Σ A of what does not come from patches
-  Eigen::VectorXd absorbed;      ///< Σ A (1 - ρ - T) H, and what backs and covers take
-  Eigen::VectorXd escaped;       ///< Σ A B (1 - covered - backs - row sum): leaves the scene
+  Eigen::VectorXd emitted;        ///< Σ A M_e
+  Eigen::VectorXd incident = {};  ///< Σ A H_0, from without: of sun and environment
+  Eigen::VectorXd absorbed;       ///< Σ A (1 - ρ - T) H, and what backs and covers take
+  Eigen::VectorXd escaped;        ///< Σ A B (1 - covered - backs - row sum): leaves the scene
 };
 
 /// The radiosity of every patch, and what is known about its error. The energy norm of a field B is
 /// ‖B‖ = sqrt(Σ A B²); relative figures are the largest over the columns.
 struct Solution {
   Eigen::MatrixXd radiosity;        ///< B, W/m², n x k
-  Eigen::MatrixXd irradiance;       ///< H = F B and what was incident besides, W/m², n x k
+  Eigen::MatrixXd irradiance;       ///< H = F B + H_0, W/m², n x k
   Eigen::MatrixXd exitance;         ///< M_e as given, W/m², n x k
   Eigen::MatrixXd reflectance;      ///< ρ as given, n x k
   Eigen::MatrixXd radiosity_error;  ///< one standard error of B (form factors and iteration), W/m²
-  Eigen::MatrixXd incident;         ///< as given, W/m², n x k; or empty
+  Eigen::MatrixXd incident;         ///< H_0 as given, from without, W/m², n x k; or empty
   Eigen::SparseMatrix<double> transmission;  ///< T as given, n x n; or empty
   /// What each patch is at if the light is heat, K, n (radiosity::temperatures); or empty.
   Eigen::VectorXd temperature;
@@ -97,6 +97,14 @@ struct Solution {
 
   /// B - H, what each patch loses by radiation (negative: gains), W/m², n x k.
   [[nodiscard]] Eigen::MatrixXd net_flux() const { return radiosity - irradiance; }
+  /// (ρ + T) H, W/m², n x k, of what patches receive.
+  [[nodiscard]] Eigen::MatrixXd passed_on(const Eigen::MatrixXd& received) const;
+  /// (1 - ρ - T) H, what each patch absorbs, W/m², n x k.
+  [[nodiscard]] Eigen::MatrixXd absorbed_flux() const { return irradiance - passed_on(irradiance); }
+  /// F B = H - H_0, what patches receive from each other, W/m², n x k.
+  [[nodiscard]] Eigen::MatrixXd exchanged_irradiance() const;
+  /// B - M_e - (ρ + T) H_0, what they pass on of that, W/m², n x k.
+  [[nodiscard]] Eigen::MatrixXd exchanged_radiosity() const;
 };
 
 }  // namespace radiosity

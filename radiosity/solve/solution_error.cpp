@@ -151,7 +151,7 @@ Eigen::MatrixXd radiosity_error(const IrradianceSystem& system, const Iterate& i
   if (system.transport->error() > 0) variance = transport_variance(system, b, progress);
   for (Index c = 0; c < b.cols(); ++c) {
     // Without a proof that q < 1, by how much light was amplified tells about 1 / (1 - q).
-    const double emitted = system.exitance.col(c).cwiseAbs().dot(system.transport->area());
+    const double emitted = system.source(c).cwiseAbs().dot(system.transport->area());
     const double total = b.col(c).cwiseAbs().dot(system.transport->area());
     const double amplification = system.has_bound(c) ? 1 / (1 - system.contraction[system.band(c)])
                                  : emitted > 0       ? std::max(1., total / emitted)

@@ -135,10 +135,10 @@ EnergyBalance energy_balance(const IrradianceSystem& system, const Eigen::Matrix
       area.cwiseProduct(Eigen::VectorXd::Ones(b.rows()) - system.row_sums) - taken;
   EnergyBalance energy;
   energy.emitted = system.exitance.transpose() * area;
+  energy.incident = Eigen::VectorXd::Zero(b.cols());
   energy.escaped = b.transpose() * leak;
   energy.absorbed.resize(b.cols());
-  energy.entered = Eigen::VectorXd::Zero(b.cols());
-  if (system.incident.size() > 0) energy.entered = system.incident.transpose() * area;
+  if (system.incident.size() > 0) energy.incident = system.incident.transpose() * area;
   for (Index c = 0; c < b.cols(); ++c) {
     const Eigen::ArrayXd kept = 1 - system.passed_share.col(system.band(c)).array();
     energy.absorbed[c] =
@@ -154,9 +154,7 @@ double relative_residual(const IrradianceSystem& system, const Iterate& iterate)
   for (Index c = 0; c < system.n_columns(); ++c) {
     const Eigen::VectorXd residual =
         system.passed_on(c, iterate.gathered.col(c) - iterate.irradiance.col(c));
-    Eigen::VectorXd source = system.exitance.col(c);
-    if (system.incident.size() > 0) source += system.passed_on(c, system.incident.col(c));
-    const double emitted = area.dot(source.cwiseAbs2());
+    const double emitted = area.dot(system.source(c).cwiseAbs2());
     if (emitted > 0) {
       largest = std::max(largest, std::sqrt(area.dot(residual.cwiseAbs2()) / emitted));
     }

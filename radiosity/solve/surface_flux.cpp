@@ -5,6 +5,7 @@
 namespace radiosity {
 
 bool is_thermal(const Scene& scene) {
+  if (scene.bands.hold_heat() && scene.bands.kind != Bands::Kind::grey) return true;
   const auto is_hot = [](const Emission& emission) {
     return emission.kind == Emission::Kind::temperature ||
            emission.kind == Emission::Kind::heat_flux ||
@@ -20,14 +21,18 @@ bool is_thermal(const Scene& scene) {
 
 std::vector<SurfaceFlux> surface_fluxes(const PatchMesh& mesh, const Solution& solution) {
   std::vector<SurfaceFlux> fluxes(mesh.surface_names.size());
-  for (std::size_t s = 0; s < fluxes.size(); ++s) fluxes[s].surface = mesh.surface_names[s];
-  const Eigen::VectorXd net_flux = solution.net_flux().rowwise().sum();
+  const Eigen::MatrixXd net_flux = solution.net_flux();
+  for (std::size_t s = 0; s < fluxes.size(); ++s) {
+    fluxes[s].surface = mesh.surface_names[s];
+    fluxes[s].band_heat = Eigen::VectorXd::Zero(net_flux.cols());
+  }
   for (Index i = 0; i < mesh.size(); ++i) {
     SurfaceFlux& flux = fluxes[mesh.surface[i]];
     flux.area += mesh.area[i];
-    flux.heat += mesh.area[i] * net_flux[i];
+    flux.band_heat += mesh.area[i] * net_flux.row(i).transpose();
   }
   for (SurfaceFlux& flux : fluxes) {
+    flux.heat = flux.band_heat.sum();
     if (flux.area > 0) flux.flux = flux.heat / flux.area;
     if (flux.area > 0 && solution.temperature.size() > 0) flux.temperature = 0;
   }

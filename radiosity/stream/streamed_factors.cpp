@@ -8,6 +8,7 @@
 #include "radiosity/assembly/exchange_assembly.h"
 #include "radiosity/assembly/tile_sum.h"
 #include "radiosity/scene/patch_mesh.h"
+#include "radiosity/scene/whole_mesh.h"
 #include "radiosity/visibility/coverage.h"
 #include "radiosity/visibility/visibility.h"
 
@@ -50,13 +51,15 @@ StreamedFactors::StreamedFactors(const PatchMesh& mesh, const Visibility& visibi
                                  const StreamOptions& options, TileStore& store)
     : mesh_(mesh), options_(options), store_(store) {
   const auto start = std::chrono::steady_clock::now();
-  const Coverage coverage = find_coverage(mesh, plane_thickness(mesh));
-  assemble_tiles(mesh, visibility, assembly_options(options), coverage, store);
+  const WholeMesh whole(mesh);
+  const Coverage coverage = find_coverage(whole.mesh(), plane_thickness(whole.mesh()));
+  const Eigen::VectorXd covered = coverage.share.head(mesh.size());
+  assemble_tiles(whole, visibility, assembly_options(options), coverage, store);
   const Eigen::VectorXd row_sums = store.totals().row_sums();
-  report_ = make_report(store.totals().census(), row_sums, store.layout().order, mesh.area,
-                        coverage.share);
+  report_ =
+      make_report(store.totals().census(), row_sums, store.layout().order, mesh.area, covered);
   const Eigen::VectorXd areas = areas_of_rows();
-  const Eigen::VectorXd open = (1 - coverage.share.array())(store.layout().order);
+  const Eigen::VectorXd open = (1 - covered.array())(store.layout().order);
   RowSums sums = close(visibility, row_sums, areas.cwiseProduct(open));
   if (options.min_factor > 0) sums.mask.setOnes();
   balance_.emplace(*closure_, areas, options.min_factor, sums.mask);

@@ -24,8 +24,12 @@ using Point6 = std::array<double, 6>;
 
 class ClusterTreeBuilder {
  public:
-  ClusterTreeBuilder(const PatchMesh& mesh, Index leaf_size, double thickness)
-      : mesh_(mesh), leaf_size_(leaf_size), thickness_(thickness), order_(mesh.size()) {
+  ClusterTreeBuilder(const PatchMesh& mesh, Index leaf_size, double thickness, Index n_parts)
+      : mesh_(mesh),
+        leaf_size_(leaf_size),
+        thickness_(thickness),
+        n_parts_(n_parts),
+        order_(mesh.size()) {
     const Box3 box = bounds(mesh);
     const double scale = mesh.size() > 0 ? 1 / std::max(box.sizes().maxCoeff(), 1e-300) : 1;
     points_.resize(mesh.size());
@@ -40,7 +44,10 @@ class ClusterTreeBuilder {
 
   ClusterTree build() {
     ClusterTree tree;
-    if (!order_.empty()) add_cluster(0, mesh_.size(), tree.clusters);
+    if (!order_.empty()) {
+      add_cluster(0, mesh_.size() / n_parts_, part_);
+      add_parts(0, n_parts_, tree);
+    }
     for (std::size_t k = 0; k < tree.clusters.size(); ++k) {
       if (tree.clusters[k].is_leaf()) tree.leaves.push_back(static_cast<std::int32_t>(k));
     }
@@ -49,6 +56,56 @@ class ClusterTreeBuilder {
   }
 
  private:
+  /// Appends the tree of some parts: of each one the first's, and what holds them all.
+  std::int32_t add_parts(Index begin, Index end, ClusterTree& tree) {
+    const auto self = static_cast<std::int32_t>(tree.clusters.size());
+    if (end - begin == 1) {
+      tree.roots.push_back(self);
+      add_part(begin, tree.clusters);
+      return self;
+    }
+    const Index n = mesh_.size() / n_parts_;
+    tree.clusters.emplace_back();
+    const Index middle = begin + (end - begin) / 2;
+    const std::int32_t left = add_parts(begin, middle, tree);
+    const std::int32_t right = add_parts(middle, end, tree);
+    Cluster& cluster = tree.clusters[self];
+    cluster.begin = begin * n;
+    cluster.end = end * n;
+    cluster.left = left;
+    cluster.right = right;
+    cluster.box = tree.clusters[left].box.merged(tree.clusters[right].box);
+    find_outline(cluster);
+    return self;
+  }
+
+  /// Appends the tree of a part. The first comes first.
+  void add_part(Index part, std::vector<Cluster>& clusters) {
+    if (part == 0) {
+      std::vector<Cluster> copy = n_parts_ == 1 ? std::move(part_) : part_;
+      append(copy, clusters);
+      return;
+    }
+    const Index n = mesh_.size() / n_parts_;
+    const auto root = static_cast<std::int32_t>(clusters.size());
+    for (Index k = 0; k < n; ++k) {
+      order_[part * n + k] = order_[k] + static_cast<std::int32_t>(part * n);
+    }
+    for (const Cluster& original : part_) {
+      Cluster& image = clusters.emplace_back();
+      image.begin = original.begin + part * n;
+      image.end = original.end + part * n;
+      if (!original.is_leaf()) {
+        image.left = root + original.left;
+        image.right = root + original.right;
+      }
+      for (Index k = image.begin; k < image.end; ++k) {
+        image.box.extend(patch_box(mesh_, order_[k]));
+      }
+      find_outline(image);
+    }
+  }
+
   /// Appends a cluster, and then all in it, as numbered in `clusters`.
   std::int32_t add_cluster(Index begin, Index end, std::vector<Cluster>& clusters) {
     const auto self = static_cast<std::int32_t>(clusters.size());
@@ -201,20 +258,23 @@ class ClusterTreeBuilder {
   const PatchMesh& mesh_;
   Index leaf_size_;
   double thickness_;
+  Index n_parts_;
+  std::vector<Cluster> part_;  // the tree of the first part
   std::vector<Point6> points_;
   std::vector<std::int32_t> order_;
 };
 
 }  // namespace
 
-ClusterTree make_cluster_tree(const PatchMesh& mesh, Index leaf_size, double thickness) {
-  return ClusterTreeBuilder(mesh, leaf_size, thickness).build();
+ClusterTree make_cluster_tree(const PatchMesh& mesh, Index leaf_size, double thickness,
+                              Index n_parts) {
+  return ClusterTreeBuilder(mesh, leaf_size, thickness, n_parts).build();
 }
 
 std::vector<std::int32_t> largest_clusters(const ClusterTree& tree, Index most) {
   std::vector<std::int32_t> found;
   std::vector<std::int32_t> open;
-  if (!tree.clusters.empty()) open.push_back(0);
+  if (!tree.clusters.empty()) open.push_back(tree.roots[0]);
   while (!open.empty()) {
     const std::int32_t k = open.back();
     open.pop_back();

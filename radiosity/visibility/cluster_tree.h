@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -32,15 +33,29 @@ struct ClusterTree {
   std::vector<std::int32_t> order;   ///< permutation: patches in tree order
   std::vector<Cluster> clusters;     ///< [0] is the root, if there are patches
   std::vector<std::int32_t> leaves;  ///< clusters that are leaves, in tree order
+  /// The cluster of each part, of a mesh that is so many images of its first patches: the clusters
+  /// of all parts follow their roots in the same order. Else [0], or none if there are no patches.
+  std::vector<std::int32_t> roots;
+
+  /// Patches of a part.
+  [[nodiscard]] Index part_size() const {
+    return static_cast<Index>(order.size() / std::max<std::size_t>(roots.size(), 1));
+  }
+  /// The image, in part g, of a cluster of the first part.
+  [[nodiscard]] std::int32_t image(std::int32_t cluster, std::size_t g) const {
+    return roots[g] + cluster - roots[0];
+  }
 };
 
 /// Builds the tree by halving at the median of the longest of the six axes (three of place, three
 /// of the normal) until no leaf has more than `leaf_size` patches. Deterministic. `thickness` is
-/// how far off a plane points may be and still count as on it, m.
-ClusterTree make_cluster_tree(const PatchMesh& mesh, Index leaf_size, double thickness);
+/// how far off a plane points may be and still count as on it, m. With several parts patch i + g n
+/// is the image of patch i of the first n, and all have trees alike.
+ClusterTree make_cluster_tree(const PatchMesh& mesh, Index leaf_size, double thickness,
+                              Index n_parts = 1);
 
 /// The largest clusters of at most `most` patches, and leaves of more, in the tree's order: they
-/// hold each patch once.
+/// hold each patch of the first part once.
 std::vector<std::int32_t> largest_clusters(const ClusterTree& tree, Index most);
 
 /// A cluster by itself that holds what is in a convex polygon, which faces the outside of `plane`.

@@ -12,7 +12,8 @@ constexpr Index kPrepareGrain = 1024;
 
 }  // namespace
 
-PreparedMesh::PreparedMesh(const PatchMesh& mesh) : thickness(plane_thickness(mesh)) {
+PreparedMesh::PreparedMesh(const PatchMesh& mesh, Index n_parts)
+    : thickness(plane_thickness(mesh)) {
   const Box3 box = bounds(mesh);
   center = box.isEmpty() ? Vec3(Vec3::Zero()) : box.center();
   const PatchMesh local = centered(mesh);
@@ -32,7 +33,7 @@ PreparedMesh::PreparedMesh(const PatchMesh& mesh) : thickness(plane_thickness(me
     discs[i] = bounding_disc(polygon.points());
   };
   parallel_for(local.size(), prepare, kPrepareGrain);
-  tree = make_cluster_tree(local, kLeafSize, thickness);
+  tree = make_cluster_tree(local, kLeafSize, thickness, n_parts);
   blockers = make_blockers(local, thickness);
 }
 

@@ -13,7 +13,8 @@ namespace radiosity {
 /// What proofs and kernels need of a mesh. Coordinates are relative to the centre of its box, to
 /// keep digits when the scene lies far from the origin.
 struct PreparedMesh {
-  explicit PreparedMesh(const PatchMesh& mesh);
+  /// With several parts the mesh is so many images of its first patches, and so is the tree.
+  explicit PreparedMesh(const PatchMesh& mesh, Index n_parts = 1);
 
   [[nodiscard]] Index size() const { return static_cast<Index>(polygons.size()); }
 

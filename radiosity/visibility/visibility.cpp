@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "radiosity/scene/whole_mesh.h"
 #include "radiosity/visibility/embree.h"
 #include "radiosity/visibility/scaled_patches.h"
 
@@ -211,7 +212,7 @@ Visibility::Implementation::Implementation(const PatchMesh& mesh)
 }
 
 Visibility::Visibility(const PatchMesh& mesh)
-    : implementation_(std::make_unique<Implementation>(mesh)) {}
+    : implementation_(std::make_unique<Implementation>(WholeMesh(mesh).mesh())) {}
 Visibility::~Visibility() = default;
 Visibility::Visibility(Visibility&&) noexcept = default;
 Visibility& Visibility::operator=(Visibility&&) noexcept = default;

@@ -13,9 +13,11 @@ namespace radiosity {
 
 /// Where a ray first meets a patch.
 struct Hit {
-  std::int32_t patch = -1;  ///< index into the patch mesh; of twins, the one facing the ray
-  double distance = 0;      ///< m
-  bool front = false;       ///< whether the ray arrives at the emitting side
+  /// Index into the patch mesh; of twins, the one facing the ray. Patch i of image g of a symmetric
+  /// part of n patches is i + g n (whole_mesh.h).
+  std::int32_t patch = -1;
+  double distance = 0;  ///< m
+  bool front = false;   ///< whether the ray arrives at the emitting side
 };
 
 /// Straight lines between two patches in single precision, relative to Visibility::center(), m.
@@ -27,7 +29,8 @@ struct SegmentPacket {
 };
 
 /// Answers what blocks a straight line between patches. Immutable after construction; all methods
-/// may be called from many threads.
+/// may be called from many threads. Images of the mesh block light and are hit, too; all numbers of
+/// patches are those of the whole.
 class Visibility {
  public:
   /// Largest number of segments in one call of `blocked`.

@@ -6,6 +6,7 @@
 #include <map>
 #include <mutex>
 #include <set>
+#include <span>
 #include <utility>
 
 #include "meshing/patches/patches.h"
@@ -98,8 +99,9 @@ class Collector final : public BlockVisitor {
     return cluster.is_leaf() || cluster.end - cluster.begin <= size_;
   }
   [[nodiscard]] bool wants(std::int32_t, std::int32_t) const override { return true; }
-  void visit(std::int32_t a, std::int32_t b, const Between& between) override {
-    const Entries block = entries_between(evaluator_, a, b, between);
+  void visit(std::int32_t a, std::int32_t b, std::span<const Between> between) override {
+    ASSERT_EQ(between.size(), 1U);
+    const Entries block = entries_between(evaluator_, a, b, between[0]);
     const std::lock_guard lock(mutex_);
     EXPECT_TRUE(blocks_.emplace(a, b).second) << "twice";
     for (const auto& [place, entry] : block) {
@@ -138,7 +140,7 @@ TEST(BlockWalk, LeavesOutWhatIsNotWanted) {
    public:
     [[nodiscard]] bool is_whole(std::int32_t) const override { return true; }
     [[nodiscard]] bool wants(std::int32_t, std::int32_t) const override { return false; }
-    void visit(std::int32_t, std::int32_t, const Between&) override { FAIL(); }
+    void visit(std::int32_t, std::int32_t, std::span<const Between>) override { FAIL(); }
   } nothing;
   walk_blocks(room.evaluator, nothing);
 }

@@ -164,6 +164,106 @@ struct BadScene {
   const char* message;
 };
 
+// By its direction, or by angles from north by east and above the horizon.
+TEST_F(SceneJson, ReadsSuns) {
+  const auto sun = [&](const std::string& members) {
+    return *read("a.json", scene(R"("sun": {"irradiance": 1000, )" + members + "}, ")).sun;
+  };
+  const double low = std::sqrt(0.5);
+  EXPECT_EQ(sun(R"("direction": [0, 0, -2])").direction, Vec3(0, 0, -1));
+  EXPECT_EQ(sun(R"("direction": [0, 0, -2])").irradiance, Eigen::Vector3d::Constant(1000));
+  const auto expect_sun = [&](const std::string& members, const Vec3& towards) {
+    EXPECT_TRUE(sun(members).direction.isApprox(-towards, 1e-14)) << members;
+  };
+  // Where z is up north is +y and east +x; where y is up, -z and +x.
+  expect_sun(R"("azimuth_deg": 0, "elevation_deg": 45)", Vec3(0, low, low));
+  expect_sun(R"("azimuth_deg": 90, "elevation_deg": 45)", Vec3(low, 0, low));
+  expect_sun(R"("azimuth_deg": 180, "elevation_deg": 45, "up": [0, 1, 0])", Vec3(0, low, low));
+  expect_sun(R"("azimuth_deg": 90, "elevation_deg": 45, "up": [0, 1, 0])", Vec3(low, low, 0));
+  expect_sun(R"("azimuth_deg": 90, "elevation_deg": 45, "north": [1, 0, 1])", Vec3(0, -low, low));
+  (void)file("spectra.csv", kCsv);
+  const Scene spectral =
+      read("a.json", scene(R"("bands": [400, 600], "sun": {"direction": [1, 0, 0],
+          "irradiance": {"csv": "spectra.csv", "column": "white"}}, )"));
+  EXPECT_EQ(spectral.sun->irradiance.size(), 2);
+  EXPECT_TRUE(std::any_of(spectral.files.begin(), spectral.files.end(),
+                          [](const auto& path) { return path.filename() == "spectra.csv"; }));
+  const Scene night = read("a.json", scene(R"("sun": {"irradiance": 1, "azimuth_deg": 7,
+                                              "elevation_deg": -3}, )"));
+  ASSERT_EQ(night.warnings.size(), 1U);
+  EXPECT_CONTAINS(night.warnings[0], "the sun is not above the horizon (elevation_deg -3)");
+}
+
+TEST_F(SceneJson, ReadsBandsOfHeat) {
+  const std::string paint =
+      R"("solar": {"absorptivity": 0.2}, "infrared": {"emissivity": 0.9}, "temperature": 300)";
+  const std::string sun = R"("sun": {"direction": [0, 0, -1], "irradiance": 1361}, )";
+  const Scene two = read("a.json", scene(R"("bands": "solar-infrared", )" + sun, paint));
+  EXPECT_EQ(two.bands.kind, Bands::Kind::solar_infrared);
+  EXPECT_TRUE(two.materials[0].reflectance.isApprox(Eigen::Vector2d(0.8, 0.1), 1e-15));
+  EXPECT_EQ(two.sun->irradiance, Eigen::Vector2d(1361, 0));
+  const Scene split = read("a.json", scene(R"("bands": {"split_wavelength": 3}, )", paint));
+  EXPECT_EQ(split.bands.kind, Bands::Kind::solar_infrared);
+  EXPECT_EQ(split.bands.edges, std::vector<double>{3});
+  const Scene three = read("a.json", scene(R"("bands": {"thermal": [1, 4.5]}, )" + sun,
+                                           R"("emissivity": [0.1, 0.2, 1], "temperature": 9)"));
+  EXPECT_EQ(three.bands.kind, Bands::Kind::thermal);
+  EXPECT_EQ(three.bands.edges, (std::vector<double>{1, 4.5}));
+  EXPECT_TRUE(three.materials[0].reflectance.isApprox(Eigen::Vector3d(0.9, 0.8, 0), 1e-15));
+  EXPECT_NEAR(three.sun->irradiance.sum(), 1361, 1e-9);
+  // Tables have F = 0.70101 at 5600 µm K and 0.72012 at 5800; linear between them, which is off by
+  // less than 2e-4, that is 0.7174 of a black body of 5772 K below 1 µm.
+  EXPECT_NEAR(three.sun->irradiance[0] / 1361, 0.7174, 2e-4);
+}
+
+TEST_F(SceneJson, ExplainsBadBandsOfHeat) {
+  const std::string paint = R"("solar": {"absorptivity": 0.2}, "infrared": {"emissivity": 0.9})";
+  const std::string two = R"("bands": "solar-infrared", )";
+  const std::vector<BadScene> bad = {
+      {scene(R"("bands": {}, )"), "bands: expected either \"thermal\" or \"split_wavelength\""},
+      {scene(R"("bands": {"thermal": []}, )"), "bands.thermal: has no wavelengths"},
+      {scene(R"("bands": {"thermal": [8, 4]}, )"), "wavelength 4 does not follow 8"},
+      {scene(R"("bands": {"split_wavelength": 0}, )"), "wavelength 0 is not positive"},
+      {scene(R"("bands": "solar", )"), "bands: found \"solar\", expected"},
+      {scene(R"("bands": "grey", )", paint), "need \"bands\": \"solar-infrared\""},
+      {scene(two, R"("solar": {"absorptivity": 0.2})"), "materials.grey: has no \"infrared\""},
+      {scene(two, paint + R"(, "reflectance": 0.5)"), "expected either \"solar\" and"},
+      {scene(two, R"("solar": {"absorptivity": 2}, "infrared": {"emissivity": 1})"),
+       "materials.grey.solar.absorptivity: absorptivity 2 is outside [0, 1]"},
+      {scene(two, R"("solar": {"emissivity": 1}, "infrared": {"emissivity": 1})"),
+       "materials.grey.solar"},
+      {scene(two, R"("emissivity": [0.5, -1])"), "emissivity -1 is outside [0, 1]"},
+      {scene(two, R"("emissivity": [0.5, 1, 1])"), "found 3 values, expected 2, one per band"},
+  };
+  for (const auto& [content, message] : bad) EXPECT_CONTAINS(error_of("a.json", content), message);
+}
+
+TEST_F(SceneJson, ExplainsBadSuns) {
+  const auto with_sun = [](const std::string& members) {
+    return scene(R"("sun": {)" + members + "}, ");
+  };
+  const std::vector<BadScene> bad = {
+      {with_sun(R"("direction": [0, 0, -1])"), "sun: has no \"irradiance\""},
+      {with_sun(R"("irradiance": 1)"), "sun: expected either \"direction\" or \"azimuth_deg\""},
+      {with_sun(R"("irradiance": 1, "direction": [0, 0, 0])"), "sun.direction: "},
+      {with_sun(R"("irradiance": -1, "direction": [0, 0, 1])"),
+       "sun.irradiance: irradiance is -1, expected a finite"},
+      {with_sun(R"("irradiance": [1, 2], "direction": [0, 0, 1])"),
+       "sun.irradiance: found 2 values, expected 3, one per band"},
+      {with_sun(R"("irradiance": 1, "direction": [0, 0, 1], "azimuth_deg": 3)"),
+       "sun: expected either"},
+      {with_sun(R"("irradiance": 1, "direction": [0, 0, 1], "up": [0, 0, 1])"),
+       "sun.up: goes with \"azimuth_deg\" and \"elevation_deg\" only"},
+      {with_sun(R"("irradiance": 1, "azimuth_deg": 3)"), "sun: has no \"elevation_deg\""},
+      {with_sun(R"("irradiance": 1, "azimuth_deg": 3, "elevation_deg": 95)"),
+       "sun.elevation_deg: 95 is outside [-90, 90]"},
+      {with_sun(R"("irradiance": 1, "azimuth_deg": 3, "elevation_deg": 9, "north": [0, 0, 2])"),
+       "sun.north: is parallel to \"up\""},
+      {with_sun(R"("irradiation": 1)"), "sun: "},
+  };
+  for (const auto& [content, message] : bad) EXPECT_CONTAINS(error_of("a.json", content), message);
+}
+
 TEST_F(SceneJson, ExplainsBadStructure) {
   const std::string triangle = R"("polygons": [[[0, 0, 0], [2, 0, 0], [2, 3, 0]]])";
   const std::vector<BadScene> bad = {
@@ -180,6 +280,24 @@ TEST_F(SceneJson, ExplainsBadStructure) {
       {scene(R"("unit": "m", "unit": "mm", )"), "key \"unit\" stands twice"},
       {scene(R"("unit": "yard", )"), "a.json: unit: unknown unit \"yard\", expected one of m, mm"},
       {scene(R"("unit": 1, )"), "a.json: unit: expected a string, found 1"},
+      {scene(
+           R"("symmetry": {"mirror": ["x=0"]}, "sun": {"direction": [0, 0, -1], "irradiance": 1}, )"),
+       "a.json: has both a sun and a symmetry"},
+      {scene(R"("symmetry": {}, )"), "symmetry: expected \"mirror\", \"rotation\" or"},
+      {scene(R"("symmetry": {"mirror": ["w=0"]}, )"),
+       "a.json: symmetry.mirror[0]: found \"w=0\", expected a plane such as \"x=0\""},
+      {scene(R"("symmetry": {"mirror": ["x=0", "x=1"]}, )"), "symmetry: mirror planes or axes"},
+      {scene(R"("symmetry": {"mirror": [{"point": [0, 0, 0], "normal": [0, 0, 0]}]}, )"),
+       "symmetry.mirror[0].normal: "},
+      {scene(R"("symmetry": {"rotation": {"axis": [0, 0, 1], "folds": 2.5}}, )"),
+       "symmetry.rotation.folds: is 2.5, expected a whole number from 2 to 4096"},
+      {scene(R"("symmetry": {"translation": [[1, 0, 0]]}, )"),
+       "symmetry: expected either \"cut_off\" or \"images\""},
+      {scene(R"("symmetry": {"translation": [[0, 0, 0]], "images": 1}, )"),
+       "symmetry.translation[0]: is 0"},
+      {scene(R"("symmetry": {"translation": [[1, 0, 0]], "cut_off": -1}, )"),
+       "symmetry.cut_off: is -1"},
+      {scene(R"("symmetry": {"mirror": ["x=0"], "images": 3}, )"), "a cut-off without a"},
       {scene(R"("closed": "yes", )"), "closed: expected true or false, found \"yes\""},
       {scene(R"("bands": "gray", )"), "bands: found \"gray\", expected \"rgb\", \"grey\""},
       {scene(R"("bands": [500, 400], )"), "bands[1]: wavelength 400 does not follow 500"},
@@ -317,6 +435,13 @@ TEST(SceneSchema, ListsTheKeysOfTheReader) {
   expect_keys("transform", io::keys::kTransform);
   expect_keys("rotation", io::keys::kRotation);
   expect_keys("camera", io::keys::kCamera);
+  expect_keys("sun", io::keys::kSun);
+  expect_keys("bands", io::keys::kBands);
+  expect_keys("solar", io::keys::kSolar);
+  expect_keys("infrared", io::keys::kInfrared);
+  expect_keys("symmetry", io::keys::kSymmetry);
+  expect_keys("mirror", io::keys::kMirror);
+  expect_keys("symmetry_rotation", io::keys::kSymmetryRotation);
   for (const auto& unit : definitions.at("unit").at("enum")) {
     EXPECT_GT(io::metres_per_unit(unit.get<std::string>()), 0);
   }

@@ -30,6 +30,7 @@ void expect_same_frame(const Scene& read, const Scene& scene) {
   EXPECT_EQ(read.description, scene.description);
   EXPECT_EQ(read.bands.kind, scene.bands.kind);
   EXPECT_EQ(read.bands.wavelengths, scene.bands.wavelengths);
+  EXPECT_EQ(read.bands.edges, scene.bands.edges);
   EXPECT_EQ(read.closed, scene.closed);
   EXPECT_EQ(read.precision, scene.precision);
   ASSERT_EQ(read.materials.size(), scene.materials.size());
@@ -44,6 +45,11 @@ void expect_same_frame(const Scene& read, const Scene& scene) {
     EXPECT_EQ(read.views[k].name, scene.views[k].name);
     EXPECT_EQ(read.views[k].camera.position, scene.views[k].camera.position);
     EXPECT_EQ(read.views[k].camera.vertical_fov, scene.views[k].camera.vertical_fov);
+  }
+  ASSERT_EQ(read.sun.has_value(), scene.sun.has_value());
+  if (scene.sun) {
+    expect_same(read.sun->direction, scene.sun->direction);
+    EXPECT_EQ(read.sun->irradiance, scene.sun->irradiance);
   }
   ASSERT_EQ(read.camera.has_value(), scene.camera.has_value());
   if (!scene.camera) return;
@@ -172,6 +178,29 @@ TEST_F(SceneWriter, KeepsHeats) {
     EXPECT_EQ(read.environment.kind, Emission::Kind::temperature);
     EXPECT_EQ(read.environment.value, scene.environment.value);
   }
+}
+
+TEST_F(SceneWriter, KeepsBandsOfHeat) {
+  Scene scene = make_scene();
+  scene.materials.resize(1);
+  for (auto& surface : scene.surfaces) surface.material = 0;
+  scene.materials[0].emission = {Emission::Kind::temperature, Eigen::VectorXd::Constant(1, 300)};
+  for (const Bands& bands :
+       {Bands{.kind = Bands::Kind::solar_infrared, .wavelengths = {}},
+        Bands{.kind = Bands::Kind::solar_infrared, .wavelengths = {}, .edges = {3}},
+        Bands{.kind = Bands::Kind::thermal, .wavelengths = {}, .edges = {1. / 3, 8}}}) {
+    scene.bands = bands;
+    scene.materials[0].reflectance = Eigen::VectorXd::LinSpaced(bands.count(), 0.1, 0.8);
+    expect_same_frame(written_and_read(scene), scene);
+  }
+}
+
+TEST_F(SceneWriter, KeepsTheSun) {
+  Scene scene = make_scene();
+  const Index n = scene.bands.count();
+  scene.sun = Sun{.direction = Vec3(0, 0.6, -0.8),
+                  .irradiance = Eigen::VectorXd::LinSpaced(n, 1. / 3, 1361)};
+  expect_same_frame(written_and_read(scene), scene);
 }
 
 TEST_F(SceneWriter, KeepsWhatIsOffOrDimmedAndWhatTheSceneIsCalled) {

@@ -187,6 +187,45 @@ TEST(FinalGather, IsExactInTheFurnishedRoom) {
   }
 }
 
+// The beam through an opening has sharp edges, and adds to what the patches send.
+TEST(FinalGather, AddsTheSunWhereItShines) {
+  PatchMesh mesh;
+  add_grid(mesh, Vec3(-2, -2, 0), Vec3(4, 0, 0), Vec3(0, 4, 0), 3, 3);
+  // A lid with a hole [-0.5, 0.5] x [0, 0.5] at height 1, seen from below.
+  const auto lid = [&](double x0, double x1, double y0, double y1) {
+    add_grid(mesh, Vec3(x0, y0, 1), Vec3(0, y1 - y0, 0), Vec3(x1 - x0, 0, 0), 1, 1);
+  };
+  lid(-2, 2, -2, 0);
+  lid(-2, 2, 0.5, 2);
+  lid(-2, -0.5, 0, 0.5);
+  lid(0.5, 2, 0, 0.5);
+  const Sun sun = {.direction = Vec3(0.6, 0, -0.8), .irradiance = Eigen::Vector2d(100, 7)};
+  const Eigen::MatrixXd radiosity = Eigen::MatrixXd::Constant(mesh.size(), 2, 0.5);
+  const FinalGather without(mesh, radiosity);
+  const FinalGather gather(mesh, radiosity, sun);
+  const auto direct = [&](double x, double y, double z) {
+    const Vec3 point(x, y, z);
+    const Vec3 up(0, 0, 1);
+    return Eigen::RowVectorXd(gather.irradiance({&point, 1}, up).row(0) -
+                              without.irradiance({&point, 1}, up).row(0));
+  };
+  // On the floor the beam lies 0.75 further, at height 0.5 half as far.
+  for (const double z : {0.0, 0.5}) {
+    const double shift = 0.75 * (1 - z);
+    for (const double x : {-0.5 + 1e-6, 0.0, 0.5 - 1e-6}) {
+      EXPECT_TRUE(direct(x + shift, 0.25, z).isApprox(Eigen::RowVector2d(80, 5.6), 1e-12));
+    }
+    for (const double x : {-0.5 - 1e-6, 0.5 + 1e-6, 1.2}) {
+      EXPECT_TRUE(direct(x + shift, 0.25, z).isZero(0));
+    }
+    EXPECT_TRUE(direct(shift, 0.5 + 1e-6, z).isZero(0));
+  }
+  const SurfacePoint on_floor = {4, Vec3(0.7, 0.25, 0)};
+  const Eigen::MatrixXd more =
+      gather.irradiance({&on_floor, 1}) - without.irradiance({&on_floor, 1});
+  EXPECT_NEAR(more(0, 0), 80, 1e-10);
+}
+
 TEST(FinalGather, UniformRadiosityGivesItselfInAClosedRoom) {
   const PatchMesh mesh = room_with_boxes(3);
   std::mt19937_64 random(kSeed);

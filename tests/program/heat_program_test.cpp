@@ -92,11 +92,11 @@ TEST_F(Heat, SurroundingsWarmEverything) {
       EXPECT_NEAR(each["net_heat"], 0, 1e-3 * black(290)) << more << each;
     }
     const Json& energy = json["energy"];
-    const double entered = energy["entered"][0];
-    EXPECT_GT(entered, 0);
-    EXPECT_NEAR(energy["emitted"][0].get<double>() + entered,
+    const double incident = energy["incident"][0];
+    EXPECT_GT(incident, 0);
+    EXPECT_NEAR(energy["emitted"][0].get<double>() + incident,
                 energy["absorbed"][0].get<double>() + energy["escaped"][0].get<double>(),
-                1e-6 * entered);
+                1e-6 * incident);
   }
 }
 
@@ -162,6 +162,10 @@ TEST_F(Heat, BadConditionsAreRefused) {
        "environment"},
       {scene(R"("environment": {}, )", R"("m": {"emissivity": 1})", surface("m", square)),
        "expected one of radiance, exitance, temperature"},
+      {R"({"bands": "solar-infrared", "materials": {"m": {"reflectance": 0.5, "adiabatic": true}},
+           "surfaces": [)" +
+           surface("m", square) + "]}",
+       "would couple the bands"},
       {R"({"materials": {"m": {"reflectance": 0.5, "heat_flux": 2}}, "surfaces": [)" +
            surface("m", square) + "]}",
        "heat needs \"bands\": \"grey\""},

@@ -421,8 +421,9 @@ TEST_F(Program, InspectTellsCountsAndFindings) {
   const Outcome outcome = run({"inspect", write_cube(0.5, 1), "--json"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const Json json = Json::parse(outcome.out);
-  expect_keys(json, {"vertices", "polygons", "triangles", "quads", "other", "area", "bounds",
-                     "precision", "closed", "boundary_edges", "surfaces", "findings", "warnings"});
+  expect_keys(json,
+              {"vertices", "polygons", "triangles", "quads", "other", "area", "bounds", "precision",
+               "parts", "closed", "boundary_edges", "surfaces", "findings", "warnings"});
   EXPECT_EQ(json["polygons"], 6);
   EXPECT_EQ(json["quads"], 6);
   EXPECT_NEAR(json["area"], 6, 1e-12);

@@ -191,5 +191,78 @@ def test_heats_shields_and_surroundings_agree_with_numpy(scenes):
     expected = (np.linalg.solve(A, y)[n:] / sigma) ** 0.25
     # The iteration is good to 1e-8 of B, of some 1e4 W/m²; the coldest patches emit 20 W/m².
     assert light.temperature == pytest.approx(expected, rel=1e-5)
-    given = light.energy.emitted + light.energy.entered
+    given = light.energy.emitted + light.energy.incident
     assert given == pytest.approx(light.energy.absorbed + light.energy.escaped, rel=1e-9)
+
+
+def in_the_box(points, way, low, high):
+    """Whether the rays from points along `way` meet the box: by slabs."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        near, far = (low - points) / way, (high - points) / way
+    first, last = np.minimum(near, far).max(axis=1), np.maximum(near, far).min(axis=1)
+    return (first < last) & (last > 0)
+
+
+def plate_with_box(n, low, high):
+    """A plate of 4 x 4 in n x n patches, seen from above, and a box above it, seen from without."""
+    grid = np.linspace(-2, 2, n + 1)
+    plate = [[x, y, 0] for x in grid for y in grid]
+    at = lambda i, j: i * (n + 1) + j  # noqa: E731
+    faces = [
+        [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)]
+        for i in range(n)
+        for j in range(n)
+    ]
+    box = [
+        [x, y, z] for x in (low[0], high[0]) for y in (low[1], high[1]) for z in (low[2], high[2])
+    ]
+    start = len(plate)
+    sides = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+    faces += [[start + k for k in side] for side in sides]
+    return rad.Mesh(np.array(plate + box, dtype=float), np.array(faces))
+
+
+def test_shadows_are_what_rays_find():
+    random = np.random.default_rng(1)
+    n_points = 40  # a side of each patch
+    for n in (1, 3, 6):
+        low = random.uniform(-0.8, -0.1, 3) + [0, 0, 1]
+        high = low + random.uniform(0.2, 0.9, 3)
+        down = np.append(random.uniform(-0.5, 0.5, 2), -1)
+        patches = rad.transport(plate_with_box(n, low, high)).patches
+        shares = patches.lit_shares(down)
+        middles = (np.arange(n_points) + 0.5) / n_points * 4 / n
+        for k in range(n * n):
+            corner = patches.centroid[k] - [2 / n, 2 / n, 0]
+            x, y = np.meshgrid(middles, middles)
+            points = corner + np.stack([x.ravel(), y.ravel(), 0 * x.ravel()], axis=1)
+            lit = 1 - in_the_box(points, -down, low, high).mean()
+            # The outline crosses at most four times as many cells as a side has.
+            assert shares[k] == pytest.approx(lit, abs=4 / n_points)
+        box_shadow = (patches.area * (1 - shares))[: n * n].sum()
+        size = high - low
+        faces = size[[1, 2, 0]] * size[[2, 0, 1]]
+        assert box_shadow == pytest.approx(faces @ np.abs(down), rel=1e-9)
+
+
+def test_a_sun_is_reflected_and_balanced():
+    T = rad.transport(room_with_box(4))
+    E = np.linspace(0, 100, T.shape[0])
+    light = rad.solve(T, np.zeros(T.shape[0]), 0.4, incident=E)
+    assert light.incident == pytest.approx(E)
+    assert light.irradiance == pytest.approx(T @ light.radiosity + E, rel=1e-4)
+    assert light.radiosity == pytest.approx(0.4 * light.irradiance, rel=1e-4, abs=1e-6)
+    incoming = light.energy.incident[0]
+    assert incoming == pytest.approx(T.area @ E)
+    assert light.energy.absorbed[0] + light.energy.escaped[0] == pytest.approx(incoming, rel=1e-4)
+    with pytest.raises(rad.InputError, match="incident: found -1"):
+        rad.solve(T, np.zeros(T.shape[0]), 0.4, incident=np.full(T.shape[0], -1.0))
+
+
+def test_scenes_have_their_sun(scenes):
+    study = rad.Study(scenes / "street-canyon.json", patches=200)
+    light = study.light
+    assert study.scene.bands == "solar-infrared"
+    assert light.incident[:, 1].max() == 0 and light.incident[:, 0].max() > 0
+    assert light.energy.incident[0] == pytest.approx(study.patches.area @ light.incident[:, 0])
+    assert study.quantity("incident") == pytest.approx(light.incident)

@@ -76,7 +76,7 @@ struct Patches {
 
 Solution solve_heat(const Patches& patches, const Transport& transport,
                     const Eigen::VectorXd& added = {}) {
-  const Conditions conditions = make_conditions(patches.scene, patches.mesh, transport, added);
+  const Conditions conditions = make_conditions(patches.scene, patches.mesh, transport, {}, added);
   SolveOptions options;
   options.tolerance = 1e-13;
   Solution solution = solve(transport, conditions.exitance, conditions.reflectance,
@@ -236,7 +236,7 @@ TEST(Conditions, RandomEnclosuresAgreeWithDenseLu) {
           << "trial " << trial << ", patch " << i;
     }
     const EnergyBalance& energy = solution.energy;
-    EXPECT_NEAR(energy.emitted[0] + energy.entered[0], energy.absorbed[0] + energy.escaped[0],
+    EXPECT_NEAR(energy.emitted[0] + energy.incident[0], energy.absorbed[0] + energy.escaped[0],
                 1e-10 * std::abs(energy.absorbed[0]));
   }
 }

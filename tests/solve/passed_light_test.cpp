@@ -138,8 +138,8 @@ TEST(PassedLight, BalancesEnergy) {
     const Solution solution = solve(room.transport, room.exitance, room.reflectance,
                                     options_of(room, Method::conjugate_gradients, 1e-12));
     const EnergyBalance& energy = solution.energy;
-    EXPECT_NEAR(energy.emitted[0] + energy.entered[0], energy.absorbed[0] + energy.escaped[0],
-                1e-10 * energy.entered[0]);
+    EXPECT_NEAR(energy.emitted[0] + energy.incident[0], energy.absorbed[0] + energy.escaped[0],
+                1e-10 * energy.incident[0]);
     // A sheet gives off what it takes up.
     const Eigen::MatrixXd net = solution.net_flux();
     for (Index s = 0; s < 4; ++s) {

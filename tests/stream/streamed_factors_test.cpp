@@ -6,6 +6,7 @@
 #include <random>
 #include <string>
 
+#include "radiosity/assembly/make_dense_transport.h"
 #include "radiosity/assembly/transport_options.h"
 #include "radiosity/base/error.h"
 #include "radiosity/base/parallel.h"
@@ -80,6 +81,28 @@ double largest_asymmetry(const PatchMesh& mesh, const Eigen::MatrixXd& values) {
   const Eigen::Map<const Eigen::VectorXd> areas(mesh.area.data(), mesh.size());
   const Eigen::MatrixXd exchange = areas.asDiagonal() * values;
   return (exchange - exchange.transpose()).cwiseAbs().maxCoeff() / exchange.maxCoeff();
+}
+
+/// Of an eighth of a room and its images; patches see themselves.
+TEST_F(StreamedFactorsTest, OfAPartAreThoseOfTheOperatorInMemory) {
+  PatchMesh mesh;
+  test::add_grid(mesh, Vec3(1, 0, 0), Vec3(0, 0, 1), Vec3(0, 1, 0), 4, 4);
+  test::add_grid(mesh, Vec3(0, 1, 0), Vec3(1, 0, 0), Vec3(0, 0, 1), 4, 4);
+  test::add_grid(mesh, Vec3(0, 0, 1), Vec3(0, 1, 0), Vec3(1, 0, 0), 4, 4);
+  test::add_box(mesh, Vec3(0.1, 0.15, 0.2), Vec3(0.35, 0.5, 0.45), 2, test::Facing::outwards);
+  Symmetry symmetry;
+  for (int axis = 0; axis < 3; ++axis) symmetry.mirrors.push_back({Vec3::Zero(), Vec3::Unit(axis)});
+  mesh.images = image_motions(symmetry);
+  const auto transport =
+      make_dense_transport(mesh, Visibility(mesh), {.tolerance = 1e-3, .closed = Closed::no});
+  const Factors factors =
+      compute(mesh, {.tolerance = 1e-3, .closed = Closed::no, .buffers = kAmple});
+  EXPECT_LE(largest_asymmetry(mesh, factors.values), 1e-15);  // of areas and rows, rounded
+  EXPECT_GT(factors.values.diagonal().maxCoeff(), 0.01);
+  for (Index i = 0; i < mesh.size(); ++i) {
+    EXPECT_EQ(factors.values.row(i).transpose(), rows_of(*transport).row(i));
+    EXPECT_EQ(factors.errors.row(i).transpose(), rows_of(*transport).row_error(i));
+  }
 }
 
 TEST_F(StreamedFactorsTest, AreThoseOfTheOperatorInMemory) {

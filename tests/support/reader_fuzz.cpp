@@ -208,6 +208,7 @@ std::vector<Seed> seeds(const std::string& format, const std::filesystem::path& 
   const std::pair<std::string, std::string> mtl = {"materials.mtl", kMtl};
   const std::pair<std::string, std::string> bin = {"data.bin", gltf_buffer()};
   if (format == "obj") return {{{{"a.obj", kObj}, mtl}}};
+  if (format == "vs3") return {{{{"a.vs3", kVs3}}}, {{{"a.vs3", kVs3a}}}};
   if (format == "off") return {{{{"a.off", kOff}}}};
   if (format == "msh") {
     return {{{{"a.msh", kMsh2}}},
@@ -282,8 +283,9 @@ std::string read_fault(const std::filesystem::path& path, bool& was_read) {
 }  // namespace
 
 const std::vector<std::string>& fuzz_formats() {
-  static const std::vector<std::string> formats = {
-      "obj", "ply", "stl", "off", "msh", "gltf", "glb", "json", "csv", "vtk", "vtu", "vtp", "h5"};
+  static const std::vector<std::string> formats = {"obj", "ply",  "stl", "off",  "msh",
+                                                   "vs3", "gltf", "glb", "json", "csv",
+                                                   "vtk", "vtu",  "vtp", "h5"};
   return formats;
 }
 

@@ -266,3 +266,18 @@ inline const std::string kJson = R"({
   "closed": false
 }
 )";
+
+/// An opened box: a floor with a part and a hole, a wall in two combined halves, an obstruction.
+inline const std::string kVs3 =
+    "T a room / with a window\r\nC encl=0, emit=1 eps 1e-4 out=0\nF 3 ! vertices\n! a comment\n"
+    "V 1 0 0 0\nV 2 4 0 0\nV 3 4 3 0\nV 4 0 3 0\nV 5 1 1 0\nV 6 2 1 0\nV 7 2 2 0\nV 8 1 2 0\n"
+    "V 9 3 1 0\nV 10 3.5 1 0\nV 11 3.5 2 0\nV 12 3 2 0\nV 13 0 0 2\nV 14 4 0 2\nV 15 2 0 0\n"
+    "V 16 2 0 2\nV 17 1 1 1\nV 18 2 1 1\nV 19 2 2 1\n"
+    "S 1 1 2 3 4 0 0 0.9 floor\nS 2 5 6 7 8 1 0 0.5 part\nN 3 12 11 10 9 1 0 0.5 hole\n"
+    "s 4 1 13 16 15 0 0 0.7 wall\nS 5 15 16 14 2 0 4 0.7 half\nO 6 17 18 19 0\nEnd of data\n"
+    "what follows is no part of it\n";
+
+/// Two squares of a box and a triangle, as planes.
+inline const std::string kVs3a =
+    "F 3a\nS 1 R 0 0 0.90 south\n 3. 0. 0. 0 90  3. 3.\nS 2 Q 0 0 0.90 ceiling\n 3. 0. 3. 0 180\n"
+    " 2. 0.  3. 0.  3. 1.  2. 1.\nO 3 T\n 0 0 0 180 0  0 0 1 0\n 1 1\n*\n";

@@ -159,7 +159,8 @@ CoarseMesh::CoarseMesh(const PatchMesh& mesh, Index n_wanted) {
   });
 
   std::unordered_map<std::uint64_t, std::int32_t> points;
-  for (const auto& [at_vertex, cluster] : vertices) {
+  for (const auto& [at_vertex, its_cluster] : vertices) {
+    const std::int32_t cluster = its_cluster;
     for_runs(at_vertex, has_same_face, [&](std::span<const Touch> of_face) {
       const auto [found, is_new] =
           points.try_emplace(mixed(of_face[0].face, static_cast<std::uint64_t>(cluster)),

@@ -12,6 +12,7 @@
 #include "radiosity/scene/radiometry.h"
 #include "radiosity/solve/quantity.h"
 #include "radiosity/solve/surface_flux.h"
+#include "radiosity/visibility/sunlight.h"
 #include "study/study.h"
 #include "viewer/desk/orientation.h"
 #include "viewer/desk/ray_picture.h"
@@ -32,7 +33,7 @@ constexpr int kSamples = 4;             // rays in a pixel
 Eigen::MatrixXd rough_radiosity(const Scene& scene, const study::Patches& patches,
                                 const radiosity::Progress& progress) {
   radiosity::ShootingPreview preview(patches.mesh, patches.visibility,
-                                     radiosity::exitance(scene, patches.mesh),
+                                     radiosity::initial_radiosity(scene, patches.mesh),
                                      radiosity::reflectance(scene, patches.mesh));
   for (int k = 0; k < kMostShots && preview.unshot_share() > kLittleUnshot; ++k) {
     progress.check();

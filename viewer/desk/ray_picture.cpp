@@ -56,8 +56,10 @@ class RayPainter {
   [[nodiscard]] io::Rgb pixel(int x, int y) const {
     const int n = options_.samples;
     Eigen::Array3d sum = Eigen::Array3d::Zero();
-    for (int k = 0; k < n * n; ++k) {
-      sum += seen({x + (k % n + 0.5) / n, y + (k / n + 0.5) / n});
+    for (int row = 0; row < n; ++row) {
+      for (int column = 0; column < n; ++column) {
+        sum += seen({x + (column + 0.5) / n, y + (row + 0.5) / n});
+      }
     }
     io::Rgb result{};
     for (int c = 0; c < 3; ++c) {

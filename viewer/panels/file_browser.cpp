@@ -16,9 +16,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kTitle = "Open a scene or a result";
-constexpr std::array<std::string_view, 12> kExtensions = {".json", ".obj",  ".ply", ".stl",
-                                                          ".off",  ".gltf", ".glb", ".msh",
-                                                          ".vtk",  ".vtu",  ".vtp", ".h5"};
+constexpr std::array<std::string_view, 13> kExtensions = {".json", ".obj", ".ply", ".stl", ".off",
+                                                          ".gltf", ".glb", ".msh", ".vs3", ".vtk",
+                                                          ".vtu",  ".vtp", ".h5"};
 
 bool is_readable(const fs::path& path) {
   const std::string extension = io::lower_case_extension(path);

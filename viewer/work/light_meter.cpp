@@ -39,8 +39,11 @@ bool is_same_light(const std::shared_ptr<const Light>& a, const std::shared_ptr<
 }  // namespace
 
 struct LightMeter::Gathering {
-  Gathering(std::shared_ptr<const radiosity::PatchMesh> patches, std::shared_ptr<const Light> of)
-      : mesh(std::move(patches)), light(std::move(of)), gather(*mesh, light->solution.radiosity) {}
+  Gathering(const Model& model, std::shared_ptr<const Light> of)
+      : mesh(model.mesh),
+        light(std::move(of)),
+        gather(*mesh, light->solution.radiosity,
+               model.scene ? model.scene->sun : std::optional<radiosity::Sun>()) {}
   std::shared_ptr<const radiosity::PatchMesh> mesh;
   std::shared_ptr<const Light> light;
   radiosity::FinalGather gather;
@@ -125,7 +128,7 @@ void LightMeter::start(const Known& known) {
                  gathering = gathering_](const Worker::Context& context) mutable {
     const bool is_of_this =
         gathering && gathering->mesh == model.mesh && is_same_light(gathering->light, light);
-    if (!is_of_this) gathering = std::make_shared<const Gathering>(model.mesh, light);
+    if (!is_of_this) gathering = std::make_shared<const Gathering>(model, light);
     context.progress.check();
     const radiosity::FinalGather& gather = gathering->gather;
     auto readings = std::make_shared<Readings>();

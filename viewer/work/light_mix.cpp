@@ -154,7 +154,7 @@ radiosity::Solution superpose(const EmitterLights& lights, const LightMix& mix) 
   radiosity::Solution sum;
   sum.reflectance = lights.reflectance;
   sum.exitance = Eigen::MatrixXd::Zero(lights.reflectance.rows(), lights.reflectance.cols());
-  sum.irradiance = sum.exitance;
+  sum.irradiance = lights.from_without.size() > 0 ? lights.from_without : sum.exitance;
   for (std::size_t e = 0; e < mix.emitters.size(); ++e) {
     const double factor = mix.emitters[e].factor();
     if (factor == 0) continue;

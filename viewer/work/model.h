@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,6 +24,7 @@ struct Model {
   std::optional<radiosity::Camera> camera;  ///< that the file tells
   std::shared_ptr<const radiosity::PatchMesh> mesh;
   std::shared_ptr<const radiosity::Visibility> visibility;
+  Eigen::MatrixXd sun;  ///< its direct irradiance on the patches, W/m², n x b; empty without one
   std::shared_ptr<const radiosity::Transport> transport;
   std::shared_ptr<const radiosity::FactorRows> factors;  ///< the transport's, or a file's
   bool has_quick_rows = true;                            ///< of which none takes a product

@@ -41,7 +41,7 @@ std::function<void(Arguments...)> posting(const Worker::Context& context, Take t
 }  // namespace
 
 Session::Session(study::StudyOptions options, io::ReadOptions reading)
-    : options_(options),
+    : options_(std::move(options)),
       reading_(std::move(reading)),
       pipeline_(&pause_),
       previewing_(&pause_),

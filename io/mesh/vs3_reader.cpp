@@ -1,0 +1,195 @@
+#include "io/mesh/vs3_reader.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "io/base/flat_difference.h"
+#include "io/base/line_reader.h"
+#include "io/mesh/surface_index.h"
+#include "io/mesh/vs3_records.h"
+#include "radiosity/base/geometry.h"
+
+namespace io {
+namespace {
+
+using radiosity::ConvexPolygon;
+using radiosity::Scene;
+using radiosity::Vec3;
+
+/// How far a part may be off the plane and the outline of its base, of its own size.
+constexpr double kOffBase = 1e-5;
+
+class Vs3Scene {
+ public:
+  Vs3Scene(const std::filesystem::path& path, const Vs3File& file)
+      : path_(path), file_(file), parts_(file.surfaces.size()), index_(scene_, "surface") {}
+
+  FileScene run() {
+    scene_.bands = {.kind = radiosity::Bands::Kind::grey, .wavelengths = {}};
+    scene_.name = file_.title;
+    if (file_.control.is_enclosure) scene_.closed = true;
+    for (const std::string& warning : file_.warnings) {
+      scene_.warnings.push_back(path_.string() + ": " + warning);
+    }
+    find_parts();
+    for (std::size_t i = 0; i < file_.surfaces.size(); ++i) add(i);
+    emissivities_.report("the first one counts for all that are combined", repairs_);
+    return {std::move(scene_), std::move(repairs_)};
+  }
+
+ private:
+  [[noreturn]] void fail_at(std::size_t i, const std::string& message) const {
+    fail(fmt::format("{}:{}", path_.string(), file_.surfaces[i].line),
+         fmt::format("surface {} {}", i + 1, message));
+  }
+
+  void find_parts() {
+    const std::size_t n = file_.surfaces.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const Vs3Surface& surface = file_.surfaces[i];
+      if (surface.base < 0) {
+        if (surface.kind == Vs3Surface::Kind::null) fail_at(i, "is a null surface without a base");
+        continue;
+      }
+      const auto base = static_cast<std::size_t>(surface.base);
+      if (base >= n) fail_at(i, fmt::format("has the base {}, but there are {}", base + 1, n));
+      const bool is_obstruction = file_.surfaces[base].kind == Vs3Surface::Kind::obstruction;
+      if (base >= i && !is_obstruction) {
+        fail_at(i, fmt::format("has the base {}, expected an earlier surface", base + 1));
+      }
+      if (file_.surfaces[base].kind == Vs3Surface::Kind::null) {
+        fail_at(i, fmt::format("has the base {}, which is a null surface", base + 1));
+      }
+      check_part(i, base);
+      parts_[base].push_back(i);
+    }
+  }
+
+  void check_part(std::size_t i, std::size_t base) const {
+    const auto& corners = file_.surfaces[i].corners;
+    const auto& outline = file_.surfaces[base].corners;
+    const Vec3 normal = normal_of(base);
+    const double within = kOffBase * radiosity::bounding_disc(corners).radius;
+    for (const Vec3& corner : corners) {
+      if (!(std::abs(normal.dot(corner - outline[0])) <= within)) {
+        fail_at(i, fmt::format("does not lie in the plane of its base {}", base + 1));
+      }
+    }
+    const bool is_null = file_.surfaces[i].kind == Vs3Surface::Kind::null;
+    if ((normal_of(i).dot(normal) > 0) == is_null) {
+      fail_at(i, fmt::format("must face {} as its base {}", is_null ? "the other way" : "the same",
+                             base + 1));
+    }
+    for (std::size_t k = 0; k < outline.size(); ++k) {
+      const Vec3 edge = outline[(k + 1) % outline.size()] - outline[k];
+      const Vec3 inwards = normal.cross(edge).normalized();
+      for (const Vec3& corner : corners) {
+        if (!(inwards.dot(corner - outline[k]) >= -within)) {
+          fail_at(i, fmt::format("reaches beyond its base {}", base + 1));
+        }
+      }
+    }
+  }
+
+  /// Of a surface that is to be convex, too.
+  [[nodiscard]] Vec3 normal_of(std::size_t i) const {
+    const auto& corners = file_.surfaces[i].corners;
+    const Vec3 normal = radiosity::vector_area(corners).normalized();
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const Vec3 edge = corners[(k + 1) % corners.size()] - corners[k];
+      const Vec3 next = corners[(k + 2) % corners.size()] - corners[(k + 1) % corners.size()];
+      if (!(normal.dot(edge.cross(next)) > 0)) fail_at(i, "is not convex, or has no area");
+    }
+    return normal;
+  }
+
+  void add(std::size_t i) {
+    const Vs3Surface& surface = file_.surfaces[i];
+    if (surface.kind == Vs3Surface::Kind::null) {
+      surface_of_.push_back(-1);
+      return;
+    }
+    if (surface.combined_with < 0) {
+      surface_of_.push_back(add_surface(i));
+    } else {
+      const auto first = static_cast<std::size_t>(surface.combined_with);
+      surface_of_.push_back(surface_of_[first]);
+      if (surface.emissivity != file_.surfaces[first].emissivity) {
+        emissivities_.add(fmt::format("{}:{}", path_.string(), surface.line),
+                          fmt::format("surface {} is combined with surface {} of another "
+                                      "emissivity",
+                                      i + 1, first + 1));
+      }
+    }
+    add_polygons(i);
+  }
+
+  std::int32_t add_surface(std::size_t i) {
+    const Vs3Surface& surface = file_.surfaces[i];
+    const bool is_obstruction = surface.kind == Vs3Surface::Kind::obstruction;
+    const std::string name =
+        fmt::format("{} {}", is_obstruction ? "obstruction" : "surface", i + 1);
+    const int material =
+        is_obstruction
+            ? find_material("obstruction", 1)
+            : find_material(fmt::format("emissivity {}", surface.emissivity), surface.emissivity);
+    const std::string unique = index_.unused_name(surface.name.empty() ? name : surface.name);
+    return index_.find_or_add(unique, material);
+  }
+
+  int find_material(const std::string& name, double emissivity) {
+    for (std::size_t k = 0; k < scene_.materials.size(); ++k) {
+      if (scene_.materials[k].name == name) return static_cast<int>(k);
+    }
+    scene_.materials.push_back({.name = name,
+                                .reflectance = Eigen::VectorXd::Constant(1, 1 - emissivity),
+                                .emission = {}});
+    return static_cast<int>(scene_.materials.size()) - 1;
+  }
+
+  void add_polygons(std::size_t i) {
+    const auto& corners = file_.surfaces[i].corners;
+    if (parts_[i].empty()) return add_polygon(corners, i);
+    std::vector<ConvexPolygon> holes;
+    for (const std::size_t part : parts_[i]) {
+      std::vector<Vec3> hole = file_.surfaces[part].corners;
+      if (file_.surfaces[part].kind == Vs3Surface::Kind::null) {
+        hole.assign(file_.surfaces[part].corners.rbegin(), file_.surfaces[part].corners.rend());
+      }
+      holes.emplace_back(hole);
+    }
+    const double thickness = kOffBase * radiosity::bounding_disc(corners).radius;
+    const auto pieces = flat_difference(ConvexPolygon(corners), holes, normal_of(i), thickness);
+    if (pieces.empty()) fail_at(i, "is wholly covered by the parts that lie in it");
+    for (const ConvexPolygon& piece : pieces) add_polygon(piece.points(), i);
+  }
+
+  void add_polygon(std::span<const Vec3> corners, std::size_t i) {
+    std::vector<std::int32_t> indices;
+    for (const Vec3& corner : corners) {
+      indices.push_back(static_cast<std::int32_t>(scene_.vertices.size()));
+      scene_.vertices.push_back(corner);
+    }
+    scene_.add_polygon(indices, surface_of_[i]);
+  }
+
+  const std::filesystem::path& path_;
+  const Vs3File& file_;
+  std::vector<std::vector<std::size_t>> parts_;  // of each surface
+  std::vector<std::int32_t> surface_of_;         // of the scene
+  Scene scene_;
+  SurfaceIndex index_;
+  RepairCount emissivities_;
+  std::vector<std::string> repairs_;
+};
+
+}  // namespace
+
+FileScene read_vs3(const std::filesystem::path& path, const radiosity::Progress& progress) {
+  const Vs3File file = read_vs3_records(path, progress);
+  return Vs3Scene(path, file).run();
+}
+
+}  // namespace io
