@@ -195,6 +195,7 @@ FileScene read_json_scene(const std::filesystem::path& path, const ReadOptions& 
   }
   if (const auto environment = root.find("environment")) {
     scene.environment = read_environment(*environment, scene.bands, path.parent_path());
+    add_spectra(environment->value(), path.parent_path(), scene);
   }
   add_surfaces(root.at("surfaces"), path.parent_path(), unit, options.progress, file);
   if (const auto precision = given_precision(root)) scene.precision = unit * *precision;
