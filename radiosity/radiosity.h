@@ -20,8 +20,8 @@
 ///    leaving i that reaches j; Σ_j F_ij <= 1, with equality in a closed scene.
 ///  - B = M_e + ρ H with H = F B, per band: radiosity B, radiant exitance M_e (self-emitted) and
 ///    irradiance H, all W/m²; reflectance ρ in [0, 1]. B / π is radiance, W/(m² sr).
-///  - With a sun: H = F B + E, E its direct irradiance, so that B = M_e + ρ E + ρ F B
-///    (sun_irradiance, initial_radiosity, with_incident).
+///  - With a sun or an environment: H = F B + H_0, H_0 their direct irradiance, so that
+///    B = M_e + ρ H_0 + ρ F B (make_conditions, SolveOptions::incident).
 ///  - Bands: one grey band and the three of linear RGB (Rec. 709 primaries) hold all the power that
 ///    they stand for, W/m². The bands of a wavelength list hold spectral densities at those
 ///    wavelengths, W/(m² nm); integrals over wavelength are by the trapezoidal rule on the list.
@@ -62,16 +62,17 @@
 #include "radiosity/scene/scene.h"
 #include "radiosity/scene/symmetry.h"
 #include "radiosity/scene/whole_mesh.h"
+#include "radiosity/solve/conditions.h"
 #include "radiosity/solve/discretisation_error.h"
 #include "radiosity/solve/exchange_network.h"
 #include "radiosity/solve/importance.h"
-#include "radiosity/solve/incident_light.h"
 #include "radiosity/solve/quantity.h"
 #include "radiosity/solve/quantity_summary.h"
 #include "radiosity/solve/solution.h"
 #include "radiosity/solve/solve.h"
 #include "radiosity/solve/surface_flux.h"
+#include "radiosity/solve/trapped_light.h"
 #include "radiosity/stream/streamed_factors.h"
 #include "radiosity/stream/streaming_memory.h"
-#include "radiosity/visibility/sunlight.h"
+#include "radiosity/visibility/incident_light.h"
 #include "radiosity/visibility/visibility.h"

@@ -6,7 +6,8 @@
 
 #include "radiosity/compressed/light_polygons.h"
 #include "radiosity/scene/radiometry.h"
-#include "radiosity/visibility/sunlight.h"
+#include "radiosity/solve/conditions.h"
+#include "radiosity/visibility/incident_light.h"
 
 namespace study {
 namespace {
@@ -21,8 +22,11 @@ constexpr Index kMostColumns = 24;
 std::vector<double> surface_reflectances(const Scene& scene) {
   std::vector<double> values;
   for (const Surface& surface : scene.surfaces) {
-    const Eigen::VectorXd& reflectance = scene.materials[surface.material].reflectance;
-    values.insert(values.end(), reflectance.begin(), reflectance.end());
+    for (const int material : {surface.material, surface.back_material}) {
+      if (material < 0) continue;
+      const Eigen::VectorXd& reflectance = scene.materials[material].reflectance;
+      values.insert(values.end(), reflectance.begin(), reflectance.end());
+    }
   }
   return values;
 }
@@ -53,7 +57,7 @@ std::vector<Group> make_groups(const Scene& scene, const std::vector<Scenario>& 
 Eigen::MatrixXd total_exitance(const Study& study, const std::vector<Scenario>& scenarios) {
   Eigen::MatrixXd total = Eigen::MatrixXd::Zero(study.mesh.size(), study.scene.bands.count());
   for (const Scenario& scenario : scenarios) {
-    total += exitance(scene_of(study.scene, scenario), study.mesh);
+    total += exitance(scene_of(study.scene, scenario), study.mesh).cwiseAbs();
   }
   return total;
 }
@@ -87,7 +91,7 @@ Study solve_scenarios(Study study, const std::vector<Scenario>& scenarios,
       {.tolerance = study.factor_tolerance, .seed = options.seed, .progress = events.progress},
       total_exitance(study, scenarios));
   const Index n_bands = scene.bands.count();
-  const Eigen::MatrixXd incident = sun_irradiance(scene, study.mesh, events.progress);
+  const Eigen::MatrixXd sun = incident_irradiance(scene, study.mesh, events.progress);
   for (const Group& group : groups) {
     Eigen::MatrixXd emitted(study.mesh.size(), n_bands * static_cast<Index>(group.size()));
     for (std::size_t k = 0; k < group.size(); ++k) {
@@ -95,13 +99,17 @@ Study solve_scenarios(Study study, const std::vector<Scenario>& scenarios,
       emitted.middleCols(static_cast<Index>(k) * n_bands, n_bands) =
           exitance(study.scene, study.mesh);
     }
-    const Light light =
-        solve_light(study.mesh, *study.transport,
-                    {emitted, reflectance(study.scene, study.mesh), incident}, options, events);
+    Conditions conditions = make_conditions(study.scene, study.mesh, *study.transport, sun);
+    conditions.exitance = std::move(emitted);
+    const Light light = solve_light(study.mesh, *study.transport, conditions, options, events);
     study.discretisation = light.discretisation;
     for (std::size_t k = 0; k < group.size(); ++k) {
       study.scene = scene_of(scene, scenarios[group[k]]);
       study.solution = columns_of(light.solution, static_cast<Index>(k) * n_bands, n_bands);
+      if (conditions.emissivity.size() > 0) {
+        study.solution.temperature =
+            temperatures(study.mesh, study.solution, conditions.emissivity);
+      }
       visit(group[k], study);
     }
   }

@@ -1,15 +1,21 @@
 #include "study/study.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <set>
+#include <string>
 #include <utility>
 
 #include "radiosity/compressed/light_polygons.h"
 #include "radiosity/compressed/make_compressed_transport.h"
 #include "radiosity/compressed/make_transport.h"
 #include "radiosity/scene/radiometry.h"
-#include "radiosity/solve/incident_light.h"
+#include "radiosity/solve/conditions.h"
 #include "radiosity/solve/solve.h"
+#include "radiosity/solve/trapped_light.h"
 #include "radiosity/stream/streaming_memory.h"
-#include "radiosity/visibility/sunlight.h"
+#include "radiosity/visibility/incident_light.h"
 #include "study/row_check.h"
 #include "study/warnings.h"
 
@@ -56,7 +62,7 @@ TransportOptions transport_options(const Scene& scene, const StudyOptions& optio
 /// The light that operators are made for.
 ExpectedLight expected_light(const Scene& scene, const PatchMesh& mesh, const Progress& progress) {
   return {initial_radiosity(scene, mesh, progress), reflectance(scene, mesh),
-          exitance(scene, mesh)};
+          exitance(scene, mesh).cwiseAbs()};
 }
 
 FormFactors make_adaptive(const Scene& scene, const StudyOptions& options,
@@ -85,6 +91,27 @@ DiscretisationError estimate_discretisation(const PatchMesh& mesh, const Transpo
         "known and not in the errors given; --patches N makes more");
   }
   return result;
+}
+
+/// `solve`, but of a group that keeps its light it tells the surfaces.
+Solution solve_named(const PatchMesh& mesh, const Transport& transport,
+                     const Conditions& conditions, const SolveOptions& options) {
+  try {
+    return solve(transport, conditions.exitance, conditions.reflectance, options);
+  } catch (const TrappedLight& trapped) {
+    std::set<std::string> names;
+    double heat = 0;
+    for (const std::int32_t patch : trapped.patches) {
+      names.insert(mesh.surface_names[mesh.surface[patch]]);
+      heat += mesh.area[patch] * conditions.exitance.row(patch).sum();
+    }
+    if (conditions.emissivity.size() == 0) throw;
+    throw SolveError(fmt::format(
+        "no surface of a floating group has a temperature and nothing leaves it: {}; {:.6g} W are "
+        "given to it in all, which nothing can take up; expected a temperature of one of them, or "
+        "an opening",
+        fmt::join(names, ", "), heat));
+  }
 }
 
 }  // namespace
@@ -136,26 +163,26 @@ FormFactors make_form_factors(const Scene& scene, const PatchMesh& mesh,
 
 Light solve_light(const Scene& scene, const PatchMesh& mesh, const Transport& transport,
                   const StudyOptions& options, const StudyEvents& events) {
-  return solve_light(mesh, transport,
-                     {exitance(scene, mesh), reflectance(scene, mesh),
-                      sun_irradiance(scene, mesh, events.progress)},
-                     options, events);
+  return solve_light(
+      mesh, transport,
+      make_conditions(scene, mesh, transport, incident_irradiance(scene, mesh, events.progress)),
+      options, events);
 }
 
-Light solve_light(const PatchMesh& mesh, const Transport& transport, const Sources& sources,
+Light solve_light(const PatchMesh& mesh, const Transport& transport, const Conditions& conditions,
                   const StudyOptions& options, const StudyEvents& events) {
-  warn_of_darkness(sources.exitance, sources.incident, events);
-  const Eigen::MatrixXd initial =
-      initial_radiosity(sources.exitance, sources.reflectance, sources.incident);
-  const SolveOptions solving{.method = options.method,
-                             .tolerance = iteration_tolerance(options.tolerance),
-                             .progress = events.progress};
-  Solution solution = solve(transport, initial, sources.reflectance, solving);
+  warn_of_darkness(conditions.exitance, conditions.incident, events);
+  const SolveOptions solving = with_conditions({.method = options.method,
+                                                .tolerance = iteration_tolerance(options.tolerance),
+                                                .progress = events.progress},
+                                               conditions, conditions.exitance.cols());
+  Solution solution = solve_named(mesh, transport, conditions, solving);
   warn_of_unconverged(solution, solving, events);
   DiscretisationError discretisation = estimate_discretisation(mesh, transport, solution, events);
   solution = with_discretisation_error(std::move(solution), discretisation);
-  solution =
-      with_incident(std::move(solution), sources.exitance, sources.incident, transport.area());
+  if (conditions.emissivity.size() > 0 && solution.radiosity.cols() == 1) {
+    solution.temperature = temperatures(mesh, solution, conditions.emissivity);
+  }
   return {std::move(solution), std::move(discretisation)};
 }
 
@@ -180,7 +207,7 @@ Study assemble(Scene scene, KnownFactors known, const StudyOptions& options,
   TransportOptions made = transport_options(scene, options, events);
   made.tolerance = known.tolerance;
   add_missing_light(*known.transport, patches.mesh, patches.visibility, made,
-                    exitance(scene, patches.mesh));
+                    exitance(scene, patches.mesh).cwiseAbs());
   refuse_excess(scene, patches.mesh, known.transport->report(), known.tolerance,
                 [&](Index row) { return rows_of(*known.transport).row_error(row); });
   warn_of_open_rows(known.transport->report(), events);

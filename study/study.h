@@ -10,6 +10,7 @@
 #include "radiosity/operator/transport.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/scene.h"
+#include "radiosity/solve/conditions.h"
 #include "radiosity/solve/discretisation_error.h"
 #include "radiosity/solve/solution.h"
 #include "radiosity/visibility/visibility.h"
@@ -31,13 +32,6 @@ struct FormFactors {
 struct Light {
   radiosity::Solution solution;  ///< its errors include `discretisation`
   radiosity::DiscretisationError discretisation;
-};
-
-/// Where light comes from and what becomes of it, n patches.
-struct Sources {
-  Eigen::MatrixXd exitance;       ///< M_e, W/m², n x k
-  Eigen::MatrixXd reflectance;    ///< ρ, n x b, as radiosity::solve takes them
-  Eigen::MatrixXd incident = {};  ///< E, direct irradiance of the sun, W/m², n x b; empty: no sun
 };
 
 /// A scene and all that was found out about it.
@@ -73,15 +67,17 @@ radiosity::Fingerprint compressed_fingerprint(const radiosity::Scene& scene,
                                               const radiosity::PatchMesh& mesh,
                                               const StudyOptions& options);
 
-/// The radiosity by the scene's own materials and sun. Warns if nothing emits, if the iteration
-/// does not converge and if the errors can't be told. Throws SolveError, Interrupted.
+/// The radiosity by the scene's own materials, sun and environment. Warns if nothing emits, if the
+/// iteration does not converge and if the errors can't be told. Throws SolveError, Interrupted.
 Light solve_light(const radiosity::Scene& scene, const radiosity::PatchMesh& mesh,
                   const radiosity::Transport& transport, const StudyOptions& options = {},
                   const StudyEvents& events = {});
 
-/// The same of given sources.
+/// The same of any conditions, n x k emitted of n x b; tells temperatures if they are of heat.
+/// Throws SolveError where heat is given to surfaces that nothing takes it from, with their names,
+/// and where a temperature would be below absolute zero.
 Light solve_light(const radiosity::PatchMesh& mesh, const radiosity::Transport& transport,
-                  const Sources& sources, const StudyOptions& options = {},
+                  const radiosity::Conditions& conditions, const StudyOptions& options = {},
                   const StudyEvents& events = {});
 
 /// The stages up to the form factors: there is no light yet.

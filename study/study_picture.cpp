@@ -20,6 +20,12 @@ std::string vector_text(const Vec3& v) {
   return fmt::format("({:.4g}, {:.4g}, {:.4g})", v.x(), v.y(), v.z());
 }
 
+/// What patches send out of their own, and what shields pass on from their other side, W/m², n x b.
+Eigen::MatrixXd own_light(const Solution& solution) {
+  if (solution.transmission.nonZeros() == 0) return solution.exitance;
+  return solution.exitance + solution.transmission * solution.irradiance;
+}
+
 }  // namespace
 
 void refuse_empty_view(const Scene& scene, const PatchMesh& mesh, const Camera& camera,
@@ -58,8 +64,8 @@ Image draw(const Study& study, const Camera& camera, Shading shading,
   if (shading == Shading::interpolated) {
     image = render(study.mesh, study.visibility, solution.radiosity, camera, options);
   } else {
-    const FinalGather gather(study.mesh, solution.radiosity, study.scene.sun);
-    image = render_gathered(gather, study.visibility, {solution.exitance, solution.reflectance},
+    const FinalGather gather(study.mesh, solution.radiosity, {study.scene, study.mesh});
+    image = render_gathered(gather, study.visibility, {own_light(solution), solution.reflectance},
                             camera, options);
   }
   options.progress.check();
@@ -73,9 +79,9 @@ Image draw_lightmap(const Study& study, const LightAtlas& atlas, Shading shading
   if (shading == Shading::interpolated) {
     return make_lightmap(study.mesh, atlas, solution.radiosity, options);
   }
-  const FinalGather gather(study.mesh, solution.radiosity, study.scene.sun);
+  const FinalGather gather(study.mesh, solution.radiosity, {study.scene, study.mesh});
   return make_gathered_lightmap(study.mesh, atlas, gather,
-                                {solution.exitance, solution.reflectance}, options);
+                                {own_light(solution), solution.reflectance}, options);
 }
 
 }  // namespace study

@@ -24,19 +24,19 @@ namespace {
 
 using radiosity::Index;
 
-/// 1 - ρ of each patch. Throws SceneError unless it is the same in all bands, and if nothing
-/// absorbs.
+/// 1 - ρ of each patch's material, whatever heat is given to it. Throws SceneError unless it is the
+/// same in all bands, and if nothing absorbs.
 Eigen::VectorXd emissivities(const radiosity::Scene& scene, const radiosity::PatchMesh& mesh) {
-  const Eigen::MatrixXd reflectance = radiosity::reflectance(scene, mesh);
-  for (Index band = 1; band < reflectance.cols(); ++band) {
-    if (reflectance.col(band) != reflectance.col(0)) {
+  const Eigen::MatrixXd all = radiosity::emissivity(scene, mesh);
+  for (Index band = 1; band < all.cols(); ++band) {
+    if (all.col(band) != all.col(0)) {
       throw radiosity::SceneError(fmt::format(
           "{}: couplings are those of one band, and surfaces reflect differently in the scene's {} "
           "bands; say \"bands\": \"grey\"",
-          scene.source, reflectance.cols()));
+          scene.source, all.cols()));
     }
   }
-  const Eigen::VectorXd emissivity = 1 - reflectance.col(0).array();
+  const Eigen::VectorXd emissivity = all.col(0);
   if (!(emissivity.maxCoeff() > 0)) {
     throw radiosity::SceneError(
         fmt::format("{}: no surface emits: all have the emissivity 0", scene.source));

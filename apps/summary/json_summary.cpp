@@ -97,6 +97,7 @@ Json surfaces(const std::vector<radiosity::SurfaceFlux>& fluxes, const radiosity
                     {"area", flux.area},
                     {"net_flux", flux.flux},
                     {"net_heat", flux.heat}});
+    if (flux.temperature) list.back()["temperature"] = *flux.temperature;
     if (bands.count() > 1) list.back()["net_heat_by_band"] = array(flux.band_heat);
     if (bands.kind == radiosity::Bands::Kind::solar_infrared) {
       list.back()["solar_absorbed"] = 0 - flux.band_heat[0];

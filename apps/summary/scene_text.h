@@ -8,7 +8,8 @@
 
 namespace apps {
 
-/// "none", "radiance", "exitance", "power" or "temperature", as in scene files.
+/// "none", "radiance", "exitance", "power", "temperature", "heat_flux" or
+/// "heat_power", as in scene files.
 constexpr std::string_view emission_name(radiosity::Emission::Kind kind) {
   switch (kind) {
     case radiosity::Emission::Kind::none:
@@ -21,6 +22,10 @@ constexpr std::string_view emission_name(radiosity::Emission::Kind kind) {
       return "power";
     case radiosity::Emission::Kind::temperature:
       return "temperature";
+    case radiosity::Emission::Kind::heat_flux:
+      return "heat_flux";
+    case radiosity::Emission::Kind::heat_power:
+      return "heat_power";
   }
   return "";
 }

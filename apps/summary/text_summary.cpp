@@ -138,12 +138,18 @@ std::string discretisation_lines(const radiosity::DiscretisationError& discretis
                                           discretisation.relative, discretisation.order));
 }
 
+/// What the light that does not come from patches is called; nothing if there is none.
+std::string incoming_name(const radiosity::Scene& scene) {
+  if (scene.environment.kind != radiosity::Emission::Kind::none) return "from without";
+  return scene.sun ? "from the sun" : "";
+}
+
 std::string energy_table(const radiosity::Bands& bands, const radiosity::EnergyBalance& energy,
-                         bool has_sun) {
+                         const std::string& incoming) {
   const std::string unit = radiosity::band_unit("W", bands);
   std::vector<std::pair<std::string, const Eigen::VectorXd*>> columns = {
       {"emitted", &energy.emitted}, {"absorbed", &energy.absorbed}, {"escaped", &energy.escaped}};
-  if (has_sun) columns.insert(columns.begin() + 1, {"from the sun", &energy.incident});
+  if (!incoming.empty()) columns.insert(columns.begin() + 1, {incoming, &energy.incident});
   std::vector<Row> rows = {{"energy"}};
   for (const auto& [name, values] : columns) rows.front().push_back(name + ", " + unit);
   const Row names = band_names(bands);
@@ -158,22 +164,28 @@ std::string energy_table(const radiosity::Bands& bands, const radiosity::EnergyB
 }
 
 /// Net heat by surface; with several bands that in each of them, too: of the sun's what is
-/// absorbed.
+/// absorbed. Temperatures where they are known.
 std::string flux_table(const std::vector<radiosity::SurfaceFlux>& fluxes,
                        const radiosity::Bands& bands) {
   const bool is_solar = bands.kind == radiosity::Bands::Kind::solar_infrared;
+  const bool has_temperatures = std::any_of(
+      fluxes.begin(), fluxes.end(), [](const auto& flux) { return flux.temperature.has_value(); });
   std::vector<Row> rows = {{"net heat lost by", "area, m²", "W/m²", "W"}};
   if (bands.count() > 1) {
     for (const std::string& name : band_names(bands)) {
       rows[0].push_back(is_solar && name == "solar" ? "solar absorbed, W" : name + ", W");
     }
   }
+  if (has_temperatures) rows[0].emplace_back("K");
   for (const radiosity::SurfaceFlux& flux : fluxes) {
     rows.push_back({one_line(flux.surface), fmt::format("{:.4g}", flux.area),
                     fmt::format("{:.6g}", flux.flux), fmt::format("{:.6g}", flux.heat)});
     for (Eigen::Index k = 0; bands.count() > 1 && k < bands.count(); ++k) {
       const double heat = is_solar && k == 0 ? 0 - flux.band_heat[k] : flux.band_heat[k];
       rows.back().push_back(fmt::format("{:.6g}", heat));
+    }
+    if (has_temperatures) {
+      rows.back().push_back(flux.temperature ? fmt::format("{:.6g}", *flux.temperature) : "-");
     }
   }
   return table(rows);
@@ -212,7 +224,7 @@ std::string emission_text(const radiosity::Emission& emission, double factor,
   if (emission.kind == Kind::none) return "-";
   std::string_view unit = "W/m²";
   if (emission.kind == Kind::radiance) unit = "W/(m² sr)";
-  if (emission.kind == Kind::power) unit = "W";
+  if (emission.kind == Kind::power || emission.kind == Kind::heat_power) unit = "W";
   if (emission.kind == Kind::temperature) unit = "K";
   std::string light;
   if (factor != 1) light = factor == 0 ? ", off" : fmt::format(", {:.4g} of it", factor);
@@ -307,7 +319,7 @@ std::string solve_text(const SolveSummary& summary) {
   if (solved.refinement) text += refinement_lines(*solved.refinement);
   text += solve_lines(solved.solution);
   text += discretisation_lines(solved.discretisation);
-  text += energy_table(solved.scene.bands, solved.solution.energy, solved.scene.sun.has_value());
+  text += energy_table(solved.scene.bands, solved.solution.energy, incoming_name(solved.scene));
   if (radiosity::is_thermal(solved.scene))
     text += flux_table(radiosity::surface_fluxes(solved.mesh, solved.solution), solved.scene.bands);
   for (const radiosity::QuantitySummary& quantity : summary.quantities)

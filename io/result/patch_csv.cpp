@@ -20,7 +20,7 @@ using radiosity::Solution;
 
 using radiosity::QuantityField;
 
-std::string csv_header(Index n_bands, const std::vector<QuantityField>& quantities) {
+std::string csv_header(Index n_bands, bool is_heat, const std::vector<QuantityField>& quantities) {
   std::string header = "patch,surface,polygon,x,y,z,area";
   const auto add_bands = [&](std::string_view quantity) {
     for (Index band = 0; band < n_bands; ++band) {
@@ -28,6 +28,7 @@ std::string csv_header(Index n_bands, const std::vector<QuantityField>& quantiti
     }
   };
   for (const char* quantity : {"B", "H", "error", "net"}) add_bands(quantity);
+  if (is_heat) header += ",T";
   for (const QuantityField& quantity : quantities) {
     if (quantity.info.is_photometric) {
       header += fmt::format(",{}", quantity.info.column);
@@ -45,12 +46,14 @@ void write_patch_csv(const std::filesystem::path& path, const PatchMesh& mesh,
   std::vector<std::string> names;
   for (const std::string& name : mesh.surface_names) names.push_back(csv_field(name));
   const Eigen::MatrixXd net_flux = solution.net_flux();
+  const Eigen::MatrixXd temperature = solution.temperature;
   std::vector<const Eigen::MatrixXd*> columns = {&solution.radiosity, &solution.irradiance,
                                                  &solution.radiosity_error, &net_flux};
+  if (temperature.size() > 0) columns.push_back(&temperature);
   for (const QuantityField& quantity : quantities) columns.push_back(&quantity.values);
 
   write_stream_atomically(path, [&](std::ofstream& stream) {
-    stream << csv_header(solution.radiosity.cols(), quantities);
+    stream << csv_header(solution.radiosity.cols(), temperature.size() > 0, quantities);
     fmt::memory_buffer row;
     for (Index i = 0; i < mesh.size() && stream; ++i) {
       row.clear();

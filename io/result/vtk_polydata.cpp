@@ -149,6 +149,10 @@ vtkSmartPointer<vtkPolyData> make_polydata(const PatchMesh& mesh, const Solution
   add_array(*polydata, "surface", mesh.surface);
   add_array(*polydata, "polygon", mesh.polygon);
   add_array(*polydata, "net_flux", solution.net_flux());
+  if (solution.temperature.size() > 0) {
+    // Not "temperature", which would make it the material's of a scene read from this file.
+    add_array(*polydata, "surface_temperature", solution.temperature);
+  }
   add_array(*polydata, "twin", mesh.twin);
   add_array(*polydata, "family", mesh.family);
   for (const radiosity::QuantityField& quantity : quantities) {

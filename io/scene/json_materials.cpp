@@ -1,9 +1,11 @@
 #include "io/scene/json_materials.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <optional>
 
 #include "io/base/input_checks.h"
@@ -16,6 +18,12 @@ namespace {
 using radiosity::Bands;
 using radiosity::Emission;
 using radiosity::Material;
+
+constexpr double kCelsius = 273.15;  // 0 °C, K
+/// Scenes all of whose temperatures lie here are taken for scenes in degrees Celsius: rooms and
+/// machines; what is kept that cold is not kept by walls of 10 K and more alone.
+constexpr double kLeastCelsius = 10;
+constexpr double kMostCelsius = 60;
 
 /// What is wrong with values, if anything.
 using ValueCheck = std::function<std::optional<std::string>(const Eigen::VectorXd&)>;
@@ -113,7 +121,40 @@ Emission::Kind emission_kind(std::string_view key) {
   if (key == "radiance") return Emission::Kind::radiance;
   if (key == "exitance") return Emission::Kind::exitance;
   if (key == "power") return Emission::Kind::power;
+  if (key == "heat_flux" || key == "adiabatic") return Emission::Kind::heat_flux;
+  if (key == "heat_power") return Emission::Kind::heat_power;
   return Emission::Kind::temperature;
+}
+
+void require_grey(const JsonItem& item, const char* what, const Bands& bands) {
+  if (bands.kind == Bands::Kind::grey) return;
+  if (bands.hold_heat()) {
+    item.fail(
+        fmt::format("{} needs \"bands\": \"grey\": the temperature that follows would couple "
+                    "the bands, which is not reckoned with",
+                    what));
+  }
+  item.fail(fmt::format("{} needs \"bands\": \"grey\", which then is all thermal radiation", what));
+}
+
+double read_temperature(const JsonItem& item) {
+  const double kelvin = item.number();
+  if (kelvin < 0) {
+    item.fail(fmt::format(
+        "temperature is {:g} K, below absolute zero, expected kelvin; {:g} °C are {:g} K", kelvin,
+        kelvin, kelvin + kCelsius));
+  }
+  return kelvin;
+}
+
+bool is_heat(const Emission& emission) {
+  return emission.kind == Emission::Kind::heat_flux || emission.kind == Emission::Kind::heat_power;
+}
+
+/// Whether nothing of that can come from a surface that emits nothing at any temperature.
+bool needs_emissivity(const Emission& emission) {
+  return (emission.kind == Emission::Kind::temperature || is_heat(emission)) &&
+         !emission.value.isZero(0);
 }
 
 Emission read_emission_value(const JsonItem& item, std::string_view key, const Bands& bands,
@@ -128,8 +169,11 @@ Emission read_emission_value(const JsonItem& item, std::string_view key, const B
           "a temperature needs \"bands\": \"grey\", which then is all thermal radiation, or "
           "bands of heat");
     }
-    emission.value = Eigen::VectorXd::Constant(1, item.number());
-    if (const auto problem = check(emission.value)) item.fail(*problem);
+    emission.value = Eigen::VectorXd::Constant(1, read_temperature(item));
+  } else if (is_heat(emission)) {
+    require_grey(item, "heat", bands);
+    if (key == "adiabatic" && !item.boolean()) item.fail("is false, expected true or no such key");
+    emission.value = Eigen::VectorXd::Constant(1, key == "adiabatic" ? 0 : item.number());
   } else {
     emission.value = read_values(item, bands, folder, check);
   }
@@ -154,7 +198,7 @@ Emission read_emission(const JsonItem& material, const Bands& bands,
     }
   }
   if (nested && first.empty()) {
-    nested->fail("expected one of radiance, exitance, power, temperature");
+    nested->fail(fmt::format("expected one of {}", fmt::join(keys::kEmission, ", ")));
   }
   return emission;
 }
@@ -163,12 +207,44 @@ Material read_material(const JsonItem& item, const std::string& name, const Band
                        const std::filesystem::path& folder) {
   item.check_keys(keys::kMaterial);
   if (const auto description = item.find("description")) (void)description->text();
-  return {.name = name,
-          .reflectance = read_reflectance(item, bands, folder),
-          .emission = read_emission(item, bands, folder)};
+  Material material{.name = name,
+                    .reflectance = read_reflectance(item, bands, folder),
+                    .emission = read_emission(item, bands, folder)};
+  if (needs_emissivity(material.emission) && material.reflectance.minCoeff() == 1) {
+    item.fail(
+        "emissivity 0 with a temperature or heat that it cannot give off; expected more than 0, or "
+        "\"adiabatic\": true");
+  }
+  return material;
 }
 
 }  // namespace
+
+Emission read_environment(const JsonItem& item, const Bands& bands,
+                          const std::filesystem::path& folder) {
+  item.check_keys(keys::kEnvironment);
+  if (item.value().size() != 1) {
+    item.fail(fmt::format("expected one of {}", fmt::join(keys::kEnvironment, ", ")));
+  }
+  const std::string key = item.value().begin().key();
+  return read_emission_value(item.at(key), key, bands, folder);
+}
+
+std::optional<std::string> temperature_warning(const radiosity::Scene& scene) {
+  std::vector<const Emission*> emissions = {&scene.environment};
+  for (const Material& material : scene.materials) emissions.push_back(&material.emission);
+  double low = std::numeric_limits<double>::infinity();
+  double high = 0;
+  for (const Emission* emission : emissions) {
+    if (emission->kind != Emission::Kind::temperature || emission->value[0] == 0) continue;
+    low = std::min(low, emission->value[0]);
+    high = std::max(high, emission->value[0]);
+  }
+  if (!(high > 0 && low >= kLeastCelsius && high <= kMostCelsius)) return std::nullopt;
+  return fmt::format(
+      "all temperatures lie from {} to {} K: are they degrees Celsius? Kelvin is expected, {} more",
+      low, high, kCelsius);
+}
 
 Eigen::VectorXd read_band_values(const JsonItem& item, const std::string& name, const Bands& bands,
                                  const std::filesystem::path& folder) {

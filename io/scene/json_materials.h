@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,13 @@ namespace io {
 std::vector<radiosity::Material> read_materials(const JsonItem& materials,
                                                 const radiosity::Bands& bands,
                                                 const std::filesystem::path& folder);
+
+/// What "environment" says: one of radiance, exitance and temperature.
+radiosity::Emission read_environment(const JsonItem& item, const radiosity::Bands& bands,
+                                     const std::filesystem::path& folder);
+
+/// What is odd about the temperatures: that all look like degrees Celsius.
+std::optional<std::string> temperature_warning(const radiosity::Scene& scene);
 
 /// One value per band, all finite and at least 0, as emissions have them: a number for all bands, a
 /// list, or a column of a CSV file. `name` is what messages call it.

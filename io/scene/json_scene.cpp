@@ -193,6 +193,10 @@ FileScene read_json_scene(const std::filesystem::path& path, const ReadOptions& 
     scene.materials = read_materials(*materials, scene.bands, path.parent_path());
     add_spectra(materials->value(), path.parent_path(), scene);
   }
+  if (const auto environment = root.find("environment")) {
+    scene.environment = read_environment(*environment, scene.bands, path.parent_path());
+    add_spectra(environment->value(), path.parent_path(), scene);
+  }
   add_surfaces(root.at("surfaces"), path.parent_path(), unit, options.progress, file);
   if (const auto precision = given_precision(root)) scene.precision = unit * *precision;
   if (const auto camera = root.find("camera")) scene.camera = read_camera(*camera, unit);
@@ -202,6 +206,9 @@ FileScene read_json_scene(const std::filesystem::path& path, const ReadOptions& 
   }
   if (const auto views = root.find("views")) scene.views = read_views(*views, unit);
   if (const auto closed = root.find("closed")) scene.closed = closed->boolean();
+  if (const auto warning = temperature_warning(scene)) {
+    scene.warnings.push_back(scene.source + ": " + *warning);
+  }
   if (const auto symmetry = root.find("symmetry")) scene.symmetry = read_symmetry(*symmetry, unit);
   if (scene.n_polygons() == 0) fail(path, "has no polygons");
   if (scene.sun && !scene.symmetry.is_none()) {

@@ -29,9 +29,10 @@ using radiosity::Scene;
 using radiosity::Surface;
 using radiosity::Vec3;
 
-/// Index of the material that the surface names, or -1 if it names none.
-int find_material(const JsonItem& surface, const Scene& scene, std::size_t n_materials) {
-  const auto item = surface.find("material");
+/// Index of the material that the surface names by `key`, or -1 if it names none.
+int find_material(const JsonItem& surface, std::string_view key, const Scene& scene,
+                  std::size_t n_materials) {
+  const auto item = surface.find(key);
   if (!item) return -1;
   const std::string name = item->text();
   std::vector<std::string_view> names;
@@ -220,6 +221,8 @@ std::vector<std::int32_t> add_mesh_surfaces(const JsonItem& item, const Surface&
     surface.name = has_several ? given.name + "/" + surface.name : given.name;
     if (item.has("two_sided")) surface.two_sided = given.two_sided;
     surface.emission_factor = given.emission_factor;
+    surface.back_material = given.back_material;
+    surface.is_shield = given.is_shield;
     if (given.material < 0 && surface.material < 0) {
       item.fail(fmt::format("has no \"material\", and {} gives none to its surface \"{}\"", file,
                             mesh.surfaces[i].name));
@@ -301,6 +304,37 @@ class InlinePoints {
   std::vector<Vec3> all_;
 };
 
+/// Backs and shields must be of surfaces with two sides, and shields have no temperature given. The
+/// place told is the list's, for one item may have become several surfaces.
+void check_sides(const JsonItem& surfaces, const Scene& scene) {
+  for (const Surface& surface : scene.surfaces) {
+    if (!surface.is_shield && surface.back_material < 0) continue;
+    const char* key = surface.is_shield ? "shield" : "back";
+    if (!surface.two_sided) {
+      surfaces.fail(fmt::format("\"{}\" has a \"{}\", but one side; expected \"two_sided\": true",
+                                surface.name, key));
+    }
+    if (!surface.is_shield) continue;
+    if (scene.bands.kind != Bands::Kind::grey) {
+      surfaces.fail(
+          fmt::format("\"{}\" is a shield, which needs \"bands\": \"grey\"", surface.name));
+    }
+    for (const int index : {surface.material, surface.back_material}) {
+      if (index < 0) continue;
+      const Material& material = scene.materials[index];
+      const Emission::Kind kind = material.emission.kind;
+      if (kind == Emission::Kind::none || kind == Emission::Kind::heat_flux ||
+          kind == Emission::Kind::heat_power) {
+        continue;
+      }
+      surfaces.fail(
+          fmt::format("\"{}\" is a shield, whose temperature follows from the heat, but its "
+                      "material \"{}\" has a temperature or emission",
+                      surface.name, material.name));
+    }
+  }
+}
+
 }  // namespace
 
 double read_unit(const JsonItem& item) {
@@ -326,9 +360,12 @@ void add_surfaces(const JsonItem& surfaces, const std::filesystem::path& folder,
     const auto two_sided = item.find("two_sided");
     const auto light = item.find("light");
     Surface surface{.name = item.at("name").text(),
-                    .material = find_material(item, scene, n_materials),
+                    .material = find_material(item, "material", scene, n_materials),
                     .two_sided = two_sided && two_sided->boolean(),
                     .emission_factor = light ? read_light_factor(*light) : 1};
+    surface.back_material = find_material(item, "back", scene, n_materials);
+    const auto shield = item.find("shield");
+    surface.is_shield = shield && shield->boolean();
     if (!names.insert(surface.name).second) {
       item.fail(fmt::format("a surface named \"{}\" exists already", surface.name));
     }
@@ -341,6 +378,7 @@ void add_surfaces(const JsonItem& surfaces, const std::filesystem::path& folder,
     }
   }
   inline_points.find_precision();
+  check_sides(surfaces, scene);
 }
 
 }  // namespace io

@@ -174,6 +174,26 @@ std::string sun_emitter(const radiosity::Sun& sun, const Bands& bands) {
       d.x(), d.y(), d.z(), spectrum("irradiance", bands, sun.irradiance));
 }
 
+std::string environment_emitter(const Eigen::VectorXd& exitance, const Bands& bands) {
+  return "  <emitter type=\"constant\">" + spectrum("radiance", bands, exitance / radiosity::kPi) +
+         "</emitter>\n";
+}
+
+void refuse_heats(const Scene& scene) {
+  using Kind = radiosity::Emission::Kind;
+  for (const radiosity::Surface& surface : scene.surfaces) {
+    const Kind kind = scene.materials[surface.material].emission.kind;
+    if (kind != Kind::heat_flux && kind != Kind::heat_power && surface.back_material < 0 &&
+        !surface.is_shield) {
+      continue;
+    }
+    throw radiosity::SceneError(printable(
+        fmt::format("surface {} has a heat given, is a shield or has a back of its own, which "
+                    "Mitsuba does not know",
+                    in_quotes(surface.name))));
+  }
+}
+
 std::string bsdf_of(const std::string& reflectance, bool is_two_sided) {
   const std::string diffuse = "<bsdf type=\"diffuse\">" + reflectance + "</bsdf>";
   return "    " + (is_two_sided ? "<bsdf type=\"twosided\">" + diffuse + "</bsdf>" : diffuse) +
@@ -193,6 +213,7 @@ std::vector<fs::path> mitsuba_meshes(const fs::path& path, const PatchMesh& mesh
 
 void write_mitsuba(const fs::path& path, const Scene& scene, const PatchMesh& mesh,
                    const radiosity::Camera& camera, const MitsubaOptions& options) {
+  refuse_heats(scene);
   const auto patches = fronts_by_surface(mesh);
   const Eigen::MatrixXd radiance = radiosity::exitance(scene, mesh) / radiosity::kPi;
   const Eigen::MatrixXd reflectance = radiosity::reflectance(scene, mesh);
@@ -228,6 +249,8 @@ void write_mitsuba(const fs::path& path, const Scene& scene, const PatchMesh& me
     xml += shape(mesh_path(path, s), identifier(s, mesh.surface_names[s]), bsdf, emitter);
   }
   if (scene.sun) xml += sun_emitter(*scene.sun, scene.bands);
+  const Eigen::VectorXd environment = radiosity::environment_exitance(scene);
+  if (environment.size() > 0) xml += environment_emitter(environment, scene.bands);
   xml += "</scene>\n";
   for (std::size_t s = 0; s < patches.size(); ++s) {
     if (!patches[s].empty()) write_surface_ply(mesh_path(path, s), mesh, patches[s]);

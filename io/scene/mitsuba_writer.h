@@ -25,7 +25,8 @@ std::vector<std::filesystem::path> mitsuba_meshes(const std::filesystem::path& p
 /// radiance M_e / π where they emit, and the camera. Three bands are `rgb`, one is grey, more are
 /// spectra over the wavelengths, which want a spectral variant. `mesh` is of the scene's polygons.
 /// Each file is written beside and renamed into place, the .xml last. Throws SceneError if a
-/// surface emits to both sides, which area lights do not; OutputError.
+/// surface emits to both sides, which area lights do not, has a heat given, is a shield or has a
+/// back of its own; OutputError.
 void write_mitsuba(const std::filesystem::path& path, const radiosity::Scene& scene,
                    const radiosity::PatchMesh& mesh, const radiosity::Camera& camera,
                    const MitsubaOptions& options = {});

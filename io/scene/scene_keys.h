@@ -8,20 +8,23 @@ namespace io::keys {
 
 inline constexpr auto kScene = std::to_array<std::string_view>(
     {"$schema", "name", "description", "unit", "precision", "bands", "materials", "surfaces",
-     "camera", "views", "closed", "sun", "symmetry"});
+     "environment", "camera", "views", "closed", "sun", "symmetry"});
 
 inline constexpr auto kBands = std::to_array<std::string_view>({"thermal", "split_wavelength"});
 
 inline constexpr auto kSun = std::to_array<std::string_view>(
     {"direction", "azimuth_deg", "elevation_deg", "up", "north", "irradiance"});
 
-inline constexpr auto kEmission =
-    std::to_array<std::string_view>({"radiance", "exitance", "power", "temperature"});
+inline constexpr auto kEmission = std::to_array<std::string_view>(
+    {"radiance", "exitance", "power", "temperature", "heat_flux", "heat_power", "adiabatic"});
+
+inline constexpr auto kEnvironment =
+    std::to_array<std::string_view>({"radiance", "exitance", "temperature"});
 
 /// An emission may stand in the material itself or in its "emission".
 inline constexpr auto kMaterial = std::to_array<std::string_view>(
     {"name", "description", "reflectance", "emissivity", "emission", "radiance", "exitance",
-     "power", "temperature", "solar", "infrared"});
+     "power", "temperature", "heat_flux", "heat_power", "adiabatic", "solar", "infrared"});
 
 /// What a material is to the sun's light.
 inline constexpr auto kSolar = std::to_array<std::string_view>({"absorptivity"});
@@ -32,8 +35,8 @@ inline constexpr auto kInfrared = std::to_array<std::string_view>({"emissivity"}
 inline constexpr auto kSpectrum = std::to_array<std::string_view>({"csv", "column"});
 
 inline constexpr auto kSurface = std::to_array<std::string_view>(
-    {"name", "description", "material", "two_sided", "light", "mesh", "object", "transform", "unit",
-     "polygons", "vertices"});
+    {"name", "description", "material", "back", "two_sided", "shield", "light", "mesh", "object",
+     "transform", "unit", "polygons", "vertices"});
 
 inline constexpr auto kTransform =
     std::to_array<std::string_view>({"scale", "rotate", "translate", "matrix"});

@@ -91,6 +91,10 @@ const char* emission_key(Emission::Kind kind) {
       return "exitance";
     case Emission::Kind::power:
       return "power";
+    case Emission::Kind::heat_flux:
+      return "heat_flux";
+    case Emission::Kind::heat_power:
+      return "heat_power";
     case Emission::Kind::temperature:
     case Emission::Kind::none:
       break;
@@ -255,6 +259,10 @@ void write_surfaces(const Scene& scene, const std::vector<std::string>& material
            << "{\"name\": " << text(Json(names.add(surface.name)))
            << ", \"material\": " << text(Json(material_names[surface.material]));
     if (surface.two_sided) stream << ", \"two_sided\": true";
+    if (surface.back_material >= 0) {
+      stream << ", \"back\": " << text(Json(material_names[surface.back_material]));
+    }
+    if (surface.is_shield) stream << ", \"shield\": true";
     if (surface.emission_factor != 1) {
       stream << ", \"light\": " << text(light_json(surface.emission_factor));
     }
@@ -263,6 +271,11 @@ void write_surfaces(const Scene& scene, const std::vector<std::string>& material
     stream << "}";
   }
   stream << "\n  ]";
+}
+
+void write_environment(const Emission& environment, std::ostream& stream) {
+  const Json json = {{emission_key(environment.kind), values_json(environment.value)}};
+  stream << "  \"environment\": " << text(json) << ",\n";
 }
 
 void write_views(const Scene& scene, std::ostream& stream) {
@@ -290,6 +303,7 @@ void write_json(const Scene& scene, std::ostream& stream) {
   stream << "  \"unit\": \"m\",\n  \"precision\": " << text(Json(scene.precision))
          << ",\n  \"bands\": " << text(bands_json(scene.bands)) << ",\n";
   write_materials(scene, material_names, stream);
+  if (scene.environment.kind != Emission::Kind::none) write_environment(scene.environment, stream);
   write_surfaces(scene, material_names, stream);
   if (scene.sun) stream << ",\n  \"sun\": " << text(sun_json(*scene.sun));
   if (scene.camera) stream << ",\n  \"camera\": " << text(camera_json(*scene.camera));

@@ -11,10 +11,11 @@
 #include "radiosity/compressed/make_compressed_transport.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/radiometry.h"
+#include "radiosity/solve/conditions.h"
 #include "radiosity/solve/discretisation_error.h"
 #include "radiosity/solve/refinement.h"
 #include "radiosity/solve/solution.h"
-#include "radiosity/visibility/sunlight.h"
+#include "radiosity/visibility/incident_light.h"
 
 namespace meshing {
 namespace {
@@ -126,14 +127,18 @@ class Refiner {
     transport.closed = is_dense ? Closed::no : asked.closed;
     transport.known = {earlier.get(), same};
     transport.memory = memory_beside(earlier.get());
-    const ExpectedLight light{initial_radiosity(scene_, mesh, options_.progress),
-                              reflectance(scene_, mesh), exitance(scene_, mesh)};
+    const Eigen::MatrixXd incident = incident_irradiance(scene_, mesh, options_.progress);
+    const Eigen::MatrixXd emitted = exitance(scene_, mesh).cwiseAbs();
+    const Eigen::MatrixXd rho = reflectance(scene_, mesh);
+    const ExpectedLight light{initial_radiosity(emitted, rho, incident), rho, emitted};
     stage.transport = make_transport(mesh, stage.visibility, transport, choice(stage.kind), light);
     SolveOptions solving;
     solving.tolerance = kSolveTolerance;
     solving.estimates_errors = false;
     solving.progress = options_.progress;
-    stage.solution = solve(*stage.transport, light.exitance, light.reflectance, solving);
+    const Conditions conditions = make_conditions(scene_, mesh, *stage.transport, incident);
+    solving = with_conditions(std::move(solving), conditions, conditions.exitance.cols());
+    stage.solution = solve(*stage.transport, conditions.exitance, conditions.reflectance, solving);
     return stage;
   }
 

@@ -102,6 +102,7 @@ py::dict light_dict(Solution solution, const DiscretisationError& discretisation
   result["emitted"] = std::move(solution.energy.emitted);
   result["incident_power"] = std::move(solution.energy.incident);
   result["absorbed"] = std::move(solution.energy.absorbed);
+  result["temperature"] = std::move(solution.temperature);
   result["escaped"] = std::move(solution.energy.escaped);
   result["method"] = std::string(method_name(solution.method));
   result["iterations"] = solution.iterations;

@@ -18,7 +18,7 @@
 #include "radiosity/base/parallel.h"
 #include "radiosity/operator/surface_factors.h"
 #include "radiosity/scene/scene.h"
-#include "radiosity/visibility/sunlight.h"
+#include "radiosity/visibility/incident_light.h"
 
 namespace python {
 namespace {

@@ -11,11 +11,11 @@ from ._progress import reporter
 
 
 class Energy:
-    """Where the power goes, W, by band: emitted + incident (from the sun) = absorbed + escaped."""
+    """Where the power goes, W, by band: emitted + incident = absorbed + escaped."""
 
     def __init__(self, emitted, absorbed, escaped, incident):
         self.emitted: np.ndarray = emitted
-        self.incident: np.ndarray = incident
+        self.incident: np.ndarray = incident  #: from without: of sun and environment
         self.absorbed: np.ndarray = absorbed
         self.escaped: np.ndarray = escaped
 
@@ -42,11 +42,13 @@ class Light:
 
         self.radiosity: np.ndarray = field("radiosity")  #: B = M + ρ H, W/m²
         self.irradiance: np.ndarray = field("irradiance")  #: H = F B + E, W/m²
-        self.incident: np.ndarray = field("incident")  #: E, straight from the sun, W/m²
+        self.incident: np.ndarray = field("incident")  #: E, from without: sun, environment, W/m²
         self.exitance: np.ndarray = field("exitance")  #: M, what is emitted, W/m²
         self.reflectance: np.ndarray = field("reflectance")  #: ρ
         self.error: np.ndarray = field("error")  #: one standard error of the radiosity, W/m²
         self.net_flux: np.ndarray = field("net_flux")  #: B - H, W/m²
+        #: what each patch is at, K, (n,), if the scene has temperatures or heats; or None
+        self.temperature = core["temperature"] if len(core["temperature"]) else None
         self.energy = Energy(
             core["emitted"], core["absorbed"], core["escaped"], core["incident_power"]
         )

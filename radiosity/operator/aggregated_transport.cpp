@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <utility>
+#include <vector>
 
 namespace radiosity {
 
@@ -27,6 +28,22 @@ Eigen::MatrixXd AggregatedTransport::means(const Eigen::MatrixXd& values) const 
     }
     result.col(c) = result.col(c).cwiseMax(low).cwiseMin(high);
   }
+  return result;
+}
+
+Eigen::SparseMatrix<double> AggregatedTransport::means(
+    const Eigen::SparseMatrix<double>& passing) const {
+  using Entry = Eigen::SparseMatrix<double>::InnerIterator;
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Index j = 0; j < passing.outerSize(); ++j) {
+    for (Entry entry(passing, j); entry; ++entry) {
+      const std::int32_t g = groups_.group_of[entry.row()];
+      entries.emplace_back(g, groups_.group_of[j],
+                           finer_.area()[entry.row()] / area_[g] * entry.value());
+    }
+  }
+  Eigen::SparseMatrix<double> result(size(), size());
+  result.setFromTriplets(entries.begin(), entries.end());
   return result;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Eigen/SparseCore>
+
 #include "radiosity/base/geometry.h"
 #include "radiosity/operator/transport.h"
 #include "radiosity/scene/neighbor_groups.h"
@@ -36,6 +38,8 @@ class AggregatedTransport final : public Transport, public FactorRows {
 
   /// Area-weighted means over the groups of values per patch, n_groups x k.
   [[nodiscard]] Eigen::MatrixXd means(const Eigen::MatrixXd& values) const;
+  /// T_IJ = Σ_{i in I} Σ_{j in J} A_i T_ij / A_I of what patches pass on to each other.
+  [[nodiscard]] Eigen::SparseMatrix<double> means(const Eigen::SparseMatrix<double>& passing) const;
   /// The value of its group for every patch, n x k.
   [[nodiscard]] Eigen::MatrixXd spread(const Eigen::MatrixXd& group_values) const;
 

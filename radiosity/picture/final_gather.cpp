@@ -6,7 +6,6 @@
 
 #include "radiosity/picture/point_gather.h"
 #include "radiosity/scene/whole_mesh.h"
-#include "radiosity/visibility/sun_shadows.h"
 
 namespace radiosity {
 namespace {
@@ -20,18 +19,10 @@ constexpr double kShareOfPatch = 1e-3;
 
 struct FinalGather::Implementation {
   Implementation(const PatchMesh& patch_mesh, const Eigen::MatrixXd& radiosity,
-                 const std::optional<Sun>& given_sun)
-      : mesh(patch_mesh), scene(patch_mesh, radiosity), sun(given_sun) {
-    if (sun) shadows.emplace(mesh, sun->direction);
+                 const IncidentLight& from_without)
+      : mesh(patch_mesh), scene(patch_mesh, radiosity), incident(from_without) {
     const Box3 box = bounds(WholeMesh(mesh).mesh());
     if (!box.isEmpty()) ray_error = kRayError * box.diagonal().norm();
-  }
-
-  /// Adds the sun's direct light at a point to a column of irradiance.
-  void add_sun(const Vec3& point, const Vec3& normal,
-               Eigen::Ref<Eigen::VectorXd> irradiance) const {
-    if (!sun || !shadows->is_lit(point, normal)) return;
-    irradiance += shadows->cosine(normal) * sun->irradiance;
   }
 
   void keep_within_patch(std::int32_t patch, Vec3& x) const;
@@ -39,14 +30,13 @@ struct FinalGather::Implementation {
 
   const PatchMesh& mesh;
   GatherScene scene;
-  std::optional<Sun> sun;
-  std::optional<SunShadows> shadows;
+  IncidentLight incident;
   double ray_error = 0;  // m
 };
 
 FinalGather::FinalGather(const PatchMesh& mesh, const Eigen::MatrixXd& radiosity,
-                         const std::optional<Sun>& sun)
-    : implementation_(std::make_unique<Implementation>(mesh, radiosity, sun)) {}
+                         const IncidentLight& incident)
+    : implementation_(std::make_unique<Implementation>(mesh, radiosity, incident)) {}
 FinalGather::~FinalGather() = default;
 
 bool FinalGather::are_coplanar(std::int32_t i, std::int32_t j) const {
@@ -79,8 +69,8 @@ Eigen::MatrixXd FinalGather::irradiance(std::span<const SurfacePoint> points) co
   PointGather gather(scene);
   for (Group& group : groups) gather.gather(scene.planes[group.patch], group.points, result);
   for (std::size_t k = 0; k < points.size(); ++k) {
-    implementation_->add_sun(points[k].position, implementation_->mesh.normal[points[k].patch],
-                             result.col(static_cast<Index>(k)));
+    implementation_->incident.add(points[k].position, implementation_->mesh.normal[points[k].patch],
+                                  result.col(static_cast<Index>(k)));
   }
   return result.transpose();
 }
@@ -96,7 +86,7 @@ Eigen::MatrixXd FinalGather::irradiance(std::span<const Vec3> points, const Vec3
   const HalfSpace plane = {normal, normal.dot(places.front().position)};
   PointGather(scene).gather(plane, places, result);
   for (std::size_t k = 0; k < points.size(); ++k) {
-    implementation_->add_sun(points[k], normal, result.col(static_cast<Index>(k)));
+    implementation_->incident.add(points[k], normal, result.col(static_cast<Index>(k)));
   }
   return result.transpose();
 }

@@ -2,24 +2,23 @@
 
 #include <Eigen/Core>
 #include <memory>
-#include <optional>
 #include <span>
 
 #include "radiosity/picture/primary_rays.h"
 #include "radiosity/scene/patch_mesh.h"
-#include "radiosity/scene/sun.h"
+#include "radiosity/visibility/incident_light.h"
 
 namespace radiosity {
 
 /// Gathers light at points: the irradiance H(x) = Σ_j B_j F(x → visible part of patch j) + E(x)
 /// from patches of constant radiosity B_j, without sampling: what hides a patch is cut out of it
-/// exactly as seen from x, and the rest has Lambert's closed form. E(x) = E_n cosθ where the sun
-/// shines, if there is one, so that its shadows are sharp. Immutable; may be used by many threads.
+/// exactly as seen from x, and the rest has Lambert's closed form. E(x) is the light that comes
+/// from no patch, with sharp shadows. Immutable; may be used by many threads.
 class FinalGather {
  public:
   /// `radiosity` is n_patches x n_bands, W/m². The mesh must outlive this.
   FinalGather(const PatchMesh& mesh, const Eigen::MatrixXd& radiosity,
-              const std::optional<Sun>& sun = {});
+              const IncidentLight& incident = {});
   ~FinalGather();
   FinalGather(const FinalGather&) = delete;
   FinalGather& operator=(const FinalGather&) = delete;

@@ -2,6 +2,9 @@
 
 #include <cassert>
 #include <cmath>
+#include <cstdint>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "radiosity/scene/black_body.h"
@@ -9,11 +12,20 @@
 namespace radiosity {
 namespace {
 
-/// Emitting area of each surface, both sides if two-sided, m².
-std::vector<double> surface_areas(const Scene& scene, const PatchMesh& mesh) {
-  std::vector<double> areas(scene.surfaces.size(), 0.0);
-  for (Index i = 0; i < mesh.size(); ++i) areas[mesh.surface[i]] += mesh.area[i];
+/// Area of each surface that has each material, both sides if they are alike, m².
+using MaterialAreas = std::map<std::pair<std::int32_t, int>, double>;
+
+MaterialAreas material_areas(const Scene& scene, const PatchMesh& mesh) {
+  MaterialAreas areas;
+  for (Index i = 0; i < mesh.size(); ++i) {
+    areas[{mesh.surface[i], material_of(scene, mesh, i)}] += mesh.area[i];
+  }
   return areas;
+}
+
+bool is_given_heat(const Material& material) {
+  return material.emission.kind == Emission::Kind::heat_flux ||
+         material.emission.kind == Emission::Kind::heat_power;
 }
 
 /// M_e of a surface of the given material and total area, per band.
@@ -27,7 +39,10 @@ Eigen::VectorXd surface_exitance(const Material& material, double area, const Ba
     case Emission::Kind::exitance:
       return emission.value;
     case Emission::Kind::power:
+    case Emission::Kind::heat_power:
       return emission.value / area;
+    case Emission::Kind::heat_flux:
+      return emission.value;
     case Emission::Kind::temperature:
       return kStefanBoltzmann * std::pow(emission.value[0], 4) *
              (1 - material.reflectance.array())
@@ -41,21 +56,53 @@ const Surface& surface_of(const Scene& scene, const PatchMesh& mesh, Index patch
   return scene.surfaces[mesh.surface[patch]];
 }
 
+/// Whether patch i is a side of a shield: it has another.
+bool is_shield(const Scene& scene, const PatchMesh& mesh, Index i) {
+  return surface_of(scene, mesh, i).is_shield && mesh.twin[i] >= 0;
+}
+
+double grey_emissivity(const Scene& scene, const PatchMesh& mesh, Index i) {
+  return 1 - scene.materials[material_of(scene, mesh, i)].reflectance[0];
+}
+
+/// ε ε' / (ε + ε'), the share that one side of a shield passes on to the other; 0 if both are
+/// white.
+double shield_share(const Scene& scene, const PatchMesh& mesh, Index i) {
+  const double front = grey_emissivity(scene, mesh, i);
+  const double back = grey_emissivity(scene, mesh, mesh.twin[i]);
+  return front + back > 0 ? front * back / (front + back) : 0;
+}
+
 }  // namespace
 
+int material_of(const Scene& scene, const PatchMesh& mesh, Index patch) {
+  const Surface& surface = surface_of(scene, mesh, patch);
+  // Fronts come before their backs.
+  const bool is_back = mesh.twin[patch] >= 0 && mesh.twin[patch] < patch;
+  return is_back && surface.back_material >= 0 ? surface.back_material : surface.material;
+}
+
 Eigen::MatrixXd exitance(const Scene& scene, const PatchMesh& mesh) {
-  const std::vector<double> areas = surface_areas(scene, mesh);
-  std::vector<Eigen::VectorXd> values;
-  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
-    const Surface& surface = scene.surfaces[s];
-    values.push_back(surface.emission_factor *
-                     surface_exitance(scene.materials[surface.material], areas[s], scene.bands));
+  std::map<std::pair<std::int32_t, int>, Eigen::VectorXd> values;
+  for (const auto& [key, area] : material_areas(scene, mesh)) {
+    const auto& [surface, material] = key;
+    values[key] = scene.surfaces[surface].emission_factor *
+                  surface_exitance(scene.materials[material], area, scene.bands);
   }
   Eigen::MatrixXd result(mesh.size(), scene.bands.count());
   for (Index i = 0; i < mesh.size(); ++i) {
-    const Eigen::VectorXd& value = values[mesh.surface[i]];
+    const Eigen::VectorXd& value = values.at({mesh.surface[i], material_of(scene, mesh, i)});
     assert(value.size() == result.cols());
     result.row(i) = value.transpose();
+  }
+  // The temperature of a shield carries the heat given to either side, ε q / (ε + ε') of it.
+  const Eigen::MatrixXd given = result;
+  for (Index i = 0; i < mesh.size(); ++i) {
+    if (!is_shield(scene, mesh, i)) continue;
+    const Index twin = mesh.twin[i];
+    const double own = grey_emissivity(scene, mesh, i);
+    const double both = own + grey_emissivity(scene, mesh, twin);
+    result.row(i) = (both > 0 ? own / both : 0.) * (given.row(i) + given.row(twin));
   }
   return result;
 }
@@ -71,11 +118,45 @@ Eigen::MatrixXd initial_radiosity(const Eigen::MatrixXd& exitance,
 Eigen::MatrixXd reflectance(const Scene& scene, const PatchMesh& mesh) {
   Eigen::MatrixXd result(mesh.size(), scene.bands.count());
   for (Index i = 0; i < mesh.size(); ++i) {
-    const Eigen::VectorXd& value = scene.materials[surface_of(scene, mesh, i).material].reflectance;
-    assert(value.size() == result.cols());
-    result.row(i) = value.transpose();
+    const Material& material = scene.materials[material_of(scene, mesh, i)];
+    assert(material.reflectance.size() == result.cols());
+    result.row(i) = material.reflectance.transpose();
+    if (is_shield(scene, mesh, i)) {
+      result.row(i).setConstant(1 - shield_share(scene, mesh, i));
+    } else if (is_given_heat(material)) {
+      result.row(i).setOnes();
+    }
   }
   return result;
+}
+
+Eigen::SparseMatrix<double> transmission(const Scene& scene, const PatchMesh& mesh) {
+  std::vector<Eigen::Triplet<double>> shares;
+  for (Index i = 0; i < mesh.size(); ++i) {
+    if (!is_shield(scene, mesh, i)) continue;
+    shares.emplace_back(i, mesh.twin[i], shield_share(scene, mesh, i));
+  }
+  if (shares.empty()) return {};
+  Eigen::SparseMatrix<double> result(mesh.size(), mesh.size());
+  result.setFromTriplets(shares.begin(), shares.end());
+  return result;
+}
+
+Eigen::MatrixXd emissivity(const Scene& scene, const PatchMesh& mesh) {
+  Eigen::MatrixXd result(mesh.size(), scene.bands.count());
+  for (Index i = 0; i < mesh.size(); ++i) {
+    result.row(i) =
+        1 - scene.materials[material_of(scene, mesh, i)].reflectance.transpose().array();
+  }
+  return result;
+}
+
+Eigen::VectorXd environment_exitance(const Scene& scene) {
+  if (scene.environment.kind == Emission::Kind::none) return {};
+  const Material black{.name = {},
+                       .reflectance = Eigen::VectorXd::Zero(scene.bands.count()),
+                       .emission = scene.environment};
+  return surface_exitance(black, 1, scene.bands);
 }
 
 }  // namespace radiosity

@@ -47,10 +47,12 @@ struct Bands {
 struct Emission {
   enum class Kind {
     none,
-    radiance,    ///< L, W/(m² sr); M_e = π L
-    exitance,    ///< M_e, W/m²
-    power,       ///< Φ, W, of each surface with this material; M_e = Φ / A
-    temperature  ///< T, K; M_e = ε f σ T⁴ with ε = 1 - ρ and f the bands' thermal_fractions
+    radiance,     ///< L, W/(m² sr); M_e = π L
+    exitance,     ///< M_e, W/m²
+    power,        ///< Φ, W, of each surface with this material; M_e = Φ / A
+    temperature,  ///< T, K; M_e = ε f σ T⁴ with ε = 1 - ρ and f the bands' thermal_fractions
+    heat_flux,    ///< B - H, W/m²: what is given off, whatever temperature that takes (grey band)
+    heat_power    ///< the same of each surface with this material, W
   };
   Kind kind = Kind::none;
   Eigen::VectorXd value;  ///< size = number of bands; 1 for temperature; empty for none
@@ -70,6 +72,11 @@ struct Surface {
   bool two_sided = false;  ///< each polygon then gives two patches, back to back
   /// Of the power that its material emits by itself, what this surface does: >= 0; 0 = it is off.
   double emission_factor = 1;
+  /// Of its backs if two-sided: index into Scene::materials; -1 = the same.
+  int back_material = -1;
+  /// Two-sided, its patches each of one temperature for both sides, which follows from the heat:
+  /// none is given to it but what its materials say.
+  bool is_shield = false;
 };
 
 /// A pinhole camera.
@@ -103,6 +110,9 @@ struct Scene {
   std::vector<std::int32_t> polygon_surface;  ///< per polygon: index into `surfaces`
   std::vector<Surface> surfaces;
   std::vector<Material> materials;
+  /// What comes in wherever a patch sees no other and no back: of radiance, exitance or temperature
+  /// (of a black one).
+  Emission environment;
   /// How far a coordinate may be off what was meant, for its last digits were rounded away: half a
   /// unit in the last place of the file, m. 0 = exact but for the rounding of `double`.
   double precision = 0;

@@ -76,7 +76,7 @@ Iterate conjugate_gradients(const IrradianceSystem& system, SolveMonitor& monito
   monitor.show(0, 0, bound, step_fields(system, iterate));
   while (bound > monitor.tolerance() && monitor.may_spend(2)) {
     Iterate next{descend(system, iterate, monitor), {}};
-    next.gathered = system.transport->apply(system.radiosity(next.irradiance));
+    next.gathered = system.gather(system.radiosity(next.irradiance));
     monitor.spend(1);
     const double next_bound = system.error_bounds(next).maxCoeff();
     const bool is_stuck = !(next_bound <= 0.5 * bound);

@@ -34,6 +34,9 @@ Solution solve_coarser(const AggregatedTransport& coarser, const Solution& solut
   SolveOptions options;
   options.tolerance = kTolerance;
   options.start = coarser.means(solution.irradiance);
+  if (solution.incident.size() > 0) options.incident = coarser.means(solution.incident);
+  if (solution.transmission.size() > 0) options.transmission = coarser.means(solution.transmission);
+  options.has_sinks = true;  // checked in the finer one
   options.progress.stop = progress.stop;
   return solve(coarser, coarser.means(solution.exitance), coarser.means(solution.reflectance),
                options);
@@ -110,7 +113,7 @@ DiscretisationError discretisation_error(const PatchMesh& mesh, const Transport&
   const Eigen::MatrixXd earlier_change = coarsest.spread(coarsest.means(once)) - twice;
 
   const Eigen::VectorXd& area = transport.area();
-  const Eigen::MatrixXd reflected = solution.radiosity - solution.exitance;
+  const Eigen::MatrixXd reflected = solution.exchanged_radiosity();
   Eigen::VectorXd scale(reflected.cols());
   for (Index c = 0; c < scale.size(); ++c) {
     scale[c] = std::sqrt(area.dot(reflected.col(c).cwiseAbs2()));
@@ -132,8 +135,8 @@ DiscretisationError discretisation_error(const PatchMesh& mesh, const Transport&
   }
   result.error = left.cwiseSqrt();
   result.n_unknown = static_cast<Index>(lone.size());
-  // Where no light arrives at all there is none to be wrong about.
-  result.error = (solution.irradiance.array() == 0).select(0, result.error);
+  // Where no light of patches arrives at all there is none to be wrong about.
+  result.error = (solution.exchanged_irradiance().array() == 0).select(0, result.error);
   result.relative = relative_error(area, reflected, result.error);
   report(3);
   return result;

@@ -2,90 +2,135 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <utility>
 
 #include "radiosity/operator/column_basis.h"
+#include "radiosity/solve/trapped_light.h"
 
 namespace radiosity {
 namespace {
 
 /// Row sums this close to 1 count as closed: what single-precision exchange areas can tell.
 constexpr double kClosedRowSum = 1 - 1e-6;
+/// Patches that pass on all but this share of their light count as white.
+constexpr double kAbsorbedByRounding = 1e-12;
 /// Relative error of what a system is made of.
 constexpr double kRounding = 1e-14;
+/// A loss of light this small may be rounding.
+constexpr double kProvedLoss = 1e-9;
+/// What may be missing of the 1 that is added where light grows for a proof.
+constexpr double kGrownRest = 0.1;
 /// Products spent at most on proving that light dies out among patches with ρ = 1.
 constexpr int kMaxProofProducts = 60;
 
-/// Marks (1, else 0) the patches with ρ = 1 that exchange light only among themselves.
-Eigen::VectorXd trapping_patches(const Transport& transport, const Eigen::VectorXd& rho,
+/// Marks (1, else 0) the patches that absorb nothing and exchange light only among themselves.
+Eigen::VectorXd trapping_patches(const IrradianceSystem& system, Index band,
                                  SolveMonitor& monitor) {
-  Eigen::VectorXd trapping = (rho.array() >= 1).cast<double>();
+  constexpr double kWhite = 1 - kAbsorbedByRounding;
+  Eigen::VectorXd trapping = (system.passed_share.col(band).array() >= kWhite).cast<double>();
   for (int k = 0; k < kMaxProofProducts && (trapping.array() > 0).any(); ++k) {
-    const Eigen::VectorXd kept = transport.apply(trapping);
+    const Eigen::VectorXd kept = system.transport->apply(trapping);
     monitor.spend(1);
     monitor.check();
-    const Eigen::VectorXd remaining = (kept.array() >= kClosedRowSum).select(trapping, 0);
+    const Eigen::VectorXd passed = system.passed_on(band, trapping);
+    const Eigen::VectorXd remaining =
+        (kept.array() >= kClosedRowSum && passed.array() >= kWhite).select(trapping, 0);
     if (remaining == trapping) return trapping;
     trapping = remaining;
   }
-  return Eigen::VectorXd::Zero(rho.size());
+  return Eigen::VectorXd::Zero(system.size());
 }
 
 void require_no_trapped_light(const IrradianceSystem& system, Index band, SolveMonitor& monitor) {
-  const Eigen::VectorXd trapping =
-      trapping_patches(*system.transport, system.reflectance.col(band), monitor);
+  const Eigen::VectorXd trapping = trapping_patches(system, band, monitor);
   Index patch = 0;
   if (trapping.maxCoeff(&patch) == 0) return;
   for (Index c = band; c < system.n_columns(); c += system.reflectance.cols()) {
     const Eigen::VectorXd light =
         system.exitance.col(c).cwiseAbs() + system.direct.col(c).cwiseAbs();
     if (trapping.dot(light) == 0) continue;
-    throw SolveError("no solution: " + std::to_string(static_cast<long>(trapping.sum())) + " of " +
-                     std::to_string(system.size()) + " patches (such as patch " +
-                     std::to_string(patch) + ") have reflectance 1 in column " +
-                     std::to_string(band) +
-                     ", let no light escape, and are lit; expected a reflectance below 1 or an "
-                     "opening somewhere among them");
+    std::vector<std::int32_t> patches;
+    for (Index i = 0; i < trapping.size(); ++i) {
+      if (trapping[i] > 0) patches.push_back(static_cast<std::int32_t>(i));
+    }
+    throw TrappedLight(
+        "no solution: " + std::to_string(static_cast<long>(trapping.sum())) + " of " +
+            std::to_string(system.size()) + " patches (such as patch " + std::to_string(patch) +
+            ") have reflectance 1 in column " + std::to_string(band) +
+            ", let no light escape, and are lit; expected a reflectance below 1 or an "
+            "opening somewhere among them",
+        std::move(patches));
   }
 }
 
-/// Lowers q by power iteration: max_i (F ρ x)_i / x_i never grows from one x to the next. Entries
-/// that have become 0 belong to a nilpotent block and do not count.
-double refine_contraction(const IrradianceSystem& system, Index band, SolveMonitor& monitor) {
-  double q = system.contraction[band];
-  Eigen::VectorXd x = system.seen_reflectance.col(band);
-  for (int k = 0; k < kMaxProofProducts && x.maxCoeff() > 0; ++k) {
-    const Eigen::VectorXd next =
-        system.transport->apply(system.reflectance.col(band).cwiseProduct(x));
+/// A field x that light grows to where 1 is added everywhere, (I - F ρ) x = 1 as far as conjugate
+/// gradients get: there (F ρ x)_i / x_i = 1 - 1 / x_i.
+Eigen::VectorXd grown_light(const IrradianceSystem& system, Index band, SolveMonitor& monitor) {
+  const auto image = [&](const Eigen::VectorXd& u) -> Eigen::VectorXd {
     monitor.spend(1);
     monitor.check();
-    double ratio = 0;
-    for (Index i = 0; i < x.size(); ++i) {
-      if (x[i] > 0) ratio = std::max(ratio, next[i] / x[i]);
-    }
-    const bool settled = ratio < 1 && 1 - ratio < 1.1 * (1 - q);
-    q = std::min(q, ratio);
-    if (settled) break;
-    x = next / next.maxCoeff();
+    return u - system.transport->apply(system.passed_on(band, u));
+  };
+  const Eigen::VectorXd ones = Eigen::VectorXd::Ones(system.size());
+  Eigen::VectorXd x = ones;
+  Eigen::VectorXd residual = system.seen_reflectance.col(band);
+  Eigen::VectorXd direction = residual;
+  double squared = system.inner(band, residual, residual);
+  for (int k = 2; k < kMaxProofProducts && residual.cwiseAbs().maxCoeff() > kGrownRest; ++k) {
+    const Eigen::VectorXd step = image(direction);
+    const double curvature = system.inner(band, direction, step);
+    if (!(curvature > 0)) break;
+    x += squared / curvature * direction;
+    residual -= squared / curvature * step;
+    const double next = system.inner(band, residual, residual);
+    direction = residual + next / squared * direction;
+    squared = next;
   }
-  return q;
+  return x;
+}
+
+/// Lowers q by (F ρ x)_i / x_i of such a field, with a product more.
+double refine_contraction(const IrradianceSystem& system, Index band, SolveMonitor& monitor) {
+  const Eigen::VectorXd x = grown_light(system, band, monitor);
+  if (!(x.minCoeff() > 0)) return system.contraction[band];
+  const Eigen::VectorXd next = system.transport->apply(system.passed_on(band, x));
+  monitor.spend(1);
+  monitor.check();
+  const double ratio = next.cwiseQuotient(x).maxCoeff();
+  return 1 - ratio > kProvedLoss ? std::min(system.contraction[band], ratio)
+                                 : system.contraction[band];
 }
 
 }  // namespace
 
-Eigen::MatrixXd IrradianceSystem::radiosity(const Eigen::MatrixXd& irradiance) const {
-  Eigen::MatrixXd result = exitance;
-  for (Index c = 0; c < n_columns(); ++c) {
-    result.col(c) += rho(c).cwiseProduct(irradiance.col(c));
-  }
+Eigen::VectorXd IrradianceSystem::passed_on(Index c, const Column& u) const {
+  Eigen::VectorXd result = rho(c).cwiseProduct(u);
+  if (transmission.nonZeros() > 0) result += transmission * u;
   return result;
+}
+
+Eigen::VectorXd IrradianceSystem::source(Index c) const {
+  Eigen::VectorXd result = exitance.col(c);
+  if (incident.size() > 0) result += passed_on(c, incident.col(c));
+  return result;
+}
+
+Eigen::MatrixXd IrradianceSystem::gather(const Eigen::MatrixXd& radiosity) const {
+  Eigen::MatrixXd result = transport->apply(radiosity);
+  if (incident.size() > 0) result += incident;
+  return result;
+}
+
+Eigen::MatrixXd IrradianceSystem::radiosity(const Eigen::MatrixXd& irradiance) const {
+  return exitance + passed_on(irradiance);
 }
 
 Eigen::MatrixXd IrradianceSystem::passed_on(const Eigen::MatrixXd& u) const {
   Eigen::MatrixXd result(u.rows(), u.cols());
-  for (Index c = 0; c < u.cols(); ++c) result.col(c) = rho(c).cwiseProduct(u.col(c));
+  for (Index c = 0; c < u.cols(); ++c) result.col(c) = passed_on(c, u.col(c));
   return result;
 }
 
@@ -94,14 +139,18 @@ Eigen::MatrixXd IrradianceSystem::reflect(const Eigen::MatrixXd& u,
                                           const Eigen::VectorXd& tolerance) const {
   Eigen::MatrixXd reflected(size(), static_cast<Index>(columns.size()));
   for (Index a = 0; a < reflected.cols(); ++a) {
-    reflected.col(a) = rho(columns[a]).cwiseProduct(u.col(columns[a]));
+    reflected.col(a) = passed_on(columns[a], u.col(columns[a]));
   }
   return tolerance.size() > 0 ? apply_by_basis(*transport, std::move(reflected), tolerance)
                               : transport->apply(reflected);
 }
 
 double IrradianceSystem::inner(Index c, const Column& u, const Column& v) const {
-  return (transport->area().array() * rho(c).array() * u.array() * v.array()).sum();
+  double sum = (transport->area().array() * rho(c).array() * u.array() * v.array()).sum();
+  if (transmission.nonZeros() > 0) {
+    sum += (transport->area().array() * u.array() * (transmission * v).array()).sum();
+  }
+  return sum;
 }
 
 double IrradianceSystem::error_bound(Index c, double residual_norm,
@@ -115,10 +164,10 @@ double IrradianceSystem::error_bound(Index c, double residual_norm,
   if (absolute == 0) return 0;
 
   const auto& area = transport->area();
-  const auto emitted = exitance.col(c);
-  const Eigen::VectorXd b = emitted + rho(c).cwiseProduct(irradiance);
-  // B >= M_e >= 0 bounds ‖B‖ from below even while the iterate is poor.
-  const double least = emitted.minCoeff() >= 0 ? std::sqrt(area.dot(emitted.cwiseAbs2())) : 0.;
+  const Eigen::VectorXd b = exitance.col(c) + passed_on(c, irradiance);
+  // B >= M_e + ρ H_0 where M_e >= 0 bounds ‖B‖ from below even while the iterate is poor.
+  const double least =
+      exitance.col(c).minCoeff() >= 0 ? std::sqrt(area.dot(source(c).cwiseAbs2())) : 0.;
   const double norm = std::max(least, std::sqrt(area.dot(b.cwiseAbs2())) - absolute);
   return norm > 0 ? absolute / norm : std::numeric_limits<double>::infinity();
 }
@@ -140,9 +189,16 @@ IrradianceSystem make_irradiance_system(const Transport& transport, const Eigen:
   system.transport = &transport;
   system.exitance = exitance;
   system.reflectance = reflectance;
+  system.incident = monitor.incident();
+  system.transmission = monitor.transmission();
+  system.passed_share.resize(n, n_bands);
+  for (Index band = 0; band < n_bands; ++band) {
+    system.passed_share.col(band) = system.passed_on(band, Eigen::VectorXd::Ones(n));
+  }
   const Index n_start = monitor.start().size() > 0 ? monitor.start().cols() : 0;
   Eigen::MatrixXd fields(n, 1 + n_bands + exitance.cols() + n_start);
-  fields.leftCols(1 + n_bands + exitance.cols()) << Eigen::VectorXd::Ones(n), reflectance, exitance;
+  fields.leftCols(1 + n_bands + exitance.cols()) << Eigen::VectorXd::Ones(n), system.passed_share,
+      exitance;
   if (n_start > 0) fields.rightCols(n_start) = system.passed_on(monitor.start());
   // Reflectances and sources of few materials, however many bands: known to rounding all the same.
   const Eigen::MatrixXd gathered =
@@ -153,13 +209,13 @@ IrradianceSystem make_irradiance_system(const Transport& transport, const Eigen:
   system.row_sums = gathered.col(0);
   system.seen_reflectance = gathered.middleCols(1, n_bands);
   system.direct = gathered.middleCols(1 + n_bands, exitance.cols());
+  if (system.incident.size() > 0) system.direct += system.incident;
   system.reflected_start = gathered.rightCols(n_start);
-  system.largest_reflectance = reflectance.colwise().maxCoeff().transpose();
+  system.largest_reflectance = system.passed_share.colwise().maxCoeff().transpose();
   system.contraction.resize(n_bands);
   for (Index band = 0; band < n_bands; ++band) {
-    system.contraction[band] =
-        std::min(reflectance.col(band).cwiseProduct(system.row_sums).maxCoeff(),
-                 system.seen_reflectance.col(band).maxCoeff());
+    system.contraction[band] = std::min(system.passed_on(band, system.row_sums).maxCoeff(),
+                                        system.seen_reflectance.col(band).maxCoeff());
     if (system.contraction[band] < kClosedRowSum) continue;
     require_no_trapped_light(system, band, monitor);
     system.contraction[band] = refine_contraction(system, band, monitor);
@@ -173,6 +229,8 @@ IrradianceSystem with_exitance(const IrradianceSystem& system, Eigen::MatrixXd e
   result.transport = system.transport;
   result.exitance = std::move(exitance);
   result.reflectance = system.reflectance;
+  result.transmission = system.transmission;
+  result.passed_share = system.passed_share;
   result.direct = apply_by_basis(*system.transport, result.exitance,
                                  tolerance * energy_norms(*system.transport, result.exitance));
   result.row_sums = system.row_sums;
@@ -188,7 +246,7 @@ Iterate first_iterate(const IrradianceSystem& system, const SolveMonitor& monito
   if (monitor.start().size() == 0) return iterate;
   for (Index c = 0; c < system.n_columns(); ++c) {
     // Without light the solution is darkness, which no relative error allows to approach.
-    if (system.exitance.col(c).isZero(0)) continue;
+    if (system.exitance.col(c).isZero(0) && system.direct.col(c).isZero(0)) continue;
     iterate.irradiance.col(c) = monitor.start().col(c);
     iterate.gathered.col(c) += system.reflected_start.col(c);
   }

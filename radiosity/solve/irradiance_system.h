@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 #include <vector>
 
 #include "radiosity/base/geometry.h"
@@ -15,12 +16,15 @@ using Column = Eigen::Ref<const Eigen::VectorXd>;
 /// An approximate solution B = M_e + ρ H and what it yields; both W/m², n x k.
 struct Iterate {
   Eigen::MatrixXd irradiance;  ///< H
-  Eigen::MatrixXd gathered;    ///< F B = F (M_e + ρ H), equal to H once solved
+  Eigen::MatrixXd gathered;    ///< F B + H_0 of B = M_e + ρ H, equal to H once solved
 };
 
 /// The radiosity equation in the irradiance H, from which B = M_e + ρ H:
 ///
-///     (I - F ρ) H = F M_e.
+///     (I - F ρ) H = F M_e + H_0
+///
+/// with the incident H_0. Where light is passed on to other patches ρ stands for ρ + T all through,
+/// and ρ_max for its largest row sum, which is no less than its norm; A (ρ + T) is symmetric.
 ///
 /// In the inner product <u, v> = Σ A ρ u v the operator F ρ is self-adjoint with the eigenvalues of
 /// R F̂ R, where R = ρ^½ and F̂ = A^-½ G A^-½; patches with ρ = 0 drop out by themselves and nothing
@@ -33,12 +37,15 @@ struct Iterate {
 /// taken. Both are <= ρ_max if row sums are <= 1.
 struct IrradianceSystem {
   const Transport* transport = nullptr;
-  Eigen::MatrixXd exitance;             ///< M_e, n x k
-  Eigen::MatrixXd reflectance;          ///< ρ, n x b
-  Eigen::MatrixXd direct;               ///< F M_e, n x k
-  Eigen::MatrixXd reflected_start;      ///< F ρ H of SolveOptions::start, n x k; empty if none
-  Eigen::VectorXd row_sums;             ///< F 1, n
-  Eigen::MatrixXd seen_reflectance;     ///< F ρ, n x b
+  Eigen::MatrixXd exitance;                  ///< M_e, n x k
+  Eigen::MatrixXd reflectance;               ///< ρ, n x b
+  Eigen::MatrixXd incident;                  ///< H_0, n x k; empty if none
+  Eigen::SparseMatrix<double> transmission;  ///< T, n x n; empty if none
+  Eigen::MatrixXd direct;                    ///< F M_e + H_0, n x k
+  Eigen::MatrixXd reflected_start;   ///< F ρ H of SolveOptions::start, n x k; empty if none
+  Eigen::VectorXd row_sums;          ///< F 1, n
+  Eigen::MatrixXd passed_share;      ///< ρ 1, the share of its light that a patch keeps up, n x b
+  Eigen::MatrixXd seen_reflectance;  ///< F ρ 1, n x b
   Eigen::VectorXd largest_reflectance;  ///< ρ_max, b
   Eigen::VectorXd contraction;          ///< q, b; >= 1 where nothing better could be proved
 
@@ -48,6 +55,12 @@ struct IrradianceSystem {
   [[nodiscard]] Index band(Index c) const { return c % reflectance.cols(); }
   [[nodiscard]] Eigen::MatrixXd::ConstColXpr rho(Index c) const { return reflectance.col(band(c)); }
 
+  /// ρ u with the reflectance of column c.
+  [[nodiscard]] Eigen::VectorXd passed_on(Index c, const Column& u) const;
+  /// M_e + ρ H_0 of column c: what leaves before light is exchanged.
+  [[nodiscard]] Eigen::VectorXd source(Index c) const;
+  /// F B + H_0.
+  [[nodiscard]] Eigen::MatrixXd gather(const Eigen::MatrixXd& radiosity) const;
   /// B = M_e + ρ H.
   [[nodiscard]] Eigen::MatrixXd radiosity(const Eigen::MatrixXd& irradiance) const;
   /// ρ u, n x k.
@@ -67,8 +80,9 @@ struct IrradianceSystem {
   [[nodiscard]] Eigen::VectorXd error_bounds(const Iterate& iterate) const;
 };
 
-/// Prepares the system; one product with 1, ρ, M_e and the start together, more only if some ρ = 1.
-/// Throws SolveError if light is emitted among patches with ρ = 1 that let none escape.
+/// Prepares the system of what the monitor's options say beside; one product with 1, ρ, M_e and the
+/// start together, more only if some ρ = 1. Throws SolveError if light is emitted among patches
+/// with ρ = 1 that let none escape.
 IrradianceSystem make_irradiance_system(const Transport& transport, const Eigen::MatrixXd& exitance,
                                         const Eigen::MatrixXd& reflectance, SolveMonitor& monitor);
 

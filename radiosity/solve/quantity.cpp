@@ -21,7 +21,7 @@ constexpr std::array kInfos = {
     QuantityInfo{radiosity, "radiosity", "radiosity", "W/m²", kBanded, kIntensity},
     QuantityInfo{irradiance, "irradiance", "irradiance", "W/m²", kBanded, kIntensity},
     QuantityInfo{exitance, "exitance", "exitance", "W/m²", kBanded, kIntensity},
-    QuantityInfo{sunlight, "sunlight", "sunlight", "W/m²", kBanded, kIntensity},
+    QuantityInfo{incident, "incident", "incident", "W/m²", kBanded, kIntensity},
     QuantityInfo{absorbed, "absorbed", "absorbed", "W/m²", kBanded, kIntensity},
     QuantityInfo{net_flux, "net-flux", "net_flux", "W/m²", kBanded, kIntensity},
     QuantityInfo{power, "power", "power", "W", kBanded, kAdditive},
@@ -70,7 +70,7 @@ Eigen::MatrixXd band_values(Quantity quantity, const PatchMesh& mesh, const Solu
       return solution.irradiance;
     case exitance:
       return solution.exitance;
-    case sunlight:
+    case incident:
       if (solution.incident.size() > 0) return solution.incident;
       return Eigen::MatrixXd::Zero(solution.radiosity.rows(), solution.radiosity.cols());
     case absorbed:

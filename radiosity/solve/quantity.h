@@ -20,8 +20,8 @@ enum class Quantity {
   radiosity,          ///< B = M_e + ρ H, what leaves by emission and reflection
   irradiance,         ///< H, what arrives
   exitance,           ///< M_e, what is emitted
-  sunlight,           ///< E, direct irradiance of the sun, a part of H
-  absorbed,           ///< (1 - ρ) H
+  incident,           ///< H_0, direct irradiance of sun and environment, a part of H
+  absorbed,           ///< (1 - ρ - T) H
   net_flux,           ///< B - H
   power,              ///< A B, what leaves the patch
   reflectance,        ///< ρ

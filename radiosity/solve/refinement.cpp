@@ -27,8 +27,9 @@ GreyFields grey_fields(const Eigen::VectorXd& area, const Solution& solution) {
                   Eigen::VectorXd::Zero(n)};
   Eigen::VectorXd reflected = Eigen::VectorXd::Zero(n);
   Index n_lit = 0;
+  const Eigen::MatrixXd exchanged = solution.exchanged_radiosity();
   for (Index c = 0; c < solution.radiosity.cols(); ++c) {
-    const Eigen::VectorXd band = solution.radiosity.col(c) - solution.exitance.col(c);
+    const Eigen::VectorXd band = exchanged.col(c);
     const double mean = area.dot(band) / area.sum();
     if (!(mean > 0)) continue;
     ++n_lit;

@@ -13,12 +13,12 @@ constexpr Index kChecksPerProduct = 8;
 Iterate with_last_product(const IrradianceSystem& system, const Eigen::MatrixXd& irradiance,
                           SolveMonitor& monitor) {
   monitor.spend(1);
-  return {irradiance, system.transport->apply(system.radiosity(irradiance))};
+  return {irradiance, system.gather(system.radiosity(irradiance))};
 }
 
 /// ρ (F B - H), W/m²; a product.
 Eigen::MatrixXd residual(const IrradianceSystem& system, const Eigen::MatrixXd& irradiance) {
-  const Eigen::MatrixXd gathered = system.transport->apply(system.radiosity(irradiance));
+  const Eigen::MatrixXd gathered = system.gather(system.radiosity(irradiance));
   return system.passed_on(gathered - irradiance);
 }
 
@@ -35,7 +35,8 @@ Sweep sweep(const IrradianceSystem& system, Eigen::MatrixXd irradiance,
   for (Index i = 0; i < system.size(); ++i) {
     monitor.check();
     const Eigen::VectorXd row = quick_rows_of(*system.transport).row(i);
-    const Eigen::RowVectorXd gathered = row.transpose() * b;
+    Eigen::RowVectorXd gathered = row.transpose() * b;
+    if (system.incident.size() > 0) gathered += system.incident.row(i);
     for (Index c = 0; c < system.n_columns(); ++c) {
       const double rho = system.rho(c)[i];
       const double change = (gathered[c] - irradiance(i, c)) / (1 - row[i] * rho);
@@ -47,8 +48,8 @@ Sweep sweep(const IrradianceSystem& system, Eigen::MatrixXd irradiance,
   return {std::move(irradiance), squared.cwiseSqrt()};
 }
 
-/// Light on its way: what has arrived, H = F (B - U), and the part U of B = M_e + ρ H that has not
-/// been sent yet.
+/// Light on its way: what has arrived, H = F (B - U) + H_0, and the part U of B = M_e + ρ H that
+/// has not been sent yet.
 struct Shooting {
   Eigen::MatrixXd irradiance;
   Eigen::MatrixXd unshot;
@@ -73,7 +74,10 @@ struct Shooting {
 /// The light before the first shot. In darkness nothing is sent; a warm start has sent its B, and
 /// what that changes waits to be sent.
 Shooting before_shooting(const IrradianceSystem& system, const Iterate& start) {
-  if (start.irradiance.isZero(0)) return {start.irradiance, system.exitance};
+  if (start.irradiance.isZero(0)) {
+    if (system.incident.size() == 0) return {start.irradiance, system.exitance};
+    return {system.incident, system.radiosity(system.incident)};
+  }
   return {start.gathered, system.passed_on(start.gathered - start.irradiance)};
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 #include <functional>
 #include <optional>
 #include <span>
@@ -45,6 +46,16 @@ struct SolveOptions {
   /// its solution's. Takes part in the first product. Unlit columns start from darkness all the
   /// same.
   Eigen::MatrixXd start = {};
+  /// Irradiance that does not come from patches, of the sun or of surroundings, W/m², n x k, >= 0:
+  /// H = F B + this. Empty: none.
+  Eigen::MatrixXd incident = {};
+  /// Light that patches pass on to others than themselves, as the two sides of a sheet do:
+  /// B = M_e + (ρ + T) H with T n x n, the same in all columns; not negative, A_i T_ij = A_j T_ji,
+  /// ρ + T positive semidefinite, its row sums at most 1. Empty: none. Not with Gauss-Seidel and
+  /// Southwell.
+  Eigen::SparseMatrix<double> transmission = {};
+  /// Whether exitance may be negative: heat that is taken away.
+  bool has_sinks = false;
   /// Called at the beginning and after each step, of Southwell after each shot. A column that has
   /// converged waits for the others.
   std::function<void(const SolveStep&)> on_step = {};
@@ -55,21 +66,24 @@ struct SolveOptions {
 /// escaped.
 struct EnergyBalance {
   Eigen::VectorXd emitted;        ///< Σ A M_e
-  Eigen::VectorXd incident = {};  ///< Σ A E, from without: the sun on emitting sides; 0 without one
-  Eigen::VectorXd absorbed;       ///< Σ A (1 - ρ) H, and what backs and covers take
+  Eigen::VectorXd incident = {};  ///< Σ A H_0, from without: of sun and environment
+  Eigen::VectorXd absorbed;       ///< Σ A (1 - ρ - T) H, and what backs and covers take
   Eigen::VectorXd escaped;        ///< Σ A B (1 - covered - backs - row sum): leaves the scene
 };
 
 /// The radiosity of every patch, and what is known about its error. The energy norm of a field B is
 /// ‖B‖ = sqrt(Σ A B²); relative figures are the largest over the columns.
 struct Solution {
-  Eigen::MatrixXd radiosity;    ///< B, W/m², n x k
-  Eigen::MatrixXd irradiance;   ///< H = F B + E, W/m², n x k
-  Eigen::MatrixXd exitance;     ///< M_e as given, W/m², n x k
-  Eigen::MatrixXd reflectance;  ///< ρ as given, n x k
-  Eigen::MatrixXd incident;     ///< E, direct irradiance from without (the sun), n x k; or empty
+  Eigen::MatrixXd radiosity;        ///< B, W/m², n x k
+  Eigen::MatrixXd irradiance;       ///< H = F B + H_0, W/m², n x k
+  Eigen::MatrixXd exitance;         ///< M_e as given, W/m², n x k
+  Eigen::MatrixXd reflectance;      ///< ρ as given, n x k
   Eigen::MatrixXd radiosity_error;  ///< one standard error of B (form factors and iteration), W/m²
-  EnergyBalance energy;             ///< per column
+  Eigen::MatrixXd incident;         ///< H_0 as given, from without, W/m², n x k; or empty
+  Eigen::SparseMatrix<double> transmission;  ///< T as given, n x n; or empty
+  /// What each patch is at if the light is heat, K, n (radiosity::temperatures); or empty.
+  Eigen::VectorXd temperature;
+  EnergyBalance energy;  ///< per column
   Method method = Method::conjugate_gradients;
   int iterations = 0;   ///< steps of the method
   double products = 0;  ///< operator products that these cost (not those for radiosity_error)
@@ -83,10 +97,14 @@ struct Solution {
 
   /// B - H, what each patch loses by radiation (negative: gains), W/m², n x k.
   [[nodiscard]] Eigen::MatrixXd net_flux() const { return radiosity - irradiance; }
-  /// (1 - ρ) H, what each patch absorbs, W/m², n x k.
-  [[nodiscard]] Eigen::MatrixXd absorbed_flux() const {
-    return irradiance - reflectance.cwiseProduct(irradiance);
-  }
+  /// (ρ + T) H, W/m², n x k, of what patches receive.
+  [[nodiscard]] Eigen::MatrixXd passed_on(const Eigen::MatrixXd& received) const;
+  /// (1 - ρ - T) H, what each patch absorbs, W/m², n x k.
+  [[nodiscard]] Eigen::MatrixXd absorbed_flux() const { return irradiance - passed_on(irradiance); }
+  /// F B = H - H_0, what patches receive from each other, W/m², n x k.
+  [[nodiscard]] Eigen::MatrixXd exchanged_irradiance() const;
+  /// B - M_e - (ρ + T) H_0, what they pass on of that, W/m², n x k.
+  [[nodiscard]] Eigen::MatrixXd exchanged_radiosity() const;
 };
 
 }  // namespace radiosity

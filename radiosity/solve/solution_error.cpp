@@ -36,8 +36,7 @@ Eigen::MatrixXd propagate(const IrradianceSystem& system, Eigen::MatrixXd source
   const IrradianceSystem probes =
       with_exitance(system, std::move(sources), kProbeTolerance, monitor);
   Eigen::MatrixXd reflected = unproved_irradiance(probes, monitor);
-  for (Index c = 0; c < reflected.cols(); ++c) reflected.col(c).array() *= probes.rho(c).array();
-  return reflected;
+  return probes.passed_on(reflected);
 }
 
 /// The error that patches share. An error ε of H is the local error ρ ε of B, which reflection
@@ -54,14 +53,13 @@ struct CommonError {
   Eigen::MatrixXd response;    ///< β, n x k
 };
 
-/// `sigma` is the standard error σ of the irradiance, `rho` the reflectance, both n x k.
+/// `sigma` is the standard error σ of the irradiance, n x k.
 CommonError common_error(const IrradianceSystem& system, const Eigen::MatrixXd& b,
-                         const Eigen::MatrixXd& sigma, const Eigen::MatrixXd& rho,
-                         const Progress& progress) {
+                         const Eigen::MatrixXd& sigma, const Progress& progress) {
   const Eigen::ArrayXd area = system.transport->area().array();
   // Rounding may have left values slightly below 0.
   const Eigen::ArrayXXd light = b.array().max(0);
-  const Eigen::ArrayXXd phi = propagate(system, system.reflectance, progress)
+  const Eigen::ArrayXXd phi = propagate(system, system.passed_share, progress)
                                   .replicate(1, b.cols() / system.reflectance.cols())
                                   .array()
                                   .max(0);
@@ -80,7 +78,7 @@ CommonError common_error(const IrradianceSystem& system, const Eigen::MatrixXd& 
         scale * area * (phi.col(c) * sigma.col(c).array().square() + light.col(c) * mixed.col(c));
     common.variance[c] = common.weight.col(c).dot(common.covariance.col(c));
   }
-  common.response = propagate(system, rho.cwiseProduct(common.covariance), progress);
+  common.response = propagate(system, system.passed_on(common.covariance), progress);
   for (Index c = 0; c < b.cols(); ++c) {
     if (common.variance[c] > 0) common.response.col(c) /= common.variance[c];
   }
@@ -89,8 +87,7 @@ CommonError common_error(const IrradianceSystem& system, const Eigen::MatrixXd& 
 
 /// Mean square of what independent errors on other patches cause beyond the common error.
 Eigen::MatrixXd remaining_variance(const IrradianceSystem& system, const Eigen::MatrixXd& sigma,
-                                   const Eigen::MatrixXd& rho, const CommonError& common,
-                                   const Progress& progress) {
+                                   const CommonError& common, const Progress& progress) {
   const Index k = sigma.cols();
   std::mt19937_64 random(kProbeSeed);
   Eigen::MatrixXd errors = sigma.replicate(1, kErrorProbes);
@@ -100,9 +97,7 @@ Eigen::MatrixXd remaining_variance(const IrradianceSystem& system, const Eigen::
       if ((bits >> probe & 1) != 0) errors.row(i).segment(probe * k, k) *= -1;
     }
   }
-  Eigen::MatrixXd reflected = errors;
-  for (Index p = 0; p < errors.cols(); ++p) reflected.col(p).array() *= rho.col(p % k).array();
-  const Eigen::MatrixXd propagated = propagate(system, std::move(reflected), progress);
+  const Eigen::MatrixXd propagated = propagate(system, system.passed_on(errors), progress);
   Eigen::MatrixXd variance = Eigen::MatrixXd::Zero(sigma.rows(), k);
   for (Index p = 0; p < errors.cols(); ++p) {
     const double a = common.weight.col(p % k).dot(errors.col(p));
@@ -121,13 +116,16 @@ Eigen::MatrixXd transport_variance(const IrradianceSystem& system, const Eigen::
     if (progress.report) progress.report("errors", done, 3, "solves");
   };
   report(0);
-  const CommonError common = common_error(system, b, sigma, rho, progress);
+  const CommonError common = common_error(system, b, sigma, progress);
   report(2);
-  Eigen::MatrixXd variance = remaining_variance(system, sigma, rho, common, progress);
+  Eigen::MatrixXd variance = remaining_variance(system, sigma, common, progress);
   report(3);
   variance += rho.cwiseProduct(sigma).cwiseAbs2();
+  if (system.transmission.nonZeros() > 0) {
+    variance += system.transmission.cwiseAbs2() * sigma.cwiseAbs2();
+  }
   variance += common.response.cwiseAbs2() * common.variance.asDiagonal();
-  variance += 2 * rho.cwiseProduct(common.response).cwiseProduct(common.covariance);
+  variance += 2 * common.response.cwiseProduct(system.passed_on(common.covariance));
   return variance.cwiseMax(0);
 }
 
@@ -153,13 +151,13 @@ Eigen::MatrixXd radiosity_error(const IrradianceSystem& system, const Iterate& i
   if (system.transport->error() > 0) variance = transport_variance(system, b, progress);
   for (Index c = 0; c < b.cols(); ++c) {
     // Without a proof that q < 1, by how much light was amplified tells about 1 / (1 - q).
-    const double emitted = system.exitance.col(c).cwiseAbs().dot(system.transport->area());
+    const double emitted = system.source(c).cwiseAbs().dot(system.transport->area());
     const double total = b.col(c).cwiseAbs().dot(system.transport->area());
     const double amplification = system.has_bound(c) ? 1 / (1 - system.contraction[system.band(c)])
                                  : emitted > 0       ? std::max(1., total / emitted)
                                                      : 1.;
     const Eigen::VectorXd undone =
-        system.rho(c).cwiseProduct(iterate.gathered.col(c) - iterate.irradiance.col(c));
+        system.passed_on(c, iterate.gathered.col(c) - iterate.irradiance.col(c));
     variance.col(c) += (amplification * undone).cwiseAbs2();
   }
   return variance.cwiseSqrt();
@@ -167,7 +165,8 @@ Eigen::MatrixXd radiosity_error(const IrradianceSystem& system, const Iterate& i
 
 Eigen::MatrixXd reflected_light(const Transport& transport, const Solution& solution,
                                 Eigen::MatrixXd sources, const Progress& progress) {
-  const SolveOptions options = probe_options(progress);
+  SolveOptions options = probe_options(progress);
+  options.transmission = solution.transmission;
   SolveMonitor monitor(options);
   const IrradianceSystem system =
       make_irradiance_system(transport, solution.exitance, solution.reflectance, monitor);

@@ -32,6 +32,42 @@ void require_range(const Eigen::MatrixXd& values, const std::string& name, doubl
   }
 }
 
+/// Row sums of ρ + T that rounding may leave above 1.
+constexpr double kAboveOne = 1e-12;
+
+void require_valid_extras(const SolveOptions& options, const Eigen::MatrixXd& exitance,
+                          const Eigen::MatrixXd& reflectance) {
+  if (options.incident.size() > 0) {
+    if (options.incident.rows() != exitance.rows() || options.incident.cols() != exitance.cols()) {
+      throw SolveError("incident is " + shape(options.incident) + " and exitance " +
+                       shape(exitance) + "; expected the same shape");
+    }
+    require_range(options.incident, "incident", std::numeric_limits<double>::max(),
+                  "a finite value of at least 0 W/m²");
+  }
+  const Eigen::SparseMatrix<double>& passing = options.transmission;
+  if (passing.size() == 0) return;
+  if (passing.rows() != exitance.rows() || passing.cols() != exitance.rows()) {
+    throw SolveError("transmission is " + std::to_string(passing.rows()) + " x " +
+                     std::to_string(passing.cols()) + ", but there are " +
+                     std::to_string(exitance.rows()) +
+                     " patches; expected one row and column each");
+  }
+  if (passing.nonZeros() == 0) return;
+  if (options.method == Method::gauss_seidel || options.method == Method::southwell) {
+    throw SolveError("light that passes through sheets cannot be solved for by " +
+                     std::string(method_name(options.method)) +
+                     "; expected cg, jacobi or chebyshev");
+  }
+  const Eigen::VectorXd sums = passing * Eigen::VectorXd::Ones(passing.cols());
+  for (Index i = 0; i < sums.size(); ++i) {
+    if (sums[i] >= 0 && sums[i] + reflectance.row(i).maxCoeff() <= 1 + kAboveOne) continue;
+    throw SolveError("reflectance and transmission of patch " + std::to_string(i) + " sum to " +
+                     std::to_string(sums[i] + reflectance.row(i).maxCoeff()) +
+                     "; expected at most 1");
+  }
+}
+
 void require_valid_start(const Eigen::MatrixXd& start, const Eigen::MatrixXd& exitance) {
   if (start.size() == 0) return;
   if (start.rows() != exitance.rows() || start.cols() != exitance.cols()) {
@@ -44,7 +80,7 @@ void require_valid_start(const Eigen::MatrixXd& start, const Eigen::MatrixXd& ex
 }
 
 void require_valid(const Transport& transport, const Eigen::MatrixXd& exitance,
-                   const Eigen::MatrixXd& reflectance) {
+                   const Eigen::MatrixXd& reflectance, const SolveOptions& options) {
   const std::string n = std::to_string(transport.size());
   if (transport.size() == 0) throw SolveError("there are no patches to solve for");
   if (exitance.rows() != transport.size()) {
@@ -60,8 +96,12 @@ void require_valid(const Transport& transport, const Eigen::MatrixXd& exitance,
     throw SolveError("exitance is " + shape(exitance) + " and reflectance " + shape(reflectance) +
                      "; expected the columns of exitance to be a multiple of those of reflectance");
   }
-  require_range(exitance, "exitance", std::numeric_limits<double>::max(),
-                "a finite value of at least 0 W/m²");
+  if (options.has_sinks) {
+    if (!exitance.allFinite()) throw SolveError("exitance has a value that is not finite");
+  } else {
+    require_range(exitance, "exitance", std::numeric_limits<double>::max(),
+                  "a finite value of at least 0 W/m²");
+  }
   require_range(reflectance, "reflectance", 1, "a value in [0, 1]");
 }
 
@@ -98,22 +138,23 @@ EnergyBalance energy_balance(const IrradianceSystem& system, const Eigen::Matrix
   energy.incident = Eigen::VectorXd::Zero(b.cols());
   energy.escaped = b.transpose() * leak;
   energy.absorbed.resize(b.cols());
+  if (system.incident.size() > 0) energy.incident = system.incident.transpose() * area;
   for (Index c = 0; c < b.cols(); ++c) {
+    const Eigen::ArrayXd kept = 1 - system.passed_share.col(system.band(c)).array();
     energy.absorbed[c] =
-        (area.array() * (1 - system.rho(c).array()) * gathered.col(c).array()).sum() +
-        taken.dot(b.col(c));
+        (area.array() * kept * gathered.col(c).array()).sum() + taken.dot(b.col(c));
   }
   return energy;
 }
 
-/// Largest ‖ρ (F B - H)‖ / ‖M_e‖ (energy norm) over the columns with light.
+/// Largest ‖ρ (F B - H)‖ / ‖M_e + ρ H_0‖ (energy norm) over the columns with light.
 double relative_residual(const IrradianceSystem& system, const Iterate& iterate) {
   const Eigen::VectorXd& area = system.transport->area();
   double largest = 0;
   for (Index c = 0; c < system.n_columns(); ++c) {
     const Eigen::VectorXd residual =
-        system.rho(c).cwiseProduct(iterate.gathered.col(c) - iterate.irradiance.col(c));
-    const double emitted = area.dot(system.exitance.col(c).cwiseAbs2());
+        system.passed_on(c, iterate.gathered.col(c) - iterate.irradiance.col(c));
+    const double emitted = area.dot(system.source(c).cwiseAbs2());
     if (emitted > 0) {
       largest = std::max(largest, std::sqrt(area.dot(residual.cwiseAbs2()) / emitted));
     }
@@ -167,7 +208,8 @@ std::optional<Method> method_named(std::string_view name) {
 Solution solve(const Transport& transport, const Eigen::MatrixXd& exitance,
                const Eigen::MatrixXd& reflectance, const SolveOptions& options) {
   const auto start = std::chrono::steady_clock::now();
-  require_valid(transport, exitance, reflectance);
+  require_valid(transport, exitance, reflectance, options);
+  require_valid_extras(options, exitance, reflectance);
   require_valid_start(options.start, exitance);
   SolveMonitor monitor(options);
   const IrradianceSystem system = make_irradiance_system(transport, exitance, reflectance, monitor);
@@ -180,6 +222,8 @@ Solution solve(const Transport& transport, const Eigen::MatrixXd& exitance,
   solution.radiosity = system.radiosity(iterate.irradiance);
   solution.irradiance = iterate.gathered;
   solution.exitance = exitance;
+  solution.incident = options.incident;
+  solution.transmission = options.transmission;
   solution.reflectance = reflectance.replicate(1, exitance.cols() / reflectance.cols());
   solution.energy = energy_balance(system, solution.radiosity, iterate.gathered);
   solution.residual = relative_residual(system, iterate);

@@ -15,8 +15,8 @@ namespace radiosity {
 /// false. From darkness, patches that no light can reach stay exactly 0; another start may leave
 /// its rounding errors there, and its light in closed white rooms that are not lit, for which no
 /// bound is proved. Throws SolveError if the sizes do not fit, a value is not finite, negative (but
-/// for the start) or a reflectance above 1, or if no solution exists (ρ = 1 on all patches of a
-/// closed room that is lit); Interrupted.
+/// for the start and, if there may be, sinks) or a reflectance above 1, or if no solution exists (ρ
+/// = 1 on all patches of a closed room that is lit); Interrupted.
 Solution solve(const Transport& transport, const Eigen::MatrixXd& exitance,
                const Eigen::MatrixXd& reflectance, const SolveOptions& options = {});
 

@@ -37,6 +37,10 @@ class SolveMonitor {
     return products_ + products <= options_.max_products && !is_stuck;
   }
   [[nodiscard]] const Eigen::MatrixXd& start() const { return options_.start; }
+  [[nodiscard]] const Eigen::MatrixXd& incident() const { return options_.incident; }
+  [[nodiscard]] const Eigen::SparseMatrix<double>& transmission() const {
+    return options_.transmission;
+  }
   [[nodiscard]] double tolerance() const { return options_.tolerance; }
   [[nodiscard]] double products() const { return products_; }
   [[nodiscard]] int iterations() const { return iterations_; }

@@ -6,9 +6,17 @@ namespace radiosity {
 
 bool is_thermal(const Scene& scene) {
   if (scene.bands.hold_heat() && scene.bands.kind != Bands::Kind::grey) return true;
-  return std::any_of(scene.surfaces.begin(), scene.surfaces.end(), [&](const auto& surface) {
-    return scene.materials[surface.material].emission.kind == Emission::Kind::temperature;
-  });
+  const auto is_hot = [](const Emission& emission) {
+    return emission.kind == Emission::Kind::temperature ||
+           emission.kind == Emission::Kind::heat_flux ||
+           emission.kind == Emission::Kind::heat_power;
+  };
+  return is_hot(scene.environment) ||
+         std::any_of(scene.surfaces.begin(), scene.surfaces.end(), [&](const auto& surface) {
+           return is_hot(scene.materials[surface.material].emission) ||
+                  (surface.back_material >= 0 &&
+                   is_hot(scene.materials[surface.back_material].emission));
+         });
 }
 
 std::vector<SurfaceFlux> surface_fluxes(const PatchMesh& mesh, const Solution& solution) {
@@ -26,6 +34,13 @@ std::vector<SurfaceFlux> surface_fluxes(const PatchMesh& mesh, const Solution& s
   for (SurfaceFlux& flux : fluxes) {
     flux.heat = flux.band_heat.sum();
     if (flux.area > 0) flux.flux = flux.heat / flux.area;
+    if (flux.area > 0 && solution.temperature.size() > 0) flux.temperature = 0;
+  }
+  if (solution.temperature.size() > 0) {
+    for (Index i = 0; i < mesh.size(); ++i) {
+      SurfaceFlux& flux = fluxes[mesh.surface[i]];
+      *flux.temperature += mesh.area[i] / flux.area * solution.temperature[i];
+    }
   }
   return fluxes;
 }

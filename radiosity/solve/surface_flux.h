@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,10 +18,13 @@ struct SurfaceFlux {
   double flux = 0;            ///< area-weighted mean of B - H, W/m²
   double heat = 0;            ///< Σ A (B - H), W
   Eigen::VectorXd band_heat;  ///< the same by band, W; of a sun's own band less than 0: absorbed
+  /// Area-weighted mean of what its patches are at, K, if that is known.
+  std::optional<double> temperature = {};
 };
 
-/// Whether the light is heat: a surface emits by its temperature, or the bands are the sun's and
-/// the infrared one, or thermal ones.
+/// Whether the light is heat: a surface emits by its temperature or gives off a given heat, what
+/// surrounds them has a temperature, or the bands are the sun's and the infrared one, or thermal
+/// ones.
 bool is_thermal(const Scene& scene);
 
 /// One entry per surface, in the scene's order; bands are added up.

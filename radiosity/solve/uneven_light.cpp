@@ -76,8 +76,9 @@ Variation find_variation(const Transport& transport, const Places& places, const
   const Index n = transport.size();
   const Index k = solution.radiosity.cols();
   const Index n_bands = solution.reflectance.cols();
+  const Eigen::MatrixXd received = solution.exchanged_irradiance();
   // (B_k - H_j)² is multiplied out; about the mean it keeps its digits.
-  const Eigen::RowVectorXd mean = solution.irradiance.colwise().mean();
+  const Eigen::RowVectorXd mean = received.colwise().mean();
   const Eigen::MatrixXd b = solution.radiosity.rowwise() - mean;
   const Eigen::MatrixXd b_squared = b.cwiseAbs2();
   Variation variation{Eigen::ArrayXd(n), Eigen::MatrixXd(n, k)};
@@ -93,8 +94,7 @@ Variation find_variation(const Transport& transport, const Places& places, const
     const Eigen::MatrixXd first_moment = weight.transpose() * b;
     const Eigen::MatrixXd second_moment = weight.transpose() * b_squared;
     for (Index c = 0; c < k; ++c) {
-      const Eigen::ArrayXd h =
-          solution.irradiance.col(c).segment(rows.first, size).array() - mean[c];
+      const Eigen::ArrayXd h = received.col(c).segment(rows.first, size).array() - mean[c];
       const Eigen::ArrayXd square =
           second_moment.col(c).array() - 2 * h * first_moment.col(c).array() + h.square() * sum;
       variation.light.col(c).segment(rows.first, size) =
@@ -114,9 +114,10 @@ Variation find_variation(const PatchMesh& mesh, const Transport& transport, cons
                          const Solution& solution) {
   const Eigen::VectorXd& area = transport.area();
   const Index k = solution.radiosity.cols();
-  const Eigen::RowVectorXd mean = solution.irradiance.colwise().mean();
+  const Eigen::MatrixXd received = solution.exchanged_irradiance();
+  const Eigen::RowVectorXd mean = received.colwise().mean();
   const Eigen::MatrixXd b = solution.radiosity.rowwise() - mean;
-  const Eigen::MatrixXd h = solution.irradiance.rowwise() - mean;
+  const Eigen::MatrixXd h = received.rowwise() - mean;
   Variation variation;
   variation.exchange = pairs.sums(mesh, area, [](const ExchangingPair& pair) {
     return pair.density * variation_of(pair.size, pair.distance);

@@ -55,6 +55,23 @@ TEST_F(MitsubaWriter, WritesSpectraOverWavelengths) {
   EXPECT_CONTAINS(xml, "<spectrum name=\"reflectance\" value=\"450:0.25, 600:0.5\"/>");
 }
 
+TEST_F(MitsubaWriter, WritesTheEnvironment) {
+  const std::string xml =
+      written(R"("environment": {"radiance": [1, 2, 0.5]},)", R"({"reflectance": 0.5})");
+  EXPECT_CONTAINS(
+      xml, "<emitter type=\"constant\"><rgb name=\"radiance\" value=\"1, 2, 0.5\"/></emitter>");
+}
+
+TEST_F(MitsubaWriter, RefusesHeats) {
+  try {
+    (void)written(R"("bands": "grey",)", R"({"reflectance": 0.5, "adiabatic": true})");
+    FAIL();
+  } catch (const radiosity::SceneError& error) {
+    EXPECT_CONTAINS(error.what(), "surface \"sheet\" has a heat given");
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder() / "b.xml"));
+}
+
 TEST_F(MitsubaWriter, RefusesLightsOfTwoSides) {
   try {
     (void)written("", R"({"reflectance": 0, "radiance": 1})");

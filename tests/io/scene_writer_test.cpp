@@ -159,6 +159,27 @@ TEST_F(SceneWriter, KeepsEmissionOfEveryKind) {
   expect_same_frame(written_and_read(scene), scene);
 }
 
+TEST_F(SceneWriter, KeepsHeats) {
+  for (const auto kind : {Emission::Kind::heat_flux, Emission::Kind::heat_power}) {
+    Scene scene = make_scene();
+    scene.bands.kind = Bands::Kind::grey;
+    for (auto& material : scene.materials) material.reflectance = Eigen::VectorXd::Constant(1, 0.3);
+    scene.materials[0].emission = {kind, Eigen::VectorXd::Constant(1, -1000. / 3)};
+    scene.surfaces[0].two_sided = true;
+    scene.surfaces[0].is_shield = true;
+    scene.surfaces[0].material = 0;
+    scene.surfaces[0].back_material = 0;
+    scene.environment = {Emission::Kind::temperature, Eigen::VectorXd::Constant(1, 2.7)};
+    const Scene read = written_and_read(scene);
+    expect_same_frame(read, scene);
+    expect_same_surfaces(read, scene);
+    EXPECT_EQ(read.surfaces[0].back_material, 0);
+    EXPECT_TRUE(read.surfaces[0].is_shield);
+    EXPECT_EQ(read.environment.kind, Emission::Kind::temperature);
+    EXPECT_EQ(read.environment.value, scene.environment.value);
+  }
+}
+
 TEST_F(SceneWriter, KeepsBandsOfHeat) {
   Scene scene = make_scene();
   scene.materials.resize(1);

@@ -199,10 +199,11 @@ TEST(FinalGather, AddsTheSunWhereItShines) {
   lid(-2, 2, 0.5, 2);
   lid(-2, -0.5, 0, 0.5);
   lid(0.5, 2, 0, 0.5);
-  const Sun sun = {.direction = Vec3(0.6, 0, -0.8), .irradiance = Eigen::Vector2d(100, 7)};
+  Scene scene;
+  scene.sun = Sun{.direction = Vec3(0.6, 0, -0.8), .irradiance = Eigen::Vector2d(100, 7)};
   const Eigen::MatrixXd radiosity = Eigen::MatrixXd::Constant(mesh.size(), 2, 0.5);
   const FinalGather without(mesh, radiosity);
-  const FinalGather gather(mesh, radiosity, sun);
+  const FinalGather gather(mesh, radiosity, {scene, mesh});
   const auto direct = [&](double x, double y, double z) {
     const Vec3 point(x, y, z);
     const Vec3 up(0, 0, 1);

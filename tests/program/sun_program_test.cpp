@@ -37,7 +37,7 @@ class Sun : public Program {
 TEST_F(Sun, IsInTheEnergyAndInWhatArrives) {
   const std::string scene = write_scene(R"("bands": "grey")", R"("reflectance": 0.4)");
   const Json json = solve({scene, "--patches", "7", "--quantity", "irradiance", "--quantity",
-                           "sunlight", "--quantity", "absorbed"});
+                           "incident", "--quantity", "absorbed"});
   const Json& energy = json["energy"];
   EXPECT_EQ(energy["emitted"][0], 0);
   EXPECT_NEAR(energy["incident"][0].get<double>(), 1000, 1e-9);
@@ -46,8 +46,8 @@ TEST_F(Sun, IsInTheEnergyAndInWhatArrives) {
   const auto mean = [&](const char* quantity, int surface) {
     return json["quantities"][quantity]["surfaces"][surface]["mean"][0].get<double>();
   };
-  EXPECT_NEAR(mean("sunlight", 0), 250, 1e-9);
-  EXPECT_EQ(mean("sunlight", 1), 0);
+  EXPECT_NEAR(mean("incident", 0), 250, 1e-9);
+  EXPECT_EQ(mean("incident", 1), 0);
   EXPECT_GT(mean("irradiance", 0), 250);
   EXPECT_GT(mean("irradiance", 1), 0);
   EXPECT_NEAR(mean("absorbed", 0), 0.6 * mean("irradiance", 0), 1e-9);

@@ -155,6 +155,46 @@ def test_window_gets_a_file_that_is_removed_afterwards(scenes, tmp_path):
         rad.view(1.0, program=program)
 
 
+def test_heats_shields_and_surroundings_agree_with_numpy(scenes):
+    """Unknowns B and σ T⁴ of each patch, nothing eliminated."""
+    study = rad.Study(scenes / "satellite-shield.json", patches=150, tolerance=1e-4)
+    light = study.light
+    F = np.asarray(study.transport @ np.eye(study.transport.shape[0]))
+    n = len(F)
+    name = [study.patches.surface_names[s] for s in study.patches.surface]
+    twin = np.asarray(study.patches.twin)
+    is_back = (twin >= 0) & (twin < np.arange(n))
+    eps = np.array([
+        {"box": 0.85, "engine": 0.7, "shield": 0.03 if back else 0.9}[of]
+        for of, back in zip(name, is_back)
+    ])
+    sigma = 5.670374419e-8
+    surroundings = sigma * 4**4 * (1 - F.sum(axis=1))
+    A = np.zeros((2 * n, 2 * n))
+    y = np.zeros(2 * n)
+    net = np.eye(n) - F
+    for i in range(n):
+        A[i, :n] = np.eye(n)[i] - (1 - eps[i]) * F[i]
+        A[i, n + i] = -eps[i]
+        y[i] = (1 - eps[i]) * surroundings[i]
+        if name[i] == "box":
+            A[n + i, :n] = net[i]
+            y[n + i] = 200 / 6 + surroundings[i]
+        elif name[i] == "engine":
+            A[n + i, n + i] = 1
+            y[n + i] = sigma * 700**4
+        elif is_back[i]:
+            A[n + i, n + i], A[n + i, n + twin[i]] = 1, -1
+        else:
+            A[n + i, :n] = net[i] + net[twin[i]]
+            y[n + i] = surroundings[i] + surroundings[twin[i]]
+    expected = (np.linalg.solve(A, y)[n:] / sigma) ** 0.25
+    # The iteration is good to 1e-8 of B, of some 1e4 W/m²; the coldest patches emit 20 W/m².
+    assert light.temperature == pytest.approx(expected, rel=1e-5)
+    given = light.energy.emitted + light.energy.incident
+    assert given == pytest.approx(light.energy.absorbed + light.energy.escaped, rel=1e-9)
+
+
 def in_the_box(points, way, low, high):
     """Whether the rays from points along `way` meet the box: by slabs."""
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -225,4 +265,4 @@ def test_scenes_have_their_sun(scenes):
     assert study.scene.bands == "solar-infrared"
     assert light.incident[:, 1].max() == 0 and light.incident[:, 0].max() > 0
     assert light.energy.incident[0] == pytest.approx(study.patches.area @ light.incident[:, 0])
-    assert study.quantity("sunlight") == pytest.approx(light.incident)
+    assert study.quantity("incident") == pytest.approx(light.incident)

@@ -6,7 +6,6 @@
 
 #include "radiosity/scene/black_body.h"
 #include "radiosity/scene/radiometry.h"
-#include "radiosity/solve/incident_light.h"
 #include "radiosity/solve/solve.h"
 #include "radiosity/solve/surface_flux.h"
 #include "tests/support/matrix_transport.h"
@@ -38,10 +37,8 @@ struct Plates {
         test::close((Eigen::Matrix2d() << 0, 1, 1, 0).finished());
     const Eigen::MatrixXd emitted = exitance(scene, mesh);
     const Eigen::MatrixXd reflected = reflectance(scene, mesh);
-    Solution solution = solve(transport, initial_radiosity(emitted, reflected, incident), reflected,
-                              {.tolerance = 1e-13});
-    solution = with_incident(std::move(solution), emitted, incident, transport.area());
-    return surface_fluxes(mesh, solution);
+    return surface_fluxes(
+        mesh, solve(transport, emitted, reflected, {.tolerance = 1e-13, .incident = incident}));
   }
   PatchMesh mesh;
   Scene scene;

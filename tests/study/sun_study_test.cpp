@@ -8,7 +8,7 @@
 
 #include "radiosity/base/parallel.h"
 #include "radiosity/scene/radiometry.h"
-#include "radiosity/visibility/sunlight.h"
+#include "radiosity/visibility/incident_light.h"
 #include "study/scenarios.h"
 #include "study/study.h"
 #include "tests/support/scene_families.h"
@@ -61,6 +61,56 @@ TEST(SunStudy, ReflectsTheSunToAndFro) {
     near(solution.energy.absorbed[band] + solution.energy.escaped[band], direct);
     EXPECT_EQ(solution.energy.emitted[band], 0);
   }
+}
+
+Material grey_material(double emissivity, Emission emission) {
+  return {.name = "m",
+          .reflectance = Eigen::VectorXd::Constant(1, 1 - emissivity),
+          .emission = std::move(emission)};
+}
+
+// Squares of 1 m² in one plane, which do not see each other, under a sun E and in surroundings
+// S = σ 250⁴: what gives off no heat sends back all, σ T⁴ = E + S; a shield is at
+// σ T⁴ = (ε (E + S) + ε' S) / (ε + ε').
+TEST(SunStudy, ShinesWithSurroundingsOnWhatGivesOffHeat) {
+  const auto of_one = [](Emission::Kind kind, double value) {
+    return Emission{.kind = kind, .value = Eigen::VectorXd::Constant(1, value)};
+  };
+  Scene scene;
+  scene.source = "plates";
+  scene.bands.kind = Bands::Kind::grey;
+  scene.materials = {grey_material(0.3, of_one(Emission::Kind::heat_flux, 0)),
+                     grey_material(0.5, of_one(Emission::Kind::temperature, 300)),
+                     grey_material(0.9, {}), grey_material(0.2, {})};
+  scene.surfaces = {{"adiabatic", 0, false}, {"warm", 1, false}, {"shield", 2, true}};
+  scene.surfaces[2].back_material = 3;
+  scene.surfaces[2].is_shield = true;
+  for (int s = 0; s < 3; ++s) {
+    for (const Vec3& p : {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0)}) {
+      scene.vertices.push_back(p + Vec3(2 * s, 0, 0));
+    }
+    scene.add_polygon(std::vector<std::int32_t>{4 * s, 4 * s + 1, 4 * s + 2, 4 * s + 3}, s);
+  }
+  scene.environment = of_one(Emission::Kind::temperature, 250);
+  scene.sun =
+      Sun{.direction = Vec3(0, 0.6, -0.8), .irradiance = Eigen::VectorXd::Constant(1, 1000)};
+  const study::Study solved = study::run(scene, {.patches = {.as_is = true}, .tolerance = 1e-6});
+  const double sun = 800;
+  const double dark = kStefanBoltzmann * std::pow(250, 4);
+  const double warm = kStefanBoltzmann * std::pow(300, 4);
+  const double expected[] = {sun + dark, warm, (0.9 * (sun + dark) + 0.2 * dark) / 1.1};
+  const Solution& solution = solved.solution;
+  ASSERT_EQ(solution.temperature.size(), 4);
+  for (Index i = 0; i < 4; ++i) {
+    const double black = kStefanBoltzmann * std::pow(solution.temperature[i], 4);
+    // The bound of the iteration is 1e-9 of B, and σ T⁴ = (B - (1 - ε) H) / ε with ε >= 0.2.
+    EXPECT_NEAR(black, expected[solved.mesh.surface[i]], 1e-7 * (sun + dark)) << i;
+  }
+  EXPECT_NEAR(solution.energy.incident[0], 3 * sun + 4 * dark, 1e-9 * sun);
+  EXPECT_NEAR(solution.energy.absorbed[0], 0.5 * (sun + dark), 1e-6 * sun);
+  EXPECT_NEAR(solution.energy.emitted[0], 0.5 * warm, 1e-9 * warm);
+  EXPECT_NEAR(solution.energy.escaped[0], 3 * sun + 4 * dark + 0.5 * warm - 0.5 * (sun + dark),
+              1e-6 * sun);
 }
 
 TEST(SunStudy, BalancesItsPowerInAllKindsOfScenes) {

@@ -103,6 +103,41 @@ TEST_F(SymmetricStudy, QuarterHasTheLightAndPictureOfTheWhole) {
   EXPECT_GT(shown.values.minCoeff(), 0);
 }
 
+// The box is open to both sides, to surroundings that its part sees beside all images.
+TEST_F(SymmetricStudy, EighthSeesTheEnvironmentOfTheWhole) {
+  const Scene scene = read(R"("unit": "m", "bands": "grey", "materials": {
+      "warm": {"emissivity": 0.8, "temperature": 400},
+      "plain": {"emissivity": 0.5, "adiabatic": true}},
+      "environment": {"temperature": 290},
+      "surfaces": [
+      {"name": "warm", "material": "warm",
+       "polygons": [[[1, 0, 0], [1, 0, 1], [1, 1, 1], [1, 1, 0]]]},
+      {"name": "plain", "material": "plain",
+       "polygons": [[[0, 1, 0], [1, 1, 0], [1, 1, 1], [0, 1, 1]]]}],
+      "symmetry": {"mirror": ["x=0", "y=0", "z=0"]})");
+  const study::Study part = study::run(scene, few_patches());
+  ASSERT_EQ(part.mesh.images.size(), 7U);
+  const study::Study whole = whole_study(part);
+  const Index n = part.mesh.size();
+  const double black = kStefanBoltzmann * std::pow(290, 4);
+  for (Index g = 0; g < 8; ++g) {
+    // Shares of what is seen are off by the factors' tolerance, 1e-7, in both.
+    EXPECT_LT((whole.solution.incident.middleRows(g * n, n) - part.solution.incident)
+                  .cwiseAbs()
+                  .maxCoeff(),
+              1e-6 * black);
+    EXPECT_LT((whole.solution.radiosity.middleRows(g * n, n) - part.solution.radiosity).norm(),
+              2e-6 * part.solution.radiosity.norm())
+        << g;
+  }
+  const EnergyBalance& energy = part.solution.energy;
+  EXPECT_GT(energy.incident[0], 0);
+  EXPECT_NEAR(energy.emitted[0] + energy.incident[0], energy.absorbed[0] + energy.escaped[0],
+              1e-6 * energy.emitted[0]);
+  EXPECT_GT(part.solution.temperature.minCoeff(), 290);
+  EXPECT_LT(part.solution.temperature.maxCoeff(), 400 + 1e-4);
+}
+
 TEST_F(SymmetricStudy, WritesWhatItReads) {
   const Scene scene = quarter(
       R"({"mirror": ["x=0"], "rotation": {"axis": [1, 0, 0], "folds": 2},

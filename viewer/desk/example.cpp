@@ -12,7 +12,7 @@
 #include "radiosity/scene/radiometry.h"
 #include "radiosity/solve/quantity.h"
 #include "radiosity/solve/surface_flux.h"
-#include "radiosity/visibility/sunlight.h"
+#include "radiosity/visibility/incident_light.h"
 #include "study/study.h"
 #include "viewer/desk/orientation.h"
 #include "viewer/desk/ray_picture.h"

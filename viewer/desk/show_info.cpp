@@ -38,8 +38,10 @@ constexpr std::array<ShowInfo, 25> kInfos = {{
      "What arrives straight from what emits: Σ_j F_ij M_j."},
     {"indirect", kPower, "indirect irradiance", "W/m²",
      "What arrives by way of reflections: H_i − Σ_j F_ij M_j."},
-    {"sunlight", kPower, "sunlight", "W/m²",
-     "What arrives straight from the sun: E = E_n cosθ, times the share of the patch that is lit."},
+    {"incident", kPower, "incident from without", "W/m²",
+     "What arrives from the sun, E = E_n cosθ times the share of the patch that is lit, and from "
+     "the "
+     "environment, (1 − Σ_j F_ij) M_e."},
     {"absorbed", kPower, "absorbed", "W/m²", "What stays of all that arrives: (1 − ρ) H."},
     {"radiance", kPower, "radiance", "W/(m² sr)",
      "What leaves in any direction, of a surface that scatters evenly: L = B / π."},

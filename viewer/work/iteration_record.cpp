@@ -74,9 +74,8 @@ void IterationRecorder::add(const radiosity::SolveStep& step) {
 void IterationRecorder::finish(const radiosity::Solution& solution) {
   record_.is_complete = true;
   if (!record_.frames.empty() && record_.frames.back()->iteration >= solution.iterations) return;
-  const Eigen::MatrixXd left = solution.exitance +
-                               solution.reflectance.cwiseProduct(solution.irradiance) -
-                               solution.radiosity;
+  const Eigen::MatrixXd left =
+      solution.exitance + solution.passed_on(solution.irradiance) - solution.radiosity;
   const double work = record_.work.empty() ? work_of(solution.products) : record_.work.back();
   add_frame(solution.iterations, work, solution.radiosity, left);
 }

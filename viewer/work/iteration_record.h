@@ -41,7 +41,8 @@ std::string step_text(radiosity::Method method, int iteration);
 /// Builds the record of one solve from its steps (`SolveOptions::on_step`).
 class IterationRecorder {
  public:
-  /// `area` of the patches, m²; `exitance` of the solve, n x b.
+  /// `area` of the patches, m²; `exitance` of the solve with what it reflects of light from
+  /// without, n x b.
   IterationRecorder(radiosity::Method method, const Eigen::VectorXd& area,
                     const Eigen::MatrixXd& exitance);
 

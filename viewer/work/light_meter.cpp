@@ -43,7 +43,8 @@ struct LightMeter::Gathering {
       : mesh(model.mesh),
         light(std::move(of)),
         gather(*mesh, light->solution.radiosity,
-               model.scene ? model.scene->sun : std::optional<radiosity::Sun>()) {}
+               model.scene ? radiosity::IncidentLight(*model.scene, *mesh)
+                           : radiosity::IncidentLight()) {}
   std::shared_ptr<const radiosity::PatchMesh> mesh;
   std::shared_ptr<const Light> light;
   radiosity::FinalGather gather;

@@ -58,7 +58,9 @@ LightMix make_mix(const Scene& scene) {
   for (const Material& material : scene.materials) mix.reflectance.push_back(material.reflectance);
   std::vector<std::int32_t> emitting;
   for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
-    if (emits(scene.materials[scene.surfaces[s].material])) {
+    const int back = scene.surfaces[s].back_material;
+    if (emits(scene.materials[scene.surfaces[s].material]) ||
+        (back >= 0 && emits(scene.materials[back]))) {
       emitting.push_back(static_cast<std::int32_t>(s));
     }
   }
@@ -152,7 +154,7 @@ radiosity::Solution superpose(const EmitterLights& lights, const LightMix& mix) 
   radiosity::Solution sum;
   sum.reflectance = lights.reflectance;
   sum.exitance = Eigen::MatrixXd::Zero(lights.reflectance.rows(), lights.reflectance.cols());
-  sum.irradiance = lights.sun.size() > 0 ? lights.sun : sum.exitance;
+  sum.irradiance = lights.from_without.size() > 0 ? lights.from_without : sum.exitance;
   for (std::size_t e = 0; e < mix.emitters.size(); ++e) {
     const double factor = mix.emitters[e].factor();
     if (factor == 0) continue;

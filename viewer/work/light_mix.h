@@ -65,7 +65,7 @@ struct EmitterLights {
   std::vector<Eigen::MatrixXd> exitance;    ///< per emitter: M_e, W/m², n x b
   std::vector<Eigen::MatrixXd> irradiance;  ///< per emitter: H, W/m², n x b
   Eigen::MatrixXd reflectance;              ///< n x b
-  Eigen::MatrixXd sun;  ///< H of the sun alone, which is in each mix, n x b; empty without one
+  Eigen::MatrixXd from_without;  ///< H of sun and environment alone, in each mix, n x b; or empty
 };
 
 /// Exitance, irradiance and radiosity of the mix; takes as many additions as there are values.

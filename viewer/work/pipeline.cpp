@@ -14,11 +14,11 @@
 #include "radiosity/operator/transport.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/radiometry.h"
+#include "radiosity/solve/conditions.h"
 #include "radiosity/solve/discretisation_error.h"
-#include "radiosity/solve/incident_light.h"
 #include "radiosity/solve/solution.h"
 #include "radiosity/solve/solve.h"
-#include "radiosity/visibility/sunlight.h"
+#include "radiosity/visibility/incident_light.h"
 #include "radiosity/visibility/visibility.h"
 #include "study/study.h"
 #include "study/warnings.h"
@@ -43,7 +43,7 @@ Model with_patches(Model model, study::Patches patches) {
   model.mesh = std::make_shared<PatchMesh>(std::move(patches.mesh));
   model.bounds = radiosity::bounds(*model.mesh);
   model.visibility = std::make_shared<radiosity::Visibility>(std::move(patches.visibility));
-  model.sun = radiosity::sun_irradiance(*model.scene, *model.mesh);
+  model.sun = radiosity::incident_irradiance(*model.scene, *model.mesh);
   return model;
 }
 
@@ -65,38 +65,42 @@ radiosity::SolveOptions solve_options(double tolerance, const Progress& progress
   return options;
 }
 
+/// What the scene says, with the emission of the mix. `scene` has its reflectances.
+radiosity::Conditions mix_conditions(const Model& model, const Transport& transport,
+                                     const LightMix& mix, const Scene& scene) {
+  radiosity::Conditions conditions = make_conditions(scene, *model.mesh, transport, model.sun);
+  conditions.exitance = mix_exitance(scene, *model.mesh, mix);
+  return conditions;
+}
+
+/// The light of each emitter, and that from without in columns of its own.
 EmitterLights separate(const Model& model, const LightMix& mix, const Scene& scene,
-                       const Eigen::MatrixXd& reflectance, double tolerance,
+                       const radiosity::Conditions& conditions, double tolerance,
                        const Progress& progress) {
   EmitterLights lights;
-  lights.reflectance = reflectance;
-  const Index n_bands = reflectance.cols();
+  lights.reflectance = conditions.reflectance;
+  const Index n = conditions.reflectance.rows();
+  const Index n_bands = conditions.reflectance.cols();
   const auto n_emitters = static_cast<Index>(mix.emitters.size());
   const Eigen::MatrixXd full = radiosity::exitance(scene, *model.mesh);
-  const bool has_sun = model.sun.size() > 0;
-  Eigen::MatrixXd all(reflectance.rows(), (n_emitters + (has_sun ? 1 : 0)) * n_bands);
-  if (has_sun) all.rightCols(n_bands) = reflectance.cwiseProduct(model.sun);
+  const bool has_incident = conditions.incident.size() > 0;
+  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(n, (n_emitters + (has_incident ? 1 : 0)) * n_bands);
   for (Index e = 0; e < n_emitters; ++e) {
     lights.exitance.push_back(emitter_exitance(*model.mesh, full, mix.emitters[e]));
     all.middleCols(e * n_bands, n_bands) = lights.exitance.back();
   }
-  const Solution solution =
-      solve(*model.transport, all, reflectance, solve_options(tolerance, progress));
+  radiosity::SolveOptions options = solve_options(tolerance, progress);
+  options.has_sinks = conditions.emissivity.size() > 0;
+  if (has_incident) {
+    options.incident = Eigen::MatrixXd::Zero(n, all.cols());
+    options.incident.rightCols(n_bands) = conditions.incident;
+  }
+  const Solution solution = solve(*model.transport, all, conditions.reflectance, options);
   for (Index e = 0; e < n_emitters; ++e) {
     lights.irradiance.emplace_back(solution.irradiance.middleCols(e * n_bands, n_bands));
   }
-  if (has_sun) lights.sun = solution.irradiance.rightCols(n_bands) + model.sun;
+  if (has_incident) lights.from_without = solution.irradiance.rightCols(n_bands);
   return lights;
-}
-
-/// Solves for the mix's own light and the sun's.
-Solution solve_with_sun(const Model& model, const Transport& transport,
-                        const Eigen::MatrixXd& emitted, const Eigen::MatrixXd& reflectance,
-                        const radiosity::SolveOptions& options) {
-  Solution solution =
-      solve(transport, radiosity::initial_radiosity(emitted, reflectance, model.sun), reflectance,
-            options);
-  return with_incident(std::move(solution), emitted, model.sun, transport.area());
 }
 
 }  // namespace
@@ -193,20 +197,24 @@ Model with_form_factors(Model model, const study::StudyOptions& options,
 Light rough_light(const Model& model, const Transport& rough, const LightMix& mix,
                   const Eigen::MatrixXd& irradiance, const Progress& progress) {
   const Scene scene = with_reflectance(*model.scene, mix);
-  radiosity::SolveOptions options = solve_options(kQuickTolerance, progress);
+  const radiosity::Conditions conditions = mix_conditions(model, rough, mix, scene);
+  radiosity::SolveOptions options =
+      with_conditions(solve_options(kQuickTolerance, progress), conditions, scene.bands.count());
   options.start = irradiance;
   return {.kind = Light::Kind::preview,
-          .solution = solve_with_sun(model, rough, mix_exitance(scene, *model.mesh, mix),
-                                     radiosity::reflectance(scene, *model.mesh), options),
+          .solution = solve(rough, conditions.exitance, conditions.reflectance, options),
           .factor_error = rough.report().compression.value().verified_error};
 }
 
 void solve_light(const Model& model, const LightMix& mix, const LightStart& start,
                  const LightEvents& events, const Progress& progress) {
   const Scene scene = with_reflectance(*model.scene, mix);
-  const Eigen::MatrixXd reflectance = radiosity::reflectance(scene, *model.mesh);
-  const Eigen::MatrixXd emitted = mix_exitance(scene, *model.mesh, mix);
-  radiosity::SolveOptions options = solve_options(kQuickTolerance, progress);
+  const radiosity::Conditions conditions = mix_conditions(model, *model.transport, mix, scene);
+  const auto solved = [&](const radiosity::SolveOptions& solving) {
+    return solve(*model.transport, conditions.exitance, conditions.reflectance, solving);
+  };
+  radiosity::SolveOptions options =
+      with_conditions(solve_options(kQuickTolerance, progress), conditions, scene.bands.count());
   options.start = start.irradiance;
   if (start.separated) {
     Solution sum = superpose(*start.separated, mix);
@@ -214,27 +222,26 @@ void solve_light(const Model& model, const LightMix& mix, const LightStart& star
     events.lit({Light::Kind::solved, std::move(sum)});
   }
   if (start.is_quick_wanted) {
-    Solution quick = solve_with_sun(model, *model.transport, emitted, reflectance, options);
+    Solution quick = solved(options);
     options.start = quick.irradiance;
     events.lit({Light::Kind::quick, std::move(quick)});
   }
   options.tolerance = start.tolerance;
-  Solution solution = solve_with_sun(model, *model.transport, emitted, reflectance, options);
+  Solution solution = solved(options);
   study::warn_of_unconverged(solution, options, {.warned = events.warned});
   options.start = solution.irradiance;
   events.lit({Light::Kind::solved, std::move(solution)});
-  if (start.is_separation_wanted && !mix.emitters.empty()) {
-    events.separated(separate(model, mix, scene, reflectance, start.tolerance, progress));
+  // Sums of lights know no shields.
+  const bool is_separable = !mix.emitters.empty() && conditions.transmission.size() == 0;
+  if (start.is_separation_wanted && is_separable) {
+    events.separated(separate(model, mix, scene, conditions, start.tolerance, progress));
   }
   options.estimates_errors = true;
-  Solution complete =
-      solve(*model.transport, radiosity::initial_radiosity(emitted, reflectance, model.sun),
-            reflectance, options);
+  Solution complete = solved(options);
   const auto discretisation =
       radiosity::discretisation_error(*model.mesh, *model.transport, complete, progress);
   Light light{Light::Kind::complete,
-              with_incident(with_discretisation_error(std::move(complete), discretisation), emitted,
-                            model.sun, model.transport->area())};
+              with_discretisation_error(std::move(complete), discretisation)};
   light.relative_error = relative_error(*model.mesh, light.solution);
   events.lit(std::move(light));
 }

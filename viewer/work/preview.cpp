@@ -49,7 +49,9 @@ void preview(const Model& model, const LightMix& mix, const Previewed& previewed
   const radiosity::Scene scene = with_reflectance(*model.scene, mix);
   const Eigen::MatrixXd emitted = mix_exitance(scene, *model.mesh, mix);
   const Eigen::MatrixXd reflectance = radiosity::reflectance(scene, *model.mesh);
-  const Eigen::MatrixXd initial = radiosity::initial_radiosity(emitted, reflectance, model.sun);
+  // Heat that is taken away is no light to shoot.
+  const Eigen::MatrixXd initial =
+      radiosity::initial_radiosity(emitted.cwiseMax(0), reflectance, model.sun);
   radiosity::ShootingPreview shooting(*model.mesh, *model.visibility, initial, reflectance);
   const auto start = Clock::now();
   do {

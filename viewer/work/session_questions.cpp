@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "radiosity/scene/radiometry.h"
+#include "radiosity/solve/conditions.h"
 #include "radiosity/solve/importance.h"
 #include "radiosity/solve/solve.h"
 #include "viewer/work/session.h"
@@ -98,10 +99,13 @@ void Session::record_iteration(radiosity::Method method) {
   ++versions_.iteration;
   recording_.start([this, method, model = model_, mix = mix_](const Worker::Context& context) {
     const Scene scene = with_reflectance(*model.scene, mix);
-    const Eigen::MatrixXd reflectance = radiosity::reflectance(scene, *model.mesh);
-    const Eigen::MatrixXd emitted =
-        radiosity::initial_radiosity(mix_exitance(scene, *model.mesh, mix), reflectance, model.sun);
-    IterationRecorder recorder(method, model.transport->area(), emitted);
+    radiosity::Conditions conditions =
+        make_conditions(scene, *model.mesh, *model.transport, model.sun);
+    conditions.exitance = mix_exitance(scene, *model.mesh, mix);
+    IterationRecorder recorder(
+        method, model.transport->area(),
+        radiosity::initial_radiosity(conditions.exitance.cwiseAbs(), conditions.reflectance,
+                                     conditions.incident));
     const auto show = [&] {
       context.post([this, record = std::make_shared<const IterationRecord>(recorder.record())] {
         iteration_ = record;
@@ -110,7 +114,7 @@ void Session::record_iteration(radiosity::Method method) {
     };
     constexpr auto kInterval = std::chrono::milliseconds(200);
     auto shown = Clock::now();
-    radiosity::SolveOptions options;
+    radiosity::SolveOptions options = with_conditions({}, conditions, scene.bands.count());
     options.method = method;
     options.tolerance = 1e-6;
     options.max_products = 5000;
@@ -122,7 +126,7 @@ void Session::record_iteration(radiosity::Method method) {
       show();
       shown = Clock::now();
     };
-    recorder.finish(solve(*model.transport, emitted, reflectance, options));
+    recorder.finish(solve(*model.transport, conditions.exitance, conditions.reflectance, options));
     show();
   });
 }

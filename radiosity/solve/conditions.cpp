@@ -1,0 +1,115 @@
+#include "radiosity/solve/conditions.h"
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "radiosity/base/error.h"
+#include "radiosity/scene/radiometry.h"
+#include "radiosity/solve/surface_flux.h"
+
+namespace radiosity {
+namespace {
+
+/// σ T⁴ below 0 by less than this share of B and H is rounding, or what the iteration leaves.
+constexpr double kColdRounding = 1e-6;
+
+bool is_given_heat(const Scene& scene, const PatchMesh& mesh, Index patch) {
+  if (scene.surfaces[mesh.surface[patch]].is_shield) return true;
+  const Emission::Kind kind = scene.materials[material_of(scene, mesh, patch)].emission.kind;
+  return kind == Emission::Kind::heat_flux || kind == Emission::Kind::heat_power;
+}
+
+/// The heat added to patches whose net heat is given; to shields as much of that of both sides as
+/// each emits.
+void add_heat(const Scene& scene, const PatchMesh& mesh, const Eigen::VectorXd& added,
+              Conditions& conditions) {
+  for (Index i = 0; i < mesh.size(); ++i) {
+    if (!is_given_heat(scene, mesh, i)) continue;
+    const Index twin = mesh.twin[i];
+    if (!scene.surfaces[mesh.surface[i]].is_shield || twin < 0) {
+      conditions.exitance(i, 0) += added[i];
+      continue;
+    }
+    const double own = conditions.emissivity[i];
+    const double both = own + conditions.emissivity[twin];
+    if (both > 0) conditions.exitance(i, 0) += own / both * (added[i] + added[twin]);
+  }
+}
+
+void require_grey_where_heat_is_given(const Scene& scene, const PatchMesh& mesh) {
+  if (scene.bands.kind == Bands::Kind::grey) return;
+  for (Index i = 0; i < mesh.size(); ++i) {
+    if (!is_given_heat(scene, mesh, i)) continue;
+    throw SceneError("surface '" + mesh.surface_names[mesh.surface[i]] +
+                     "': heat or a shield in a scene whose bands are not grey; its temperature "
+                     "would couple them");
+  }
+}
+
+}  // namespace
+
+Conditions make_conditions(const Scene& scene, const PatchMesh& mesh, const Transport& transport,
+                           const Eigen::MatrixXd& sun, const Eigen::VectorXd& added) {
+  require_grey_where_heat_is_given(scene, mesh);
+  Conditions conditions{.exitance = exitance(scene, mesh),
+                        .reflectance = reflectance(scene, mesh),
+                        .incident = sun,
+                        .transmission = transmission(scene, mesh),
+                        .emissivity = {}};
+  const Eigen::VectorXd environment = environment_exitance(scene);
+  if (environment.size() > 0 && !environment.isZero(0)) {
+    const Eigen::MatrixXd entering = environment_irradiance(transport, environment);
+    if (sun.size() > 0) {
+      conditions.incident += entering;
+    } else if (!entering.isZero(0)) {
+      conditions.incident = entering;
+    }
+  }
+  const bool is_grey_heat = scene.bands.kind == Bands::Kind::grey && is_thermal(scene);
+  if (is_grey_heat) conditions.emissivity = emissivity(scene, mesh).col(0);
+  if (added.size() > 0) add_heat(scene, mesh, added, conditions);
+  return conditions;
+}
+
+SolveOptions with_conditions(SolveOptions options, const Conditions& conditions, Index n_columns) {
+  options.transmission = conditions.transmission;
+  if (conditions.incident.size() > 0) {
+    options.incident =
+        conditions.incident.replicate(1, n_columns / conditions.incident.cols()).eval();
+  }
+  options.has_sinks = conditions.emissivity.size() > 0;
+  return options;
+}
+
+Eigen::MatrixXd environment_irradiance(const Transport& transport,
+                                       const Eigen::VectorXd& exitance) {
+  const Index n = transport.size();
+  Eigen::VectorXd open = 1 - transport.apply(Eigen::VectorXd::Ones(n)).array();
+  const AssemblyReport& report = transport.report();
+  for (const Eigen::VectorXd* shares : {&report.covered, &report.backs}) {
+    if (shares->size() == n) open -= *shares;
+  }
+  return open.cwiseMax(0) * exitance.transpose();
+}
+
+Eigen::VectorXd temperatures(const PatchMesh& mesh, const Solution& solution,
+                             const Eigen::VectorXd& emissivity) {
+  Eigen::VectorXd result(solution.radiosity.rows());
+  for (Index i = 0; i < result.size(); ++i) {
+    const double b = solution.radiosity(i, 0);
+    const double h = solution.irradiance(i, 0);
+    const double e = emissivity[i];
+    const double emitted = e > 0 ? b - (1 - e) * h : b;
+    if (!(emitted >= -kColdRounding * (std::abs(b) + std::abs(h)))) {
+      throw SolveError("surface '" + mesh.surface_names[mesh.surface[i]] + "': patch " +
+                       std::to_string(i) + " would have to be below absolute zero to take up " +
+                       std::to_string(h - b) + " W/m²; it receives " + std::to_string(h) +
+                       " W/m² and can take up no more than it absorbs");
+    }
+    result[i] = std::pow(std::max(emitted, 0.) / ((e > 0 ? e : 1) * kStefanBoltzmann), 0.25);
+  }
+  return result;
+}
+
+}  // namespace radiosity
