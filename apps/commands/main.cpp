@@ -8,6 +8,7 @@
 #include <new>
 #include <string>
 
+#include "apps/commands/batch_command.h"
 #include "apps/commands/exchange_command.h"
 #include "apps/commands/form_factors_command.h"
 #include "apps/commands/inspect_command.h"
@@ -72,6 +73,7 @@ int main(int argc, char** argv) {
   const apps::ExchangeCommand exchange(program, interruption);
   const apps::InspectCommand inspect(program, interruption);
   const apps::RenderCommand render(program, interruption);
+  const apps::BatchCommand batch(program, interruption);
   const apps::ValidateCommand validate(program, interruption);
   const apps::ViewCommand view(program, interruption);
   return run(program, interruption, argc, argv);

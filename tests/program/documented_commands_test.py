@@ -92,7 +92,14 @@ def set_up(folder, sources):
     for name in ("office.json", "scene.json"):
         (folder / name).write_text(json.dumps(scene(0.5)))
     (folder / "room.gltf").write_text(json.dumps(gltf(0.5)))
+    (folder / "list.json").write_text(json.dumps(batch_list()))
     (folder / "scenarios.json").write_text(json.dumps(SCENARIOS))
+
+
+def batch_list():
+    return {"options": {"as-is": True}, "output": "of-{name}.csv",
+            "entries": [{"scene": "office.json"}, {"scene": "scene.json", "command": "inspect",
+                                                   "options": {"as-is": False}, "output": []}]}
 
 
 def reads_factors(command):
