@@ -47,24 +47,6 @@ void check_made(const Scene& scene, Index n_patches, const StudyOptions& options
   }
 }
 
-TransportOptions transport_options(const Scene& scene, const StudyOptions& options,
-                                   const StudyEvents& events) {
-  return {.tolerance = factor_tolerance(options),
-          .closed = closedness(scene, options.closed),
-          .seed = options.seed,
-          .memory = options.memory,
-          .progress = events.progress,
-          .work_file = options.work_file,
-          .work_start = options.work_start,
-          .rough = events.rough};
-}
-
-/// The light that operators are made for.
-ExpectedLight expected_light(const Scene& scene, const PatchMesh& mesh, const Progress& progress) {
-  return {initial_radiosity(scene, mesh, progress), reflectance(scene, mesh),
-          exitance(scene, mesh).cwiseAbs()};
-}
-
 FormFactors make_adaptive(const Scene& scene, const StudyOptions& options,
                           const StudyEvents& events) {
   TransportOptions transport = transport_options(scene, options, events);
@@ -131,6 +113,23 @@ Patches divide(const Scene& scene, const StudyOptions& options, const StudyEvent
   Patches patches{std::move(mesh), std::move(visibility)};
   if (events.divided) events.divided(scene, patches);
   return patches;
+}
+
+TransportOptions transport_options(const Scene& scene, const StudyOptions& options,
+                                   const StudyEvents& events) {
+  return {.tolerance = factor_tolerance(options),
+          .closed = closedness(scene, options.closed),
+          .seed = options.seed,
+          .memory = options.memory,
+          .progress = events.progress,
+          .work_file = options.work_file,
+          .work_start = options.work_start,
+          .rough = events.rough};
+}
+
+ExpectedLight expected_light(const Scene& scene, const PatchMesh& mesh, const Progress& progress) {
+  return {initial_radiosity(scene, mesh, progress), reflectance(scene, mesh),
+          exitance(scene, mesh).cwiseAbs()};
 }
 
 Fingerprint compressed_fingerprint(const Scene& scene, const PatchMesh& mesh,

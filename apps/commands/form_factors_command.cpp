@@ -5,6 +5,7 @@
 #include <CLI/App.hpp>
 #include <algorithm>
 
+#include "apps/run/factor_part.h"
 #include "apps/run/factor_table.h"
 #include "apps/run/factors_from.h"
 #include "apps/run/scene_input.h"
@@ -34,23 +35,6 @@
 #include "study/warnings.h"
 
 namespace apps {
-namespace {
-
-std::string check_memory_size(const std::string& text) {
-  if (parse_memory_size(text)) return "";
-  return fmt::format("found '{}', expected a size such as 2GB, 500MB or 750MiB", text);
-}
-
-Eigen::VectorXd row_error(const radiosity::StreamedFactors& factors, radiosity::Index row) {
-  Eigen::VectorXd result;
-  factors.for_each_row(
-      [&](radiosity::Index i, const Eigen::VectorXd& /*row*/, const Eigen::VectorXd& error) {
-        if (i == row) result = error;
-      });
-  return result;
-}
-
-}  // namespace
 
 FormFactorsCommand::FormFactorsCommand(CLI::App& program, Interruption& interruption)
     : interruption_(interruption) {
@@ -108,7 +92,32 @@ FormFactorsCommand::FormFactorsCommand(CLI::App& program, Interruption& interrup
   add_compute_options(*command, compute_);
   add_transport_option(*command, compute_);
   command->get_option("--transport")->excludes(min_factor);
-  command->callback([this] { run(); });
+  command
+      ->add_option("--part", part_text_,
+                   "Only the K-th of N parts, as F.K-of-N.h5: 'radiosity merge' makes one file of "
+                   "them")
+      ->check([](const std::string& text) {
+        return parse_part(text)
+                   ? ""
+                   : fmt::format("found '{}', expected a part such as 3/16: the third of 16", text);
+      })
+      ->type_name("K/N")
+      ->excludes(by)
+      ->excludes("--from")
+      ->excludes(row);
+  command->callback([this] {
+    choose_part();
+    run();
+  });
+}
+
+void FormFactorsCommand::choose_part() {
+  part_ = parse_part(part_text_);
+  if (!part_ || common_.outputs.empty()) return;
+  if (common_.outputs.size() != 1 || !is_factor_file(common_.outputs.front())) {
+    throw CLI::ValidationError("--part", "its one output is an .h5 file");
+  }
+  common_.outputs.front() = part_path(common_.outputs.front(), *part_).string();
 }
 
 void FormFactorsCommand::run() const {
@@ -143,9 +152,17 @@ void FormFactorsCommand::run() const {
       .scene = scene, .mesh = mesh, .min_factor = min_factor_, .outputs = common_.outputs};
   if (is_complete(fingerprint)) return tell_complete(summary, terminal);
   radiosity::TileStore store = open_store(mesh, fingerprint, events.progress, terminal);
+  if (part_) {
+    io::FactorPart part = described_part(scene, options, fingerprint, *part_);
+    part.min_factor = min_factor_;
+    summary.part = write_streamed_part(common_.outputs.front(), patches, part, streaming, store,
+                                       interruption_);
+    store.remove();
+    return print_factors(summary, terminal);
+  }
   const radiosity::StreamedFactors factors(mesh, visibility, streaming, store);
   study::refuse_excess(scene, mesh, factors.report(), compute_.tolerance,
-                       [&](radiosity::Index row) { return row_error(factors, row); });
+                       [&](radiosity::Index row) { return row_error_of(factors, row); });
   study::warn_of_open_rows(factors.report(), events);
   summary.report = &factors.report();
   summary.bytes = factors.bytes();
@@ -199,6 +216,7 @@ void FormFactorsCommand::tell_complete(const FactorSummary& summary,
 bool FormFactorsCommand::is_complete(const radiosity::Fingerprint& fingerprint) const {
   const auto& outputs = common_.outputs;
   if (!resume_ || !by_.empty() || std::filesystem::exists(work_file_path(outputs))) return false;
+  if (part_) return io::has_intact_part(outputs.front(), *part_, fingerprint.text());
   return std::all_of(outputs.begin(), outputs.end(), [&](const std::string& output) {
     return is_factor_file(output) && io::read_fingerprint(output) == fingerprint.text() &&
            (io::is_compressed_operator(output) || io::has_intact_form_factors(output));
@@ -268,6 +286,13 @@ void FormFactorsCommand::write_compressed(const radiosity::Scene& scene,
       study::compressed_fingerprint(scene, patches.mesh, options);
   if (is_complete(fingerprint)) return tell_complete(summary, terminal);
   announce_work_file(radiosity::block_file_state(options.work_file, fingerprint.value()), terminal);
+  if (part_) {
+    summary.part = write_compressed_part(common_.outputs.front(), scene, patches,
+                                         described_part(scene, options, fingerprint, *part_),
+                                         options, events, interruption_);
+    std::filesystem::remove(options.work_file);
+    return print_factors(summary, terminal);
+  }
   const study::FormFactors made =
       study::make_form_factors(scene, patches.mesh, patches.visibility, options, events);
   summary.report = &made.transport->report();

@@ -8,9 +8,11 @@
 #include <new>
 #include <string>
 
+#include "apps/commands/batch_command.h"
 #include "apps/commands/exchange_command.h"
 #include "apps/commands/form_factors_command.h"
 #include "apps/commands/inspect_command.h"
+#include "apps/commands/merge_command.h"
 #include "apps/commands/render_command.h"
 #include "apps/commands/solve_command.h"
 #include "apps/commands/validate_command.h"
@@ -67,9 +69,11 @@ int main(int argc, char** argv) {
   program.require_subcommand(1);
   const apps::SolveCommand solve(program, interruption);
   const apps::FormFactorsCommand form_factors(program, interruption);
+  const apps::MergeCommand merge(program, interruption);
   const apps::ExchangeCommand exchange(program, interruption);
   const apps::InspectCommand inspect(program, interruption);
   const apps::RenderCommand render(program, interruption);
+  const apps::BatchCommand batch(program, interruption);
   const apps::ValidateCommand validate(program, interruption);
   const apps::ViewCommand view(program, interruption);
   return run(program, interruption, argc, argv);

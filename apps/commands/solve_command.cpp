@@ -62,6 +62,7 @@ SolveCommand::SolveCommand(CLI::App& program, Interruption& interruption)
       ->type_name("M");
   add_compute_options(*command, compute_);
   add_transport_option(*command, compute_);
+  add_memory_option(*command, compute_);
   add_adaptive_option(*command, compute_);
   add_operator_option(*command, operator_);
   auto* verify = command->add_flag(

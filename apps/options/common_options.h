@@ -51,6 +51,8 @@ void add_seed_option(CLI::App& command, std::uint64_t& seed);
 void add_compute_options(CLI::App& command, study::StudyOptions& options);
 /// --transport.
 void add_transport_option(CLI::App& command, study::StudyOptions& options);
+/// --memory, for an operator in memory.
+void add_memory_option(CLI::App& command, study::StudyOptions& options);
 /// --adaptive, after add_compute_options and add_transport_option.
 void add_adaptive_option(CLI::App& command, study::StudyOptions& options);
 /// --operator, after those.

@@ -125,6 +125,15 @@ class CompressedAssembly {
     return transport;
   }
 
+  /// Makes only what a part of the work has of the first round.
+  void make_part(WorkPart part, const RecordVisitor& visit) {
+    open_store();
+    maker_.make_part(first_limit(options_.tolerance), *store_, part);
+    for (std::size_t k = part.number; k < store_->n_parts(); k += part.n_parts) {
+      visit(store_->record(k));
+    }
+  }
+
  private:
   [[nodiscard]] double first_limit(double tolerance) const {
     const double n = std::max(static_cast<double>(mesh_.size()) / kFewPatches, 1.0);
@@ -261,6 +270,14 @@ std::unique_ptr<CompressedTransport> make_compressed_transport(const PatchMesh& 
   if (!mesh.images.empty()) refuse_compressed_part();
   check_compressed_memory(mesh.size(), options.memory);
   return CompressedAssembly(mesh, visibility, options, light).make();
+}
+
+void make_compressed_part(const PatchMesh& mesh, const Visibility& visibility,
+                          const TransportOptions& options, const ExpectedLight& light,
+                          WorkPart part, const RecordVisitor& visit) {
+  if (!mesh.images.empty()) refuse_compressed_part();
+  check_compressed_memory(mesh.size(), options.memory);
+  CompressedAssembly(mesh, visibility, options, light).make_part(part, visit);
 }
 
 Fingerprint compressed_fingerprint(const PatchMesh& mesh, const TransportOptions& options,
