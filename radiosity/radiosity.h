@@ -56,6 +56,7 @@
 #include "radiosity/polygon/point_to_polygon.h"
 #include "radiosity/scene/black_body.h"
 #include "radiosity/scene/color_matching.h"
+#include "radiosity/scene/patch_heat.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/radiometry.h"
 #include "radiosity/scene/scenario.h"

@@ -67,6 +67,12 @@ ExpectedLight expected_light(const Scene& scene, const PatchMesh& mesh, const Pr
 
 FormFactors make_adaptive(const Scene& scene, const StudyOptions& options,
                           const StudyEvents& events) {
+  for (const GivenHeat& given : scene.given_heat) {
+    if (given.of == GivenHeat::Of::polygons) continue;
+    throw SolveError(given.source +
+                     ": tells of single patches, which adaptive ones are not before "
+                     "they are made; expected a column polygon");
+  }
   TransportOptions transport = transport_options(scene, options, events);
   // Each round has patches of its own.
   transport.rough = {};
@@ -127,6 +133,7 @@ Patches divide(const Scene& scene, const StudyOptions& options, const StudyEvent
   }
   check_made(scene, mesh.size(), options);
   warn_of_cut_off(scene, mesh, events);
+  warn_of_partly_given_heat(scene, mesh, events);
   Visibility visibility(mesh);
   Patches patches{std::move(mesh), std::move(visibility)};
   if (events.divided) events.divided(scene, patches);
