@@ -42,6 +42,7 @@
 #include "radiosity/exchange/point_factors.h"
 #include "radiosity/exchange/sampled_destinations.h"
 #include "radiosity/operator/joint_row.h"
+#include "radiosity/operator/polygon_rows.h"
 #include "radiosity/operator/surface_factors.h"
 #include "radiosity/operator/transport.h"
 #include "radiosity/picture/camera_view.h"
