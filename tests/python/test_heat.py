@@ -328,3 +328,21 @@ def test_patches_that_cannot_be_given_heat(enclosure, tmp_path):
     shield.write_text(json.dumps(text))
     with pytest.raises(rad.SceneError, match="temperatures need a scene with"):
         rad.Study(rad.read_scene(shield).with_heat([300.0] * 7), as_is=True).solve()
+
+
+def test_a_person_between_warm_and_cool_halves(enclosure):
+    """In an even room a person is as warm as the walls; factors add up to 1."""
+    scene = rad.read_scene(enclosure).with_heat(temperatures=[300.0] * 7)
+    study = rad.Study(scene, as_is=True, tolerance=1e-6)
+    middle = study.patches.centroid[np.asarray(study.patches.surface) == 0].mean(axis=0)
+    for options in ({}, {"posture": "seated"}, {"facing": (1, 2, 0.5)}, {"up": (1, 0, 0)}):
+        comfort = study.comfort([middle, middle + 0.1], **options)
+        assert comfort.mean_radiant_temperature == pytest.approx([300, 300], abs=1e-4)
+        assert comfort.plane_radiant_temperatures == pytest.approx(np.full((2, 6), 300), abs=1e-3)
+        assert comfort.factors.sum(axis=1) == pytest.approx([1, 1], abs=1e-9)
+    with pytest.raises(rad.SceneError, match="posture"):
+        study.comfort(middle, posture="lying")
+    with pytest.raises(rad.SceneError, match="cannot face"):
+        study.comfort(middle, facing=(0, 0, 1))
+    with pytest.raises(rad.InputError, match="points"):
+        study.comfort([1, 2])
