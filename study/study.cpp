@@ -49,6 +49,12 @@ void check_made(const Scene& scene, Index n_patches, const StudyOptions& options
 
 FormFactors make_adaptive(const Scene& scene, const StudyOptions& options,
                           const StudyEvents& events) {
+  for (const GivenHeat& given : scene.given_heat) {
+    if (given.of == GivenHeat::Of::polygons) continue;
+    throw SolveError(given.source +
+                     ": tells of single patches, which adaptive ones are not before "
+                     "they are made; expected a column polygon");
+  }
   TransportOptions transport = transport_options(scene, options, events);
   // Each round has patches of its own.
   transport.rough = {};
@@ -109,6 +115,7 @@ Patches divide(const Scene& scene, const StudyOptions& options, const StudyEvent
   }
   check_made(scene, mesh.size(), options);
   warn_of_cut_off(scene, mesh, events);
+  warn_of_partly_given_heat(scene, mesh, events);
   Visibility visibility(mesh);
   Patches patches{std::move(mesh), std::move(visibility)};
   if (events.divided) events.divided(scene, patches);

@@ -35,11 +35,12 @@ from ._operator import (
     transport,
 )
 from ._solve import Energy, Light, importance, solve
-from ._study import Camera, Study
+from ._study import Camera, Comfort, Study
 from ._view import view
 
 __all__ = [
     "Camera",
+    "Comfort",
     "Energy",
     "Error",
     "FormFactors",

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "radiosity/base/geometry.h"
+#include "radiosity/scene/given_heat.h"
 #include "radiosity/scene/sun.h"
 #include "radiosity/scene/symmetry.h"
 
@@ -113,6 +114,7 @@ struct Scene {
   /// What comes in wherever a patch sees no other and no back: of radiance, exitance or temperature
   /// (of a black one).
   Emission environment;
+  std::vector<GivenHeat> given_heat;  ///< of single patches or polygons
   /// How far a coordinate may be off what was meant, for its last digits were rounded away: half a
   /// unit in the last place of the file, m. 0 = exact but for the rounding of `double`.
   double precision = 0;
