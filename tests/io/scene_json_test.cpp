@@ -476,7 +476,7 @@ TEST(Scenes, AllLoad) {
     }
     ++n_scenes;
   }
-  EXPECT_EQ(n_scenes, 10);
+  EXPECT_GE(n_scenes, 10);
 }
 
 TEST(Scenes, CornellBoxFacesInwards) {
