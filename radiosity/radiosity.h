@@ -20,7 +20,7 @@
 ///    leaving i that reaches j; Σ_j F_ij <= 1, with equality in a closed scene.
 ///  - B = M_e + ρ H with H = F B, per band: radiosity B, radiant exitance M_e (self-emitted) and
 ///    irradiance H, all W/m²; reflectance ρ in [0, 1]. B / π is radiance, W/(m² sr).
-///  - With a sun or an environment: H = F B + H_0, H_0 their direct irradiance, so that
+///  - With a sun, luminaires or an environment: H = F B + H_0, H_0 their direct irradiance, so that
 ///    B = M_e + ρ H_0 + ρ F B (make_conditions, SolveOptions::incident).
 ///  - Bands: one grey band and the three of linear RGB (Rec. 709 primaries) hold all the power that
 ///    they stand for, W/m². The bands of a wavelength list hold spectral densities at those

@@ -16,6 +16,7 @@
 #include "radiosity/solve/trapped_light.h"
 #include "radiosity/stream/streaming_memory.h"
 #include "radiosity/visibility/incident_light.h"
+#include "study/luminaire_warnings.h"
 #include "study/row_check.h"
 #include "study/warnings.h"
 
@@ -117,6 +118,7 @@ Patches divide(const Scene& scene, const StudyOptions& options, const StudyEvent
   warn_of_cut_off(scene, mesh, events);
   warn_of_partly_given_heat(scene, mesh, events);
   Visibility visibility(mesh);
+  warn_of_luminaires(scene, mesh, visibility, events);
   Patches patches{std::move(mesh), std::move(visibility)};
   if (events.divided) events.divided(scene, patches);
   return patches;

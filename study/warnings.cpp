@@ -57,7 +57,7 @@ void warn_of_darkness(const Eigen::MatrixXd& exitance, const Eigen::MatrixXd& in
                       const StudyEvents& events) {
   const bool is_sunless = incident.size() == 0 || incident.isZero(0);
   if (incident.size() > 0 && is_sunless) {
-    events.warn("the sun shines on no surface's emitting side");
+    events.warn("no light of sun or luminaires reaches a surface's emitting side");
   }
   if (exitance.isZero(0) && is_sunless) {
     events.warn("no surface emits light: the radiosity is zero everywhere");

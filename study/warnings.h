@@ -29,8 +29,8 @@ std::optional<std::string> open_rows_warning(const radiosity::AssemblyReport& re
 /// Says it.
 void warn_of_open_rows(const radiosity::AssemblyReport& report, const StudyEvents& events);
 
-/// If nothing emits and no sun shines, and if a sun (direct irradiance `incident`, empty without
-/// one) reaches nothing.
+/// If nothing emits and no sun or luminaire shines, and if these (direct irradiance `incident`,
+/// empty without any) reach nothing.
 void warn_of_darkness(const Eigen::MatrixXd& exitance, const Eigen::MatrixXd& incident,
                       const StudyEvents& events);
 

@@ -6,6 +6,7 @@
 
 #include "io/base/json_item.h"
 #include "io/base/line_reader.h"
+#include "io/scene/json_luminaires.h"
 #include "io/scene/json_materials.h"
 #include "io/scene/json_sun.h"
 #include "io/scene/json_surfaces.h"
@@ -204,6 +205,10 @@ FileScene read_json_scene(const std::filesystem::path& path, const ReadOptions& 
     read_sun(*sun, path.parent_path(), scene);
     add_spectra(sun->value(), path.parent_path(), scene);
   }
+  if (const auto luminaires = root.find("luminaires")) {
+    read_luminaires(*luminaires, path.parent_path(), unit, options.progress, scene);
+    add_spectra(luminaires->value(), path.parent_path(), scene);
+  }
   if (const auto views = root.find("views")) scene.views = read_views(*views, unit);
   if (const auto closed = root.find("closed")) scene.closed = closed->boolean();
   if (const auto warning = temperature_warning(scene)) {
@@ -211,6 +216,9 @@ FileScene read_json_scene(const std::filesystem::path& path, const ReadOptions& 
   }
   if (const auto symmetry = root.find("symmetry")) scene.symmetry = read_symmetry(*symmetry, unit);
   if (scene.n_polygons() == 0) fail(path, "has no polygons");
+  if (!scene.luminaires.empty() && !scene.symmetry.is_none()) {
+    fail(path, "has both luminaires and a symmetry, whose images they would light otherwise");
+  }
   if (scene.sun && !scene.symmetry.is_none()) {
     fail(path, "has both a sun and a symmetry, whose images it would shine upon otherwise");
   }

@@ -214,6 +214,11 @@ std::vector<fs::path> mitsuba_meshes(const fs::path& path, const PatchMesh& mesh
 void write_mitsuba(const fs::path& path, const Scene& scene, const PatchMesh& mesh,
                    const radiosity::Camera& camera, const MitsubaOptions& options) {
   refuse_heats(scene);
+  if (!scene.luminaires.empty()) {
+    throw radiosity::SceneError(printable(
+        fmt::format("luminaire {} has a photometric file, which is not written for Mitsuba",
+                    in_quotes(scene.luminaires.front().name))));
+  }
   const auto patches = fronts_by_surface(mesh);
   const Eigen::MatrixXd radiance = radiosity::exitance(scene, mesh) / radiosity::kPi;
   const Eigen::MatrixXd reflectance = radiosity::reflectance(scene, mesh);

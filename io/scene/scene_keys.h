@@ -8,12 +8,19 @@ namespace io::keys {
 
 inline constexpr auto kScene = std::to_array<std::string_view>(
     {"$schema", "name", "description", "unit", "precision", "bands", "materials", "surfaces",
-     "environment", "camera", "views", "closed", "sun", "symmetry"});
+     "environment", "camera", "views", "closed", "sun", "symmetry", "luminaires"});
 
 inline constexpr auto kBands = std::to_array<std::string_view>({"thermal", "split_wavelength"});
 
 inline constexpr auto kSun = std::to_array<std::string_view>(
     {"direction", "azimuth_deg", "elevation_deg", "up", "north", "irradiance"});
+
+inline constexpr auto kLuminaire = std::to_array<std::string_view>(
+    {"name", "description", "file", "position", "aim", "direction", "rotations_deg", "turn_deg",
+     "c0", "up", "dimming", "lumens", "spectrum", "watts_per_lumen", "array", "points"});
+
+inline constexpr auto kLuminaireArray =
+    std::to_array<std::string_view>({"rows", "columns", "row_step", "column_step"});
 
 inline constexpr auto kEmission = std::to_array<std::string_view>(
     {"radiance", "exitance", "power", "temperature", "heat_flux", "heat_power", "adiabatic"});

@@ -34,6 +34,7 @@ from ._operator import (
     load,
     transport,
 )
+from ._photometry import Photometry, read_photometry
 from ._solve import Energy, Light, importance, solve
 from ._study import Camera, Comfort, Study
 from ._view import view
@@ -52,6 +53,7 @@ __all__ = [
     "Network",
     "OutputError",
     "Patches",
+    "Photometry",
     "RadiosityWarning",
     "Scene",
     "SceneError",
@@ -64,6 +66,7 @@ __all__ = [
     "form_factors",
     "importance",
     "load",
+    "read_photometry",
     "read_scene",
     "solve",
     "transport",

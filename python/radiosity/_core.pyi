@@ -26,6 +26,20 @@ class Scene:
     def with_heat_file(self, is_temperature: bool, path: str) -> Scene: ...
     def write(self, path: str) -> None: ...
 
+class Photometry:
+    format: str
+    name: str
+    maker: str
+    lamp_flux: float
+    power: float
+    along_c0: float
+    along_c90: float
+    type: str
+    flux: float
+    peak: float
+    def intensity(self, directions: np.ndarray) -> np.ndarray: ...
+    def spread(self, plane: float, share: float) -> float: ...
+
 class Patches:
     vertices: np.ndarray
     corners: np.ndarray
@@ -113,6 +127,7 @@ class Study:
         n_threads: int,
     ) -> None: ...
 
+def read_photometry(path: str, report: Any) -> Photometry: ...
 def read_scene(
     path: str, unit: Optional[str], precision: Optional[float], strict: bool, report: Any
 ) -> Scene: ...

@@ -9,6 +9,8 @@
 
 #include "radiosity/base/geometry.h"
 #include "radiosity/scene/given_heat.h"
+#include "radiosity/scene/luminaire.h"
+#include "radiosity/scene/photometry.h"
 #include "radiosity/scene/sun.h"
 #include "radiosity/scene/symmetry.h"
 
@@ -119,6 +121,8 @@ struct Scene {
   /// unit in the last place of the file, m. 0 = exact but for the rounding of `double`.
   double precision = 0;
   std::optional<Sun> sun;
+  std::vector<Photometry> photometries;  ///< of luminaires
+  std::vector<Luminaire> luminaires;     ///< no two of one name
   std::optional<Camera> camera;
   std::vector<View> views;            ///< other cameras, no two of one name
   Symmetry symmetry;                  ///< the polygons are a part of a whole, if there is any

@@ -436,6 +436,8 @@ TEST(SceneSchema, ListsTheKeysOfTheReader) {
   expect_keys("rotation", io::keys::kRotation);
   expect_keys("camera", io::keys::kCamera);
   expect_keys("sun", io::keys::kSun);
+  expect_keys("luminaire", io::keys::kLuminaire);
+  expect_keys("luminaire_array", io::keys::kLuminaireArray);
   expect_keys("bands", io::keys::kBands);
   expect_keys("solar", io::keys::kSolar);
   expect_keys("infrared", io::keys::kInfrared);
