@@ -8,6 +8,7 @@
 #include <new>
 #include <string>
 
+#include "apps/commands/daylight_command.h"
 #include "apps/commands/exchange_command.h"
 #include "apps/commands/form_factors_command.h"
 #include "apps/commands/inspect_command.h"
@@ -68,6 +69,7 @@ int main(int argc, char** argv) {
   const apps::SolveCommand solve(program, interruption);
   const apps::FormFactorsCommand form_factors(program, interruption);
   const apps::ExchangeCommand exchange(program, interruption);
+  const apps::DaylightCommand daylight_factors(program, interruption);
   const apps::InspectCommand inspect(program, interruption);
   const apps::RenderCommand render(program, interruption);
   const apps::ValidateCommand validate(program, interruption);

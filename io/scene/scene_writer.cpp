@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "io/base/atomic_file.h"
+#include "io/scene/sky_writer.h"
 
 namespace io {
 namespace {
@@ -107,6 +108,7 @@ Json material_json(const Material& material) {
   if (material.emission.kind != Emission::Kind::none) {
     json[emission_key(material.emission.kind)] = values_json(material.emission.value);
   }
+  if (material.glazing) json["glazing"] = glazing_json(*material.glazing);
   return json;
 }
 
@@ -306,6 +308,7 @@ void write_json(const Scene& scene, std::ostream& stream) {
   if (scene.environment.kind != Emission::Kind::none) write_environment(scene.environment, stream);
   write_surfaces(scene, material_names, stream);
   if (scene.sun) stream << ",\n  \"sun\": " << text(sun_json(*scene.sun));
+  if (scene.sky) stream << ",\n  \"sky\": " << text(sky_json(scene));
   if (scene.camera) stream << ",\n  \"camera\": " << text(camera_json(*scene.camera));
   if (!scene.views.empty()) write_views(scene, stream);
   if (scene.closed) stream << ",\n  \"closed\": " << (*scene.closed ? "true" : "false");

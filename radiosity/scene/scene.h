@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "radiosity/base/geometry.h"
+#include "radiosity/scene/glazing.h"
+#include "radiosity/scene/sky.h"
 #include "radiosity/scene/sun.h"
 #include "radiosity/scene/symmetry.h"
 
@@ -63,6 +65,8 @@ struct Material {
   std::string name;
   Eigen::VectorXd reflectance;
   Emission emission;
+  /// If it is a pane: what that lets through of the sun and the sky.
+  std::optional<Glazing> glazing = {};
 };
 
 /// A named set of polygons that share a material.
@@ -117,6 +121,7 @@ struct Scene {
   /// unit in the last place of the file, m. 0 = exact but for the rounding of `double`.
   double precision = 0;
   std::optional<Sun> sun;
+  std::optional<Sky> sky;
   std::optional<Camera> camera;
   std::vector<View> views;            ///< other cameras, no two of one name
   Symmetry symmetry;                  ///< the polygons are a part of a whole, if there is any

@@ -10,8 +10,8 @@
 namespace radiosity {
 
 /// Light that comes straight from what is no surface of the scene: the sun, E = E_n cosθ where it
-/// shines, with exact shadows (SunShadows). Copies share what they hold; immutable, and may be used
-/// by many threads.
+/// shines, with exact shadows (SunShadows), and the sky with its ground (SkyLight). Copies share
+/// what they hold; immutable, and may be used by many threads.
 class IncidentLight {
  public:
   /// Of nothing: dark.
@@ -33,8 +33,9 @@ Eigen::VectorXd lit_shares(const PatchMesh& mesh, const Vec3& direction,
                            const Progress& progress = {});
 
 /// The mean of IncidentLight on each patch, n_patches x n_bands, W/m², of the sun exactly: E = E_n
-/// cosθ · lit share; empty if the scene has no such source. (1 - ρ) E is what the patch absorbs of
-/// it before any reflection. Throws Interrupted, and SolveError for a scene with a symmetry.
+/// cosθ · lit share, of the sky by SkyLight::on_patches; empty if the scene has no such source. (1
+/// - ρ) E is what the patch absorbs of it before any reflection. Throws Interrupted, and SolveError
+/// for a scene with a symmetry.
 Eigen::MatrixXd incident_irradiance(const Scene& scene, const PatchMesh& mesh,
                                     const Progress& progress = {});
 

@@ -20,6 +20,11 @@ class ShadowCutter {
   double visible_part(const Vec3& point, const Vec3& normal, const ConvexPolygon& target,
                       double whole, std::span<const Shadow> shadows);
 
+  /// The convex parts of `target` that lie in none of the shadows as seen from `point`, valid until
+  /// the next call.
+  std::span<const ConvexPolygon> visible_parts(const Vec3& point, const ConvexPolygon& target,
+                                               std::span<const Shadow> shadows);
+
  private:
   std::vector<ConvexPolygon> parts_;
   std::vector<ConvexPolygon> next_parts_;
