@@ -43,6 +43,21 @@ class Daylight : public Program {
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     return Json::parse(outcome.out);
   }
+  struct Hour {
+    int hour;
+    std::string direct;  // lx
+    std::string diffuse;
+  };
+  /// A weather file of hours of a midsummer's day.
+  std::string weather(const std::vector<Hour>& hours) const {
+    std::string text = "LOCATION,Nowhere,-,-,made up,0,50.0,15.0,1.0,100\nDATA PERIODS,1,1\n";
+    for (const Hour& hour : hours) {
+      text += "2001,6,21," + std::to_string(hour.hour) +
+              ",60,?9,20,10,50,101300,0,1300,300,500,300,150,50000," + hour.direct + "," +
+              hour.diffuse + ",4000,180,2,5\n";
+    }
+    return write_file("made.epw", text);
+  }
   static constexpr const char* kUniform = R"("type": 5, "horizontal_illuminance": 5000)";
   static constexpr const char* kLid = R"(, {"name": "lid", "material": "glass",
         "polygons": [[[0, 0, 1], [0, 1, 1], [1, 1, 1], [1, 0, 1]]]})";
@@ -100,6 +115,41 @@ TEST_F(Daylight, IsInSolveAndPictures) {
            result("a.csv"), "-o", result("a.png"), "--gather", "--width", "16", "--height", "16"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(outcome.err.find("no surface emits"), std::string::npos) << outcome.err;
+}
+
+TEST_F(Daylight, InTheHoursOfAYear) {
+  const std::string points = write_file("points.csv", "0.5,0.5,0\n0.3,0.4,0.5\n");
+  const std::string scene = box(0.4, 0.2, kUniform);
+  const auto arguments = [&](const std::string& weather) {
+    return Arguments{"daylight-year", scene,       "--weather", weather, "--points",
+                     points,          "--patches", "40",        "-o",    result("hours.csv")};
+  };
+  const Json json = [&] {
+    Arguments all = arguments(weather({{12, "30000", "15000"},
+                                       {13, "0", "9000"},
+                                       {14, "999900", "9000"},
+                                       {17, "0", "0"},
+                                       {23, "0", "0"}}));
+    all.emplace_back("--json");
+    const Outcome outcome = run(all);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return Json::parse(outcome.out);
+  }();
+  EXPECT_EQ(json["hours"], 3) << "one lacks a value, one is not counted";
+  EXPECT_EQ(json["sky_parts"], 144);
+  const double mean = json["points"][0]["mean"].get<double>();
+  EXPECT_GT(mean, 1000);
+  EXPECT_LT(mean, 30000);
+  EXPECT_NEAR(json["points"][0]["autonomy"].get<double>(), 2. / 3, 1e-12);
+  EXPECT_EQ(json["warnings"].size(), 2U);
+  const std::string table = contents(result("hours.csv"));
+  EXPECT_EQ(table.substr(0, table.find('\n')), "month,day,hour,E_0,E_1");
+  expect_contains(table, "\n6,21,17,0,0");
+  expect_error(run(arguments("none.epw")), 1, "none.epw");
+  expect_error(run(arguments(weather({{23, "0", "0"}}))), 1, "no hour from 8 to 18");
+  Arguments turned = arguments(weather({{12, "30000", "15000"}}));
+  turned.insert(turned.end(), {"--north", "0,0,1"});
+  expect_error(run(turned), 1, "--north");
 }
 
 TEST_F(Daylight, BadInputIsTold) {
