@@ -140,7 +140,7 @@ std::string discretisation_lines(const radiosity::DiscretisationError& discretis
 
 /// What the light that does not come from patches is called; nothing if there is none.
 std::string incoming_name(const radiosity::Scene& scene) {
-  if (scene.environment.kind != radiosity::Emission::Kind::none) return "from without";
+  if (scene.environment.kind != radiosity::Emission::Kind::none || scene.sky) return "from without";
   if (!scene.luminaires.empty()) return scene.sun ? "from without" : "from luminaires";
   return scene.sun ? "from the sun" : "";
 }

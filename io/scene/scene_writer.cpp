@@ -15,6 +15,7 @@
 
 #include "io/base/atomic_file.h"
 #include "io/scene/json_luminaires.h"
+#include "io/scene/sky_writer.h"
 
 namespace io {
 namespace {
@@ -108,6 +109,7 @@ Json material_json(const Material& material) {
   if (material.emission.kind != Emission::Kind::none) {
     json[emission_key(material.emission.kind)] = values_json(material.emission.value);
   }
+  if (material.glazing) json["glazing"] = glazing_json(*material.glazing);
   return json;
 }
 
@@ -318,6 +320,7 @@ void write_json(const Scene& scene, const std::filesystem::path& folder, std::os
   write_surfaces(scene, material_names, stream);
   if (scene.sun) stream << ",\n  \"sun\": " << text(sun_json(*scene.sun));
   if (!scene.luminaires.empty()) write_luminaires(scene, folder, stream);
+  if (scene.sky) stream << ",\n  \"sky\": " << text(sky_json(scene));
   if (scene.camera) stream << ",\n  \"camera\": " << text(camera_json(*scene.camera));
   if (!scene.views.empty()) write_views(scene, stream);
   if (scene.closed) stream << ",\n  \"closed\": " << (*scene.closed ? "true" : "false");

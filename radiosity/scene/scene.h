@@ -11,6 +11,8 @@
 #include "radiosity/scene/given_heat.h"
 #include "radiosity/scene/luminaire.h"
 #include "radiosity/scene/photometry.h"
+#include "radiosity/scene/glazing.h"
+#include "radiosity/scene/sky.h"
 #include "radiosity/scene/sun.h"
 #include "radiosity/scene/symmetry.h"
 
@@ -66,6 +68,8 @@ struct Material {
   std::string name;
   Eigen::VectorXd reflectance;
   Emission emission;
+  /// If it is a pane: what that lets through of the sun and the sky.
+  std::optional<Glazing> glazing = {};
 };
 
 /// A named set of polygons that share a material.
@@ -123,6 +127,7 @@ struct Scene {
   std::optional<Sun> sun;
   std::vector<Photometry> photometries;  ///< of luminaires
   std::vector<Luminaire> luminaires;     ///< no two of one name
+  std::optional<Sky> sky;
   std::optional<Camera> camera;
   std::vector<View> views;            ///< other cameras, no two of one name
   Symmetry symmetry;                  ///< the polygons are a part of a whole, if there is any
