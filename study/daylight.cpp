@@ -46,6 +46,7 @@ radiosity::Scene daylight_scene(radiosity::Scene scene) {
     throw radiosity::SceneError(scene.source + ": the sky is dark, so that it has no shares");
   }
   scene.sun.reset();
+  scene.luminaires.clear();
   for (radiosity::Surface& surface : scene.surfaces) surface.emission_factor = 0;
   return scene;
 }

@@ -36,14 +36,6 @@
 #include "study/warnings.h"
 
 namespace apps {
-namespace {
-
-/// Whether it is a table between surfaces.
-bool is_table(FactorFormat format) {
-  return format != FactorFormat::hdf5 && !is_by_polygon(format);
-}
-
-}  // namespace
 
 FormFactorsCommand::FormFactorsCommand(CLI::App& program, Interruption& interruption)
     : interruption_(interruption) {

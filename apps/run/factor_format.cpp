@@ -38,4 +38,8 @@ bool is_by_polygon(FactorFormat format) {
          format == FactorFormat::openfoam;
 }
 
+bool is_table(FactorFormat format) {
+  return format != FactorFormat::hdf5 && !is_by_polygon(format);
+}
+
 }  // namespace apps

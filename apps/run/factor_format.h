@@ -29,6 +29,9 @@ FactorFormat factor_format(const std::string& path, const std::string& asked);
 /// Whether it is between polygons, whose rows are written one after the other.
 bool is_by_polygon(FactorFormat format);
 
+/// Whether it is a table between surfaces.
+bool is_table(FactorFormat format);
+
 /// Whether it is the file F of a case of OpenFOAM.
 bool is_foam_file(const std::string& path);
 
