@@ -125,19 +125,25 @@ double ShadowCutter::visible_part(const Vec3& point, const Vec3& normal,
     const ConvexPolygon hidden = shadowed(target, shadows[0], point);
     return hidden.empty() ? whole : whole - facing_point_to_polygon(point, normal, hidden.points());
   }
+  double sum = 0;
+  for (const ConvexPolygon& part : visible_pieces(point, target, shadows)) {
+    sum += facing_point_to_polygon(point, normal, part.points());
+  }
+  return sum;
+}
+
+std::span<const ConvexPolygon> ShadowCutter::visible_pieces(const Vec3& point,
+                                                            const ConvexPolygon& target,
+                                                            std::span<const Shadow> shadows) {
   parts_.assign(1, target);
   for (const Shadow& shadow : shadows) {
     if (n_borders(shadow) == 0) continue;
     next_parts_.clear();
     for (const ConvexPolygon& part : parts_) cut(part, shadow, point, next_parts_);
     parts_.swap(next_parts_);
-    if (parts_.empty()) return 0;
+    if (parts_.empty()) break;
   }
-  double sum = 0;
-  for (const ConvexPolygon& part : parts_) {
-    sum += facing_point_to_polygon(point, normal, part.points());
-  }
-  return sum;
+  return parts_;
 }
 
 double visible_point_to_polygon(const Vec3& point, const Vec3& normal, const ConvexPolygon& target,

@@ -20,6 +20,10 @@ class ShadowCutter {
   double visible_part(const Vec3& point, const Vec3& normal, const ConvexPolygon& target,
                       double whole, std::span<const Shadow> shadows);
 
+  /// The convex parts of such a target that lie in none of the shadows; valid until the next call.
+  std::span<const ConvexPolygon> visible_pieces(const Vec3& point, const ConvexPolygon& target,
+                                                std::span<const Shadow> shadows);
+
  private:
   std::vector<ConvexPolygon> parts_;
   std::vector<ConvexPolygon> next_parts_;
