@@ -8,7 +8,8 @@ namespace io::keys {
 
 inline constexpr auto kScene = std::to_array<std::string_view>(
     {"$schema", "name", "description", "unit", "precision", "bands", "materials", "surfaces",
-     "environment", "camera", "views", "closed", "sun", "symmetry"});
+     "environment", "camera", "views", "closed", "sun", "symmetry", "grids", "observers",
+     "maintenance_factor"});
 
 inline constexpr auto kBands = std::to_array<std::string_view>({"thermal", "split_wavelength"});
 
@@ -24,7 +25,8 @@ inline constexpr auto kEnvironment =
 /// An emission may stand in the material itself or in its "emission".
 inline constexpr auto kMaterial = std::to_array<std::string_view>(
     {"name", "description", "reflectance", "emissivity", "emission", "radiance", "exitance",
-     "power", "temperature", "heat_flux", "heat_power", "adiabatic", "solar", "infrared"});
+     "power", "temperature", "heat_flux", "heat_power", "adiabatic", "solar", "infrared",
+     "maintenance_factor"});
 
 /// What a material is to the sun's light.
 inline constexpr auto kSolar = std::to_array<std::string_view>({"absorptivity"});
@@ -53,5 +55,14 @@ inline constexpr auto kSymmetryRotation =
 
 inline constexpr auto kCamera = std::to_array<std::string_view>(
     {"position", "look_at", "direction", "up", "vertical_fov_deg", "focal_length", "film"});
+
+inline constexpr auto kGrid = std::to_array<std::string_view>(
+    {"name", "surface", "offset", "corner", "sides", "points", "normals", "spacing", "border", "up",
+     "cylindrical", "vertical", "semi_cylindrical", "required"});
+
+inline constexpr auto kRequired = std::to_array<std::string_view>({"Em", "U0", "Ud", "UGR"});
+
+inline constexpr auto kObserver =
+    std::to_array<std::string_view>({"name", "position", "look_at", "direction", "up", "UGR"});
 
 }  // namespace io::keys

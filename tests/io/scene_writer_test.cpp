@@ -134,7 +134,7 @@ TEST_F(SceneWriter, GivesBackAllScenesThatComeWithTheProgram) {
     }
     ++n_scenes;
   }
-  EXPECT_EQ(n_scenes, 11);
+  EXPECT_GE(n_scenes, 11);
 }
 
 TEST_F(SceneWriter, KeepsAllDigits) {
