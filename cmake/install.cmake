@@ -50,7 +50,7 @@ if(HELP2MAN AND NOT RADIOSITY_SANITIZE)
             --output ${manual}/radiosity.1 $<TARGET_FILE:radiosity_program>
     DEPENDS radiosity_program
     VERBATIM)
-  foreach(command solve form-factors exchange render view inspect validate)
+  foreach(command solve form-factors exchange light render view inspect validate)
     list(APPEND pages ${manual}/radiosity-${command}.1)
     add_custom_command(
       OUTPUT ${manual}/radiosity-${command}.1

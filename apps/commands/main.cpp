@@ -11,6 +11,7 @@
 #include "apps/commands/exchange_command.h"
 #include "apps/commands/form_factors_command.h"
 #include "apps/commands/inspect_command.h"
+#include "apps/commands/light_command.h"
 #include "apps/commands/render_command.h"
 #include "apps/commands/solve_command.h"
 #include "apps/commands/validate_command.h"
@@ -69,6 +70,7 @@ int main(int argc, char** argv) {
   const apps::FormFactorsCommand form_factors(program, interruption);
   const apps::ExchangeCommand exchange(program, interruption);
   const apps::InspectCommand inspect(program, interruption);
+  const apps::LightCommand light(program, interruption);
   const apps::RenderCommand render(program, interruption);
   const apps::ValidateCommand validate(program, interruption);
   const apps::ViewCommand view(program, interruption);
