@@ -18,6 +18,7 @@
 #include "io/result/result_file.h"
 #include "python/bindings/arrays.h"
 #include "python/bindings/light.h"
+#include "python/bindings/light_plan.h"
 #include "python/bindings/operator.h"
 #include "python/bindings/work.h"
 #include "radiosity/base/error.h"
@@ -173,6 +174,7 @@ Camera camera_of(const Eigen::VectorXd& position, const Eigen::VectorXd& directi
 }  // namespace
 
 void bind_study(py::module_& module) {
+  bind_light_plan(module);
   py::class_<Camera>(module, "Camera").def(py::init(&camera_of));
   py::class_<PictureOptions>(module, "PictureOptions")
       .def(py::init([](int width, int height, int samples, bool gathers,
@@ -197,6 +199,12 @@ void bind_study(py::module_& module) {
            [](const KeptStudy& kept, const std::string& name, double efficacy) {
              QuantityField field = field_of(*kept.study, name, efficacy);
              return py::make_tuple(std::move(field.values), field.unit);
+           })
+      .def("measure",
+           [](const KeptStudy& kept, const std::optional<LightPlan>& plan, double efficacy,
+              const py::object& report, std::size_t n_threads) {
+             return measure(*kept.study, kept.options, plan ? *plan : kept.study->scene.light_plan,
+                            efficacy, {report, n_threads});
            })
       .def("image", &image)
       .def("write", &write);

@@ -35,7 +35,7 @@ from ._operator import (
     transport,
 )
 from ._solve import Energy, Light, importance, solve
-from ._study import Camera, Study
+from ._study import Camera, Measured, Study
 from ._view import view
 
 __all__ = [
@@ -45,6 +45,7 @@ __all__ = [
     "FormFactors",
     "InputError",
     "Light",
+    "Measured",
     "MemoryShortage",
     "Mesh",
     "MeshError",
