@@ -15,6 +15,7 @@
 #include "apps/commands/exchange_command.h"
 #include "apps/commands/form_factors_command.h"
 #include "apps/commands/inspect_command.h"
+#include "apps/commands/light_command.h"
 #include "apps/commands/merge_command.h"
 #include "apps/commands/render_command.h"
 #include "apps/commands/solve_command.h"
@@ -78,6 +79,7 @@ int main(int argc, char** argv) {
   const apps::DaylightCommand daylight_factors(program, interruption);
   const apps::DaylightYearCommand daylight_year(program, interruption);
   const apps::InspectCommand inspect(program, interruption);
+  const apps::LightCommand light(program, interruption);
   const apps::RenderCommand render(program, interruption);
   const apps::BatchCommand batch(program, interruption);
   const apps::ValidateCommand validate(program, interruption);

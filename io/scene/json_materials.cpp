@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "io/base/input_checks.h"
+#include "io/scene/json_light_plan.h"
 #include "io/scene/scene_keys.h"
 #include "io/scene/spectrum.h"
 
@@ -214,6 +215,9 @@ Material read_material(const JsonItem& item, const std::string& name, const Band
     item.fail(
         "emissivity 0 with a temperature or heat that it cannot give off; expected more than 0, or "
         "\"adiabatic\": true");
+  }
+  if (const auto factor = item.find("maintenance_factor")) {
+    material.maintenance_factor = read_maintenance_factor(*factor);
   }
   return material;
 }

@@ -7,6 +7,7 @@
 #include "io/base/json_item.h"
 #include "io/base/line_reader.h"
 #include "io/scene/json_glazing.h"
+#include "io/scene/json_light_plan.h"
 #include "io/scene/json_luminaires.h"
 #include "io/scene/json_materials.h"
 #include "io/scene/json_sky.h"
@@ -217,6 +218,7 @@ FileScene read_json_scene(const std::filesystem::path& path, const ReadOptions& 
     add_spectra(sky->value(), path.parent_path(), scene);
   }
   if (const auto views = root.find("views")) scene.views = read_views(*views, unit);
+  read_light_plan(root, path.parent_path(), unit, scene);
   if (const auto closed = root.find("closed")) scene.closed = closed->boolean();
   if (const auto warning = temperature_warning(scene)) {
     scene.warnings.push_back(scene.source + ": " + *warning);

@@ -8,7 +8,8 @@ namespace io::keys {
 
 inline constexpr auto kScene = std::to_array<std::string_view>(
     {"$schema", "name", "description", "unit", "precision", "bands", "materials", "surfaces",
-     "environment", "camera", "views", "closed", "sun", "sky", "symmetry", "luminaires"});
+     "environment", "camera", "views", "closed", "sun", "sky", "symmetry", "luminaires", "grids",
+     "observers", "maintenance_factor"});
 
 inline constexpr auto kBands = std::to_array<std::string_view>({"thermal", "split_wavelength"});
 
@@ -48,10 +49,10 @@ inline constexpr auto kEnvironment =
     std::to_array<std::string_view>({"radiance", "exitance", "temperature"});
 
 /// An emission may stand in the material itself or in its "emission".
-inline constexpr auto kMaterial =
-    std::to_array<std::string_view>({"name", "description", "reflectance", "emissivity", "emission",
-                                     "radiance", "exitance", "power", "temperature", "heat_flux",
-                                     "heat_power", "adiabatic", "solar", "infrared", "glazing"});
+inline constexpr auto kMaterial = std::to_array<std::string_view>(
+    {"name", "description", "reflectance", "emissivity", "emission", "radiance", "exitance",
+     "power", "temperature", "heat_flux", "heat_power", "adiabatic", "solar", "infrared",
+     "glazing", "maintenance_factor"});
 
 /// What a material is to the sun's light.
 inline constexpr auto kSolar = std::to_array<std::string_view>({"absorptivity"});
@@ -80,5 +81,14 @@ inline constexpr auto kSymmetryRotation =
 
 inline constexpr auto kCamera = std::to_array<std::string_view>(
     {"position", "look_at", "direction", "up", "vertical_fov_deg", "focal_length", "film"});
+
+inline constexpr auto kGrid = std::to_array<std::string_view>(
+    {"name", "surface", "offset", "corner", "sides", "points", "normals", "spacing", "border", "up",
+     "cylindrical", "vertical", "semi_cylindrical", "required"});
+
+inline constexpr auto kRequired = std::to_array<std::string_view>({"Em", "U0", "Ud", "UGR"});
+
+inline constexpr auto kObserver =
+    std::to_array<std::string_view>({"name", "position", "look_at", "direction", "up", "UGR"});
 
 }  // namespace io::keys

@@ -18,6 +18,7 @@
 #include "io/result/result_file.h"
 #include "python/bindings/arrays.h"
 #include "python/bindings/light.h"
+#include "python/bindings/light_plan.h"
 #include "python/bindings/operator.h"
 #include "python/bindings/work.h"
 #include "radiosity/base/error.h"
@@ -208,6 +209,7 @@ Camera camera_of(const Eigen::VectorXd& position, const Eigen::VectorXd& directi
 }  // namespace
 
 void bind_study(py::module_& module) {
+  bind_light_plan(module);
   py::class_<Camera>(module, "Camera").def(py::init(&camera_of));
   py::class_<PictureOptions>(module, "PictureOptions")
       .def(py::init([](int width, int height, int samples, bool gathers,
@@ -234,6 +236,12 @@ void bind_study(py::module_& module) {
              return py::make_tuple(std::move(field.values), field.unit);
            })
       .def("comfort", &comfort_at)
+      .def("measure",
+           [](const KeptStudy& kept, const std::optional<LightPlan>& plan, double efficacy,
+              const py::object& report, std::size_t n_threads) {
+             return measure(*kept.study, kept.options, plan ? *plan : kept.study->scene.light_plan,
+                            efficacy, {report, n_threads});
+           })
       .def("image", &image)
       .def("write", &write);
   module.def("assemble", &assemble);

@@ -36,7 +36,7 @@ from ._operator import (
 )
 from ._photometry import Photometry, read_photometry
 from ._solve import Energy, Light, importance, solve
-from ._study import Camera, Comfort, Study
+from ._study import Camera, Comfort, Measured, Study
 from ._view import view
 
 __all__ = [
@@ -47,6 +47,7 @@ __all__ = [
     "FormFactors",
     "InputError",
     "Light",
+    "Measured",
     "MemoryShortage",
     "Mesh",
     "MeshError",

@@ -101,11 +101,26 @@ class PictureOptions:
         lightmap: Optional[int],
     ) -> None: ...
 
+class LightPlan: ...
+
+def points_plan(
+    points: np.ndarray,
+    normals: np.ndarray,
+    up: Optional[np.ndarray],
+    is_cylindrical: bool,
+    vertical: np.ndarray,
+    semi_cylindrical: np.ndarray,
+) -> LightPlan: ...
+def observer_plan(position: np.ndarray, direction: np.ndarray, up: np.ndarray) -> LightPlan: ...
+
 class Study:
     operator: Operator
     scene: Scene
     def solve(self, report: Any, n_threads: int) -> None: ...
     def light(self) -> Dict[str, Any]: ...
+    def measure(
+        self, plan: Optional[LightPlan], efficacy: float, report: Any, n_threads: int
+    ) -> Dict[str, Any]: ...
     def quantity(self, name: str, efficacy: float) -> Tuple[np.ndarray, str]: ...
     def comfort(
         self,

@@ -13,6 +13,7 @@
 #include "radiosity/scene/photometry.h"
 #include "radiosity/scene/glazing.h"
 #include "radiosity/scene/sky.h"
+#include "radiosity/scene/light_plan.h"
 #include "radiosity/scene/sun.h"
 #include "radiosity/scene/symmetry.h"
 
@@ -70,6 +71,7 @@ struct Material {
   Emission emission;
   /// If it is a pane: what that lets through of the sun and the sky.
   std::optional<Glazing> glazing = {};
+  double maintenance_factor = 1;  ///< of its lamps, (0, 1]: LightPlan
 };
 
 /// A named set of polygons that share a material.
@@ -132,6 +134,7 @@ struct Scene {
   std::vector<View> views;            ///< other cameras, no two of one name
   Symmetry symmetry;                  ///< the polygons are a part of a whole, if there is any
   std::optional<bool> closed;         ///< as declared by the user; absent = to be found out
+  LightPlan light_plan;               ///< what is to be measured
   std::vector<std::string> warnings;  ///< what the reader noticed and the user should know
 
   [[nodiscard]] Index n_polygons() const { return static_cast<Index>(polygon_surface.size()); }

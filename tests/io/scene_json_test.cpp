@@ -449,6 +449,9 @@ TEST(SceneSchema, ListsTheKeysOfTheReader) {
   expect_keys("symmetry", io::keys::kSymmetry);
   expect_keys("mirror", io::keys::kMirror);
   expect_keys("symmetry_rotation", io::keys::kSymmetryRotation);
+  expect_keys("grid", io::keys::kGrid);
+  expect_keys("required", io::keys::kRequired);
+  expect_keys("observer", io::keys::kObserver);
   for (const auto& unit : definitions.at("unit").at("enum")) {
     EXPECT_GT(io::metres_per_unit(unit.get<std::string>()), 0);
   }
