@@ -104,7 +104,7 @@ def batch_list():
 
 def reads_factors(command):
     """Whether the command reads a file that another one has written."""
-    return re.search(r"(?<!-o )\b\S+\.h5\b", command) is not None
+    return re.search(r"(?<!-o )\b\S+\.h5\b|--temperatures ", command) is not None
 
 
 def outputs_of(folder, words):
