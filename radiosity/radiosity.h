@@ -20,7 +20,7 @@
 ///    leaving i that reaches j; Σ_j F_ij <= 1, with equality in a closed scene.
 ///  - B = M_e + ρ H with H = F B, per band: radiosity B, radiant exitance M_e (self-emitted) and
 ///    irradiance H, all W/m²; reflectance ρ in [0, 1]. B / π is radiance, W/(m² sr).
-///  - With a sun or an environment: H = F B + H_0, H_0 their direct irradiance, so that
+///  - With a sun, luminaires or an environment: H = F B + H_0, H_0 their direct irradiance, so that
 ///    B = M_e + ρ H_0 + ρ F B (make_conditions, SolveOptions::incident).
 ///  - Bands: one grey band and the three of linear RGB (Rec. 709 primaries) hold all the power that
 ///    they stand for, W/m². The bands of a wavelength list hold spectral densities at those
@@ -42,6 +42,7 @@
 #include "radiosity/exchange/point_factors.h"
 #include "radiosity/exchange/sampled_destinations.h"
 #include "radiosity/operator/joint_row.h"
+#include "radiosity/operator/polygon_rows.h"
 #include "radiosity/operator/surface_factors.h"
 #include "radiosity/operator/transport.h"
 #include "radiosity/picture/camera_view.h"
@@ -56,6 +57,7 @@
 #include "radiosity/polygon/point_to_polygon.h"
 #include "radiosity/scene/black_body.h"
 #include "radiosity/scene/color_matching.h"
+#include "radiosity/scene/patch_heat.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/radiometry.h"
 #include "radiosity/scene/scenario.h"

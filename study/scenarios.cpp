@@ -31,6 +31,32 @@ std::vector<double> surface_reflectances(const Scene& scene) {
   return values;
 }
 
+/// Light from without for scenarios one after the other, made anew where luminaires are dimmed
+/// otherwise than for the one before.
+class IncidentLights {
+ public:
+  IncidentLights(const PatchMesh& mesh, const Progress& progress)
+      : mesh_(mesh), progress_(progress) {}
+
+  const Eigen::MatrixXd& of(const Scene& scene) {
+    std::vector<double> dimming;
+    for (const Luminaire& luminaire : scene.luminaires) dimming.push_back(luminaire.dimming);
+    if (!is_made_ || dimming != dimming_) {
+      incident_ = incident_irradiance(scene, mesh_, progress_);
+    }
+    is_made_ = true;
+    dimming_ = std::move(dimming);
+    return incident_;
+  }
+
+ private:
+  const PatchMesh& mesh_;
+  const Progress& progress_;
+  bool is_made_ = false;
+  std::vector<double> dimming_;
+  Eigen::MatrixXd incident_;
+};
+
 /// Indices of scenarios that share a solve.
 using Group = std::vector<std::size_t>;
 
@@ -91,16 +117,24 @@ Study solve_scenarios(Study study, const std::vector<Scenario>& scenarios,
       {.tolerance = study.factor_tolerance, .seed = options.seed, .progress = events.progress},
       total_exitance(study, scenarios));
   const Index n_bands = scene.bands.count();
-  const Eigen::MatrixXd sun = incident_irradiance(scene, study.mesh, events.progress);
+  IncidentLights incident(study.mesh, events.progress);
   for (const Group& group : groups) {
     Eigen::MatrixXd emitted(study.mesh.size(), n_bands * static_cast<Index>(group.size()));
+    Eigen::MatrixXd from_without;  // in columns like those
     for (std::size_t k = 0; k < group.size(); ++k) {
       study.scene = scene_of(scene, scenarios[group[k]]);
       emitted.middleCols(static_cast<Index>(k) * n_bands, n_bands) =
           exitance(study.scene, study.mesh);
+      const Eigen::MatrixXd here =
+          make_conditions(study.scene, study.mesh, *study.transport, incident.of(study.scene))
+              .incident;
+      if (here.size() == 0) continue;
+      from_without.conservativeResize(emitted.rows(), emitted.cols());
+      from_without.middleCols(static_cast<Index>(k) * n_bands, n_bands) = here;
     }
-    Conditions conditions = make_conditions(study.scene, study.mesh, *study.transport, sun);
+    Conditions conditions = make_conditions(study.scene, study.mesh, *study.transport);
     conditions.exitance = std::move(emitted);
+    conditions.incident = std::move(from_without);
     const Light light = solve_light(study.mesh, *study.transport, conditions, options, events);
     study.discretisation = light.discretisation;
     for (std::size_t k = 0; k < group.size(); ++k) {

@@ -16,6 +16,7 @@
 #include "radiosity/solve/trapped_light.h"
 #include "radiosity/stream/streaming_memory.h"
 #include "radiosity/visibility/incident_light.h"
+#include "study/luminaire_warnings.h"
 #include "study/row_check.h"
 #include "study/warnings.h"
 
@@ -49,6 +50,12 @@ void check_made(const Scene& scene, Index n_patches, const StudyOptions& options
 
 FormFactors make_adaptive(const Scene& scene, const StudyOptions& options,
                           const StudyEvents& events) {
+  for (const GivenHeat& given : scene.given_heat) {
+    if (given.of == GivenHeat::Of::polygons) continue;
+    throw SolveError(given.source +
+                     ": tells of single patches, which adaptive ones are not before "
+                     "they are made; expected a column polygon");
+  }
   TransportOptions transport = transport_options(scene, options, events);
   // Each round has patches of its own.
   transport.rough = {};
@@ -109,7 +116,9 @@ Patches divide(const Scene& scene, const StudyOptions& options, const StudyEvent
   }
   check_made(scene, mesh.size(), options);
   warn_of_cut_off(scene, mesh, events);
+  warn_of_partly_given_heat(scene, mesh, events);
   Visibility visibility(mesh);
+  warn_of_luminaires(scene, mesh, visibility, events);
   Patches patches{std::move(mesh), std::move(visibility)};
   if (events.divided) events.divided(scene, patches);
   return patches;

@@ -6,6 +6,7 @@
 
 #include "meshing/inspect/inspect.h"
 #include "radiosity/exchange/cut_off.h"
+#include "radiosity/scene/patch_heat.h"
 
 namespace study {
 
@@ -27,6 +28,19 @@ void warn_of_cut_off(const Scene& scene, const PatchMesh& mesh, const StudyEvent
       most, mesh.surface_names[mesh.surface[worst]], bound.mean()));
 }
 
+void warn_of_partly_given_heat(const Scene& scene, const PatchMesh& mesh,
+                               const StudyEvents& events) {
+  (void)patch_heat(scene, mesh);
+  for (const GivenHeat& given : scene.given_heat) {
+    const auto n = static_cast<Index>(given.values.size());
+    if (given.of != GivenHeat::Of::patches || n == mesh.size()) continue;
+    events.warn(fmt::format(
+        "{}: tells of {} of {} patches; the others are as their materials say. If that was not "
+        "meant, the patches are not those of the file: they depend on --patches and the like",
+        given.source, n, mesh.size()));
+  }
+}
+
 std::optional<std::string> open_rows_warning(const AssemblyReport& report) {
   if (report.open_rows == 0) return std::nullopt;
   return fmt::format(
@@ -43,7 +57,7 @@ void warn_of_darkness(const Eigen::MatrixXd& exitance, const Eigen::MatrixXd& in
                       const StudyEvents& events) {
   const bool is_sunless = incident.size() == 0 || incident.isZero(0);
   if (incident.size() > 0 && is_sunless) {
-    events.warn("the sun shines on no surface's emitting side");
+    events.warn("no light of sun or luminaires reaches a surface's emitting side");
   }
   if (exitance.isZero(0) && is_sunless) {
     events.warn("no surface emits light: the radiosity is zero everywhere");

@@ -19,13 +19,18 @@ void warn_of_findings(const radiosity::Scene& scene, const StudyEvents& events);
 void warn_of_cut_off(const radiosity::Scene& scene, const radiosity::PatchMesh& mesh,
                      const StudyEvents& events);
 
+/// If heat is given to single patches, but not to all: they may be those of another division.
+/// Throws SceneError as radiosity::patch_heat does.
+void warn_of_partly_given_heat(const radiosity::Scene& scene, const radiosity::PatchMesh& mesh,
+                               const StudyEvents& events);
+
 /// What to say if a scene taken as closed has patches that see an opening; else empty.
 std::optional<std::string> open_rows_warning(const radiosity::AssemblyReport& report);
 /// Says it.
 void warn_of_open_rows(const radiosity::AssemblyReport& report, const StudyEvents& events);
 
-/// If nothing emits and no sun shines, and if a sun (direct irradiance `incident`, empty without
-/// one) reaches nothing.
+/// If nothing emits and no sun or luminaire shines, and if these (direct irradiance `incident`,
+/// empty without any) reach nothing.
 void warn_of_darkness(const Eigen::MatrixXd& exitance, const Eigen::MatrixXd& incident,
                       const StudyEvents& events);
 

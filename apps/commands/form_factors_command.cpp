@@ -5,6 +5,7 @@
 #include <CLI/App.hpp>
 #include <algorithm>
 
+#include "apps/run/factor_outputs.h"
 #include "apps/run/factor_part.h"
 #include "apps/run/factor_table.h"
 #include "apps/run/factors_from.h"
@@ -35,6 +36,14 @@
 #include "study/warnings.h"
 
 namespace apps {
+namespace {
+
+/// Whether it is a table between surfaces.
+bool is_table(FactorFormat format) {
+  return format != FactorFormat::hdf5 && !is_by_polygon(format);
+}
+
+}  // namespace
 
 FormFactorsCommand::FormFactorsCommand(CLI::App& program, Interruption& interruption)
     : interruption_(interruption) {
@@ -47,11 +56,17 @@ FormFactorsCommand::FormFactorsCommand(CLI::App& program, Interruption& interrup
       ->add_option(
           "-o,--output", common_.outputs,
           "Result file: .h5 (HDF5, every pair of patches), .csv or, as View3D writes it, .txt "
-          "(between surfaces); may be repeated")
-      ->check(
-          [](const std::string& path) { return check_extension(path, form_factor_extensions()); })
+          "(between surfaces); for solvers .dat (Elmer), .idf or .epJSON (EnergyPlus), or F "
+          "(OpenFOAM); may be repeated")
+      ->check(check_factor_output)
       ->type_name("FILE")
       ->allow_extra_args(false);
+  command
+      ->add_option("--format", format_,
+                   "Which solver's file an output is where its name leaves a choice: moose (.csv), "
+                   "elmer-binary (.dat)...")
+      ->check(CLI::IsMember(factor_format_names()))
+      ->type_name("F");
   auto* by = command->add_option("--by", by_, "Also print the table of factors between surfaces")
                  ->check(CLI::IsMember({"surface"}))
                  ->type_name("WHAT");
@@ -125,6 +140,7 @@ void FormFactorsCommand::run() const {
   if (row_) return run_row({*row_, exact_});
   if (common_.outputs.empty()) throw CLI::RequiredError("--output");
   CommonOptions common = common_;
+  common.outputs = all_factor_outputs(common_.outputs, format_);
   common.outputs.push_back(work_file_path(common_.outputs));
   check_outputs(common.outputs, common_.scene);
   TerminalProgress terminal(terminal_style(common_));
@@ -142,6 +158,7 @@ void FormFactorsCommand::run() const {
   }
   const study::Patches patches = study::divide(scene, options, events);
   const auto& [mesh, visibility] = patches;
+  check_factor_outputs(common_.outputs, format_, scene, mesh);
   if (is_compressed(mesh.size())) {
     return write_compressed(scene, patches, options, events, terminal);
   }
@@ -240,7 +257,9 @@ Eigen::MatrixXd FormFactorsCommand::write_outputs(const radiosity::Scene& scene,
   };
   const auto lock = interruption_.hold();
   for (const std::string& output : outputs) {
-    if (is_factor_file(output)) {
+    const FactorFormat format = factor_format(output, format_);
+    if (is_by_polygon(format)) write_polygon_factors(output, format, mesh, visit_rows);
+    if (format == FactorFormat::hdf5) {
       io::write_form_factors(output, mesh, {factors.report(), visit_rows},
                              {.tolerance = compute_.tolerance,
                               .min_factor = min_factor_,
@@ -251,8 +270,9 @@ Eigen::MatrixXd FormFactorsCommand::write_outputs(const radiosity::Scene& scene,
   if (!is_table_asked()) return {};
   if (!sums) visit_rows({});
   for (const std::string& output : outputs) {
-    if (is_factor_file(output)) continue;
-    write_factor_table(output, scene, mesh, sums->factors(), factors.report().closed);
+    const FactorFormat format = factor_format(output, format_);
+    if (!is_table(format)) continue;
+    write_factor_table(output, format, scene, mesh, {sums->factors(), factors.report().closed});
   }
   return sums->factors();
 }
@@ -264,6 +284,15 @@ void FormFactorsCommand::print_factors(const FactorSummary& summary,
 }
 
 bool FormFactorsCommand::is_compressed(radiosity::Index n_patches) const {
+  const auto& outputs = common_.outputs;
+  const auto by_polygon = std::find_if(outputs.begin(), outputs.end(), [&](const auto& output) {
+    return is_by_polygon(factor_format(output, format_));
+  });
+  if (by_polygon != outputs.end()) {
+    if (compute_.transport != radiosity::TransportKind::compressed) return false;
+    throw CLI::ValidationError("--transport", "compressed form factors have no rows, which " +
+                                                  *by_polygon + " needs; expected dense");
+  }
   if (compute_.transport != radiosity::TransportKind::automatic) {
     return compute_.transport == radiosity::TransportKind::compressed;
   }
@@ -319,7 +348,8 @@ void FormFactorsCommand::write_compressed_outputs(const FactorSummary& summary,
                          progress);
     } else {
       const auto lock = interruption_.hold();
-      write_factor_table(output, summary.scene, summary.mesh, table, transport.report().closed);
+      write_factor_table(output, factor_format(output, format_), summary.scene, summary.mesh,
+                         {table, transport.report().closed});
     }
     progress.check();
   }
@@ -327,7 +357,9 @@ void FormFactorsCommand::write_compressed_outputs(const FactorSummary& summary,
 
 bool FormFactorsCommand::is_table_asked() const {
   const auto& outputs = common_.outputs;
-  return !by_.empty() || !std::all_of(outputs.begin(), outputs.end(), is_factor_file);
+  return !by_.empty() || std::any_of(outputs.begin(), outputs.end(), [&](const auto& output) {
+    return is_table(factor_format(output, format_));
+  });
 }
 
 void FormFactorsCommand::check_tables_only(const std::string& option) const {

@@ -69,6 +69,7 @@ class FormFactorsCommand {
   CommonOptions common_;
   study::StudyOptions compute_;
   std::string by_;
+  std::string format_;
   std::optional<std::string> from_;
   std::optional<std::string> row_;
   bool exact_ = false;

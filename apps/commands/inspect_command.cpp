@@ -2,6 +2,7 @@
 
 #include <CLI/App.hpp>
 
+#include "apps/commands/inspect_photometry.h"
 #include "apps/options/camera_options.h"
 #include "apps/run/scene_input.h"
 #include "apps/run/shown_events.h"
@@ -10,11 +11,13 @@
 #include "apps/summary/text_summary.h"
 #include "apps/terminal/output_files.h"
 #include "io/base/extension.h"
+#include "io/light/photometric_file.h"
 #include "io/scene/mitsuba_writer.h"
 #include "io/scene/scene_file.h"
 #include "io/scene/scene_writer.h"
 #include "meshing/inspect/inspect.h"
 #include "meshing/patches/patches.h"
+#include "radiosity/base/error.h"
 #include "radiosity/base/parallel.h"
 #include "radiosity/exchange/openings.h"
 #include "radiosity/scene/patch_mesh.h"
@@ -37,16 +40,17 @@ bool encloses(const radiosity::Scene& scene, const radiosity::Progress& progress
 
 InspectCommand::InspectCommand(CLI::App& program, Interruption& interruption)
     : interruption_(interruption) {
-  CLI::App* command =
-      program.add_subcommand("inspect", "Show what a scene holds and what is wrong with it");
+  CLI::App* command = program.add_subcommand(
+      "inspect", "Show what a scene holds and what is wrong with it, or what a luminaire gives");
   add_common_options(*command, common_);
   command
       ->add_option(
           "-o,--output", common_.outputs,
           "Write the scene to this file: .json (own format, all in one) or .xml (for the "
-          "path tracer Mitsuba 3, with a .ply beside it for each surface); may be repeated")
+          "path tracer Mitsuba 3, with a .ply beside it for each surface); of a luminaire (.ies, "
+          ".ldt) .svg, its polar curve; may be repeated")
       ->check([](const std::string& path) {
-        return check_extension(path, {".json", ".xml"});
+        return check_extension(path, {".json", ".xml", ".svg"});
       })
       ->type_name("FILE")
       ->allow_extra_args(false);
@@ -76,6 +80,16 @@ std::vector<std::string> InspectCommand::write(const radiosity::Scene& scene,
 }
 
 void InspectCommand::run() const {
+  if (io::is_photometric_file(common_.scene)) {
+    inspect_photometry(common_, interruption_);
+    return;
+  }
+  for (const std::string& output : common_.outputs) {
+    if (io::lower_case_extension(output) == ".svg") {
+      throw radiosity::OutputError(output +
+                                   ": .svg is for the polar curve of a luminaire, .ies or .ldt");
+    }
+  }
   check_outputs(common_.outputs, common_.scene);
   TerminalProgress terminal(terminal_style(common_));
   const radiosity::ThreadLimit threads(common_.n_threads);

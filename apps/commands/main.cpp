@@ -9,6 +9,9 @@
 #include <string>
 
 #include "apps/commands/batch_command.h"
+#include "apps/commands/comfort_command.h"
+#include "apps/commands/daylight_command.h"
+#include "apps/commands/daylight_year_command.h"
 #include "apps/commands/exchange_command.h"
 #include "apps/commands/form_factors_command.h"
 #include "apps/commands/inspect_command.h"
@@ -71,6 +74,9 @@ int main(int argc, char** argv) {
   const apps::FormFactorsCommand form_factors(program, interruption);
   const apps::MergeCommand merge(program, interruption);
   const apps::ExchangeCommand exchange(program, interruption);
+  const apps::ComfortCommand comfort(program, interruption);
+  const apps::DaylightCommand daylight_factors(program, interruption);
+  const apps::DaylightYearCommand daylight_year(program, interruption);
   const apps::InspectCommand inspect(program, interruption);
   const apps::RenderCommand render(program, interruption);
   const apps::BatchCommand batch(program, interruption);

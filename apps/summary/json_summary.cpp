@@ -320,6 +320,7 @@ std::string inspect_json(const radiosity::Scene& scene, const meshing::Inspectio
                {"closed", inspection.closed},
                {"boundary_edges", inspection.n_boundary_edges},
                {"bands", scene.bands.count()},
+               {"luminaires", scene.luminaires.size()},
                {"surfaces", surfaces(scene, inspection)},
                {"findings", findings(inspection)},
                {"outputs", outputs},

@@ -140,8 +140,21 @@ std::string discretisation_lines(const radiosity::DiscretisationError& discretis
 
 /// What the light that does not come from patches is called; nothing if there is none.
 std::string incoming_name(const radiosity::Scene& scene) {
-  if (scene.environment.kind != radiosity::Emission::Kind::none) return "from without";
+  if (scene.environment.kind != radiosity::Emission::Kind::none || scene.sky) return "from without";
+  if (!scene.luminaires.empty()) return scene.sun ? "from without" : "from luminaires";
   return scene.sun ? "from the sun" : "";
+}
+
+/// How many there are, and what they give in all.
+std::string luminaires_text(const radiosity::Scene& scene) {
+  double lumens = 0;
+  for (const radiosity::Luminaire& luminaire : scene.luminaires) {
+    lumens +=
+        luminaire.dimming * (luminaire.lumens > 0
+                                 ? luminaire.lumens
+                                 : radiosity::flux(scene.photometries[luminaire.photometry].web));
+  }
+  return fmt::format("{}, {:.6g} lm", scene.luminaires.size(), lumens);
 }
 
 std::string energy_table(const radiosity::Bands& bands, const radiosity::EnergyBalance& energy,
@@ -387,6 +400,7 @@ std::string inspect_text(const radiosity::Scene& scene, const meshing::Inspectio
                            inspection.closed ? "meets fronts only" : "escapes or meets backs",
                            inspection.n_boundary_edges));
   text += line("bands", fmt::format("{}", fmt::join(band_names(scene.bands), ", ")));
+  if (!scene.luminaires.empty()) text += line("luminaires", luminaires_text(scene));
   text += surface_table(scene, inspection) + finding_lines(inspection);
   for (const std::string& output : outputs) text += line("written", one_line(output));
   return text;

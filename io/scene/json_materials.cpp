@@ -252,6 +252,11 @@ Eigen::VectorXd read_band_values(const JsonItem& item, const std::string& name, 
                      [&](const Eigen::VectorXd& value) { return emission_problem(name, value); });
 }
 
+Eigen::VectorXd read_reflectances(const JsonItem& item, const Bands& bands,
+                                  const std::filesystem::path& folder) {
+  return read_values(item, bands, folder, reflectance_problem);
+}
+
 std::vector<Material> read_materials(const JsonItem& materials, const Bands& bands,
                                      const std::filesystem::path& folder) {
   std::vector<Material> result;

@@ -6,7 +6,10 @@
 
 #include "io/base/json_item.h"
 #include "io/base/line_reader.h"
+#include "io/scene/json_glazing.h"
+#include "io/scene/json_luminaires.h"
 #include "io/scene/json_materials.h"
+#include "io/scene/json_sky.h"
 #include "io/scene/json_sun.h"
 #include "io/scene/json_surfaces.h"
 #include "io/scene/json_symmetry.h"
@@ -191,6 +194,7 @@ FileScene read_json_scene(const std::filesystem::path& path, const ReadOptions& 
   if (const auto bands = root.find("bands")) scene.bands = read_bands(*bands);
   if (const auto materials = root.find("materials")) {
     scene.materials = read_materials(*materials, scene.bands, path.parent_path());
+    add_glazing(*materials, path.parent_path(), scene);
     add_spectra(materials->value(), path.parent_path(), scene);
   }
   if (const auto environment = root.find("environment")) {
@@ -204,6 +208,14 @@ FileScene read_json_scene(const std::filesystem::path& path, const ReadOptions& 
     read_sun(*sun, path.parent_path(), scene);
     add_spectra(sun->value(), path.parent_path(), scene);
   }
+  if (const auto luminaires = root.find("luminaires")) {
+    read_luminaires(*luminaires, path.parent_path(), unit, options.progress, scene);
+    add_spectra(luminaires->value(), path.parent_path(), scene);
+  }
+  if (const auto sky = root.find("sky")) {
+    read_sky(*sky, path.parent_path(), scene);
+    add_spectra(sky->value(), path.parent_path(), scene);
+  }
   if (const auto views = root.find("views")) scene.views = read_views(*views, unit);
   if (const auto closed = root.find("closed")) scene.closed = closed->boolean();
   if (const auto warning = temperature_warning(scene)) {
@@ -211,8 +223,14 @@ FileScene read_json_scene(const std::filesystem::path& path, const ReadOptions& 
   }
   if (const auto symmetry = root.find("symmetry")) scene.symmetry = read_symmetry(*symmetry, unit);
   if (scene.n_polygons() == 0) fail(path, "has no polygons");
+  if (!scene.luminaires.empty() && !scene.symmetry.is_none()) {
+    fail(path, "has both luminaires and a symmetry, whose images they would light otherwise");
+  }
   if (scene.sun && !scene.symmetry.is_none()) {
     fail(path, "has both a sun and a symmetry, whose images it would shine upon otherwise");
+  }
+  if (scene.sky && !scene.symmetry.is_none()) {
+    fail(path, "has both a sky and a symmetry, on whose images it would be another one");
   }
   return file;
 }

@@ -8,12 +8,38 @@ namespace io::keys {
 
 inline constexpr auto kScene = std::to_array<std::string_view>(
     {"$schema", "name", "description", "unit", "precision", "bands", "materials", "surfaces",
-     "environment", "camera", "views", "closed", "sun", "symmetry"});
+     "environment", "camera", "views", "closed", "sun", "sky", "symmetry", "luminaires"});
 
 inline constexpr auto kBands = std::to_array<std::string_view>({"thermal", "split_wavelength"});
 
 inline constexpr auto kSun = std::to_array<std::string_view>(
     {"direction", "azimuth_deg", "elevation_deg", "up", "north", "irradiance"});
+
+inline constexpr auto kLuminaire = std::to_array<std::string_view>(
+    {"name", "description", "file", "position", "aim", "direction", "rotations_deg", "turn_deg",
+     "c0", "up", "dimming", "lumens", "spectrum", "watts_per_lumen", "array", "points"});
+
+inline constexpr auto kLuminaireArray =
+    std::to_array<std::string_view>({"rows", "columns", "row_step", "column_step"});
+
+inline constexpr auto kSky = std::to_array<std::string_view>(
+    {"type", "perez", "weather", "distribution", "zenith_radiance", "horizontal_irradiance",
+     "zenith_luminance", "horizontal_illuminance", "ground_reflectance", "direction", "azimuth_deg",
+     "elevation_deg", "latitude", "longitude", "time", "up", "north"});
+
+/// An all-weather sky by what is measured below it.
+inline constexpr auto kPerez = std::to_array<std::string_view>(
+    {"direct_normal", "diffuse_horizontal", "direct_normal_illuminance",
+     "diffuse_horizontal_illuminance"});
+
+inline constexpr auto kWeather = std::to_array<std::string_view>({"file", "month", "day", "hour"});
+
+inline constexpr auto kDistribution =
+    std::to_array<std::string_view>({"form", "a", "b", "c", "d", "e"});
+
+inline constexpr auto kGlazing =
+    std::to_array<std::string_view>({"transmittance", "refractive_index", "internal_transmittance",
+                                     "by_thickness", "thickness", "absorption"});
 
 inline constexpr auto kEmission = std::to_array<std::string_view>(
     {"radiance", "exitance", "power", "temperature", "heat_flux", "heat_power", "adiabatic"});
@@ -22,9 +48,10 @@ inline constexpr auto kEnvironment =
     std::to_array<std::string_view>({"radiance", "exitance", "temperature"});
 
 /// An emission may stand in the material itself or in its "emission".
-inline constexpr auto kMaterial = std::to_array<std::string_view>(
-    {"name", "description", "reflectance", "emissivity", "emission", "radiance", "exitance",
-     "power", "temperature", "heat_flux", "heat_power", "adiabatic", "solar", "infrared"});
+inline constexpr auto kMaterial =
+    std::to_array<std::string_view>({"name", "description", "reflectance", "emissivity", "emission",
+                                     "radiance", "exitance", "power", "temperature", "heat_flux",
+                                     "heat_power", "adiabatic", "solar", "infrared", "glazing"});
 
 /// What a material is to the sun's light.
 inline constexpr auto kSolar = std::to_array<std::string_view>({"absorptivity"});

@@ -14,6 +14,8 @@
 #include <vector>
 
 #include "io/base/atomic_file.h"
+#include "io/scene/json_luminaires.h"
+#include "io/scene/sky_writer.h"
 
 namespace io {
 namespace {
@@ -107,6 +109,7 @@ Json material_json(const Material& material) {
   if (material.emission.kind != Emission::Kind::none) {
     json[emission_key(material.emission.kind)] = values_json(material.emission.value);
   }
+  if (material.glazing) json["glazing"] = glazing_json(*material.glazing);
   return json;
 }
 
@@ -289,7 +292,17 @@ void write_views(const Scene& scene, std::ostream& stream) {
   stream << "\n  }";
 }
 
-void write_json(const Scene& scene, std::ostream& stream) {
+void write_luminaires(const Scene& scene, const std::filesystem::path& folder,
+                      std::ostream& stream) {
+  stream << ",\n  \"luminaires\": [";
+  const char* separator = "\n    ";
+  for (const Json& luminaire : luminaires_json(scene, folder)) {
+    stream << std::exchange(separator, ",\n    ") << text(luminaire);
+  }
+  stream << "\n  ]";
+}
+
+void write_json(const Scene& scene, const std::filesystem::path& folder, std::ostream& stream) {
   UniqueNames names("material");
   std::vector<std::string> material_names;
   for (const Material& material : scene.materials) {
@@ -306,6 +319,8 @@ void write_json(const Scene& scene, std::ostream& stream) {
   if (scene.environment.kind != Emission::Kind::none) write_environment(scene.environment, stream);
   write_surfaces(scene, material_names, stream);
   if (scene.sun) stream << ",\n  \"sun\": " << text(sun_json(*scene.sun));
+  if (!scene.luminaires.empty()) write_luminaires(scene, folder, stream);
+  if (scene.sky) stream << ",\n  \"sky\": " << text(sky_json(scene));
   if (scene.camera) stream << ",\n  \"camera\": " << text(camera_json(*scene.camera));
   if (!scene.views.empty()) write_views(scene, stream);
   if (scene.closed) stream << ",\n  \"closed\": " << (*scene.closed ? "true" : "false");
@@ -318,7 +333,8 @@ void write_json(const Scene& scene, std::ostream& stream) {
 }  // namespace
 
 void write_scene(const std::filesystem::path& path, const Scene& scene) {
-  write_stream_atomically(path, [&](std::ofstream& stream) { write_json(scene, stream); });
+  write_stream_atomically(
+      path, [&](std::ofstream& stream) { write_json(scene, path.parent_path(), stream); });
 }
 
 }  // namespace io

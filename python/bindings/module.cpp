@@ -5,6 +5,7 @@
 #include "python/bindings/errors.h"
 #include "python/bindings/light.h"
 #include "python/bindings/operator.h"
+#include "python/bindings/photometry.h"
 #include "python/bindings/scene.h"
 #include "python/bindings/scene_study.h"
 #include "python/bindings/study_options.h"
@@ -20,6 +21,7 @@ PYBIND11_MODULE(_core, module) {
   python::translate_errors();
   python::bind_scene(module);
   python::bind_operator(module);
+  python::bind_photometry(module);
   python::bind_study_options(module);
   python::bind_light(module);
   python::bind_study(module);

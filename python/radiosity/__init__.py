@@ -34,12 +34,14 @@ from ._operator import (
     load,
     transport,
 )
+from ._photometry import Photometry, read_photometry
 from ._solve import Energy, Light, importance, solve
-from ._study import Camera, Study
+from ._study import Camera, Comfort, Study
 from ._view import view
 
 __all__ = [
     "Camera",
+    "Comfort",
     "Energy",
     "Error",
     "FormFactors",
@@ -51,6 +53,7 @@ __all__ = [
     "Network",
     "OutputError",
     "Patches",
+    "Photometry",
     "RadiosityWarning",
     "Scene",
     "SceneError",
@@ -63,6 +66,7 @@ __all__ = [
     "form_factors",
     "importance",
     "load",
+    "read_photometry",
     "read_scene",
     "solve",
     "transport",

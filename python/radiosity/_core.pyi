@@ -22,7 +22,23 @@ class Scene:
     polygon_surface: np.ndarray
     two_sided: List[bool]
     def changed(self, lights: Mapping[str, float], reflectances: Mapping[str, np.ndarray]) -> Scene: ...
+    def with_heat_values(self, is_temperature: bool, values: np.ndarray) -> Scene: ...
+    def with_heat_file(self, is_temperature: bool, path: str) -> Scene: ...
     def write(self, path: str) -> None: ...
+
+class Photometry:
+    format: str
+    name: str
+    maker: str
+    lamp_flux: float
+    power: float
+    along_c0: float
+    along_c90: float
+    type: str
+    flux: float
+    peak: float
+    def intensity(self, directions: np.ndarray) -> np.ndarray: ...
+    def spread(self, plane: float, share: float) -> float: ...
 
 class Patches:
     vertices: np.ndarray
@@ -91,6 +107,15 @@ class Study:
     def solve(self, report: Any, n_threads: int) -> None: ...
     def light(self) -> Dict[str, Any]: ...
     def quantity(self, name: str, efficacy: float) -> Tuple[np.ndarray, str]: ...
+    def comfort(
+        self,
+        points: np.ndarray,
+        posture: str,
+        up: np.ndarray,
+        facing: Optional[np.ndarray],
+        report: Any,
+        n_threads: int,
+    ) -> Dict[str, np.ndarray]: ...
     def image(self, options: PictureOptions, report: Any, n_threads: int) -> np.ndarray: ...
     def write(
         self,
@@ -102,6 +127,7 @@ class Study:
         n_threads: int,
     ) -> None: ...
 
+def read_photometry(path: str, report: Any) -> Photometry: ...
 def read_scene(
     path: str, unit: Optional[str], precision: Optional[float], strict: bool, report: Any
 ) -> Scene: ...

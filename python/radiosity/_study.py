@@ -51,6 +51,21 @@ class Camera:
         self._core = _core.Camera(place, way, above, math.radians(angle))
 
 
+class Comfort:
+    """What a person gets of thermal radiation at k points (ISO 7726, six directions)."""
+
+    def __init__(self, core):
+        #: K, (k,)
+        self.mean_radiant_temperature: np.ndarray = core["mean_radiant_temperature"]
+        #: of planes that look up, down, to the front, back, left and right, K, (k, 6)
+        self.plane_radiant_temperatures: np.ndarray = core["plane_radiant_temperatures"]
+        #: from the person to each surface, then backs and sky, (k, n_surfaces + 2)
+        self.factors: np.ndarray = core["factors"]
+
+    def __repr__(self) -> str:
+        return f"<radiosity.Comfort: {len(self.mean_radiant_temperature)} points>"
+
+
 class Study:
     """A scene, its form factors and its light: what `radiosity solve` does.
 
@@ -163,6 +178,30 @@ class Study:
             str(name), _arguments.number("efficacy", efficacy, above=0)
         )
         return values[:, 0] if values.shape[1] == 1 else values
+
+    def comfort(self, points, *, posture: str = "standing", facing=None, up=(0, 0, 1)) -> "Comfort":
+        """The mean radiant temperature of a person at points, of a thermal scene.
+
+        Parameters
+        ----------
+        points : array_like, (k, 3) or (3,)
+            Where the middle of the person is, m.
+        posture : {'standing', 'seated'}
+        facing : array_like, (3,), optional
+            Where the person looks to; without it, to all sides alike.
+        up : array_like, (3,)
+        """
+        places = _arguments.points("points", points)
+        above = _arguments.points("up", up)[0]
+        if not np.linalg.norm(above) > 0:
+            raise InputError("up: found 0, expected a direction")
+        way = None if facing is None else _arguments.points("facing", facing)[0]
+        self.solve()
+        with reporter(self._progress) as report:
+            found = self._assembled().comfort(
+                places, str(posture), above, way, report, self._threads
+            )
+        return Comfort(found)
 
     def image(
         self,

@@ -51,7 +51,7 @@ constexpr Index kRoughRows = 32;
 constexpr double kLightTolerance = 1e-2;
 
 /// To be raised whenever the same scene and options give other numbers than before.
-constexpr int kNumbersVersion = 2;
+constexpr int kNumbersVersion = 3;
 
 /// Memory for the assembly of so many patches, bytes: measured on rooms at 1e-2, 1.3 KB for what is
 /// prepared of a patch and up to 1.5 KB for its blocks.
@@ -189,7 +189,9 @@ class CompressedAssembly {
                                               made_.coefficients, made_.near, made_.densities},
                                    .area = area_,
                                    .report = report_of_pairs()});
-    close_with_light(*transport, lights_, tolerance);
+    TransportOptions asked = options_;
+    asked.tolerance = tolerance;
+    close_with_light(*transport, lights_, mesh_, visibility_, asked);
     return transport;
   }
 

@@ -35,8 +35,14 @@ void light(const Scenario& scenario, const Scenario::Light& light, Scene& scene)
     is_found = true;
     surface.emission_factor = light.factor;
   }
+  for (Luminaire& luminaire : scene.luminaires) {
+    if (!matches(light.surfaces, luminaire.name)) continue;
+    is_found = true;
+    luminaire.dimming = light.factor;
+  }
   if (!is_found) {
-    refuse_scenario(scenario, "there is no surface '" + light.surfaces + "' that emits");
+    refuse_scenario(
+        scenario, "there is no surface '" + light.surfaces + "' that emits, nor such a luminaire");
   }
 }
 

@@ -12,10 +12,11 @@ namespace radiosity {
 /// Other light and other materials for the same surfaces. Names are patterns: * stands for any
 /// letters, ? for one. Of several that match, the last counts.
 struct Scenario {
-  /// What surfaces emit, in place of what the scene says: switched off ones can be switched on.
+  /// What surfaces and luminaires emit, in place of what the scene says: switched off ones can be
+  /// switched on.
   struct Light {
-    std::string surfaces;
-    double factor = 1;  ///< Surface::emission_factor, >= 0
+    std::string surfaces;  ///< or luminaires
+    double factor = 1;     ///< Surface::emission_factor, Luminaire::dimming, >= 0
   };
   /// What materials reflect.
   struct Paint {
@@ -31,7 +32,7 @@ struct Scenario {
 bool matches(std::string_view pattern, std::string_view name);
 
 /// The scene with the light and materials of a scenario. Throws SceneError if a pattern stands for
-/// no surface that emits, or for no material, or if reflectances are not one per band.
+/// no surface that emits and no luminaire, or for no material, or if reflectances are not one per band.
 Scene scene_of(const Scene& scene, const Scenario& scenario);
 
 }  // namespace radiosity

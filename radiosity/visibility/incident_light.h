@@ -9,9 +9,10 @@
 
 namespace radiosity {
 
-/// Light that comes straight from what is no surface of the scene: the sun, E = E_n cosθ where it
-/// shines, with exact shadows (SunShadows). Copies share what they hold; immutable, and may be used
-/// by many threads.
+/// Light that comes straight from what is no surface of the scene, with exact shadows: the sun, E =
+/// E_n cosθ where it shines (SunShadows), the sky with its ground (SkyLight), and luminaires, E = I
+/// cosθ / d² (LuminaireLight). Copies share what they hold; immutable, and may be used by many
+/// threads.
 class IncidentLight {
  public:
   /// Of nothing: dark.
@@ -32,9 +33,13 @@ class IncidentLight {
 Eigen::VectorXd lit_shares(const PatchMesh& mesh, const Vec3& direction,
                            const Progress& progress = {});
 
+/// Whether a scene has any such source.
+bool has_incident_light(const Scene& scene);
+
 /// The mean of IncidentLight on each patch, n_patches x n_bands, W/m², of the sun exactly: E = E_n
-/// cosθ · lit share; empty if the scene has no such source. (1 - ρ) E is what the patch absorbs of
-/// it before any reflection. Throws Interrupted, and SolveError for a scene with a symmetry.
+/// cosθ · lit share, of luminaires too: the flux through the lit parts over the area; of the sky by
+/// SkyLight::on_patches. Empty if the scene has no such source. (1 - ρ) E is what the patch absorbs
+/// of it before any reflection. Throws Interrupted, and SolveError for a scene with a symmetry.
 Eigen::MatrixXd incident_irradiance(const Scene& scene, const PatchMesh& mesh,
                                     const Progress& progress = {});
 

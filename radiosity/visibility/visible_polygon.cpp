@@ -99,7 +99,8 @@ void cut(const ConvexPolygon& part, const Shadow& shadow, const Vec3& point,
   }
 }
 
-/// What an occluder hides from a point, in full.
+}  // namespace
+
 Shadow shadow_of(const Occluder& occluder, const Vec3& point, double thickness) {
   Shadow shadow;
   const double height = occluder.normal.dot(point) - occluder.offset;
@@ -114,7 +115,19 @@ Shadow shadow_of(const Occluder& occluder, const Vec3& point, double thickness) 
   return shadow;
 }
 
-}  // namespace
+std::span<const ConvexPolygon> ShadowCutter::visible_parts(const Vec3& point,
+                                                           const ConvexPolygon& target,
+                                                           std::span<const Shadow> shadows) {
+  parts_.assign(1, target);
+  for (const Shadow& shadow : shadows) {
+    if (n_borders(shadow) == 0) continue;
+    next_parts_.clear();
+    for (const ConvexPolygon& part : parts_) cut(part, shadow, point, next_parts_);
+    parts_.swap(next_parts_);
+    if (parts_.empty()) break;
+  }
+  return parts_;
+}
 
 double ShadowCutter::visible_part(const Vec3& point, const Vec3& normal,
                                   const ConvexPolygon& target, double whole,
@@ -125,16 +138,8 @@ double ShadowCutter::visible_part(const Vec3& point, const Vec3& normal,
     const ConvexPolygon hidden = shadowed(target, shadows[0], point);
     return hidden.empty() ? whole : whole - facing_point_to_polygon(point, normal, hidden.points());
   }
-  parts_.assign(1, target);
-  for (const Shadow& shadow : shadows) {
-    if (n_borders(shadow) == 0) continue;
-    next_parts_.clear();
-    for (const ConvexPolygon& part : parts_) cut(part, shadow, point, next_parts_);
-    parts_.swap(next_parts_);
-    if (parts_.empty()) return 0;
-  }
   double sum = 0;
-  for (const ConvexPolygon& part : parts_) {
+  for (const ConvexPolygon& part : visible_parts(point, target, shadows)) {
     sum += facing_point_to_polygon(point, normal, part.points());
   }
   return sum;

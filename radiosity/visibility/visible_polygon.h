@@ -20,13 +20,22 @@ class ShadowCutter {
   double visible_part(const Vec3& point, const Vec3& normal, const ConvexPolygon& target,
                       double whole, std::span<const Shadow> shadows);
 
+  /// The convex parts of `target` that lie in none of the shadows as seen from `point`, valid until
+  /// the next call.
+  std::span<const ConvexPolygon> visible_parts(const Vec3& point, const ConvexPolygon& target,
+                                               std::span<const Shadow> shadows);
+
  private:
   std::vector<ConvexPolygon> parts_;
   std::vector<ConvexPolygon> next_parts_;
 };
 
-/// The same given the polygons that may cast shadows. Those within `thickness` (m) of the point's
-/// own place are passed over.
+/// What an occluder hides from a point, in full; nothing if the point is within `thickness` (m) of
+/// its plane.
+Shadow shadow_of(const Occluder& occluder, const Vec3& point, double thickness);
+
+/// `visible_part` given the polygons that may cast shadows. Those within `thickness` (m) of the
+/// point's own place are passed over.
 double visible_point_to_polygon(const Vec3& point, const Vec3& normal, const ConvexPolygon& target,
                                 std::span<const Occluder* const> occluders, double thickness);
 

@@ -100,7 +100,7 @@ TEST_F(Sun, IsRefusedOrWarnedOfPlainly) {
   const Outcome outcome = run({"solve", below});
   EXPECT_EQ(outcome.exit_code, 0);
   expect_contains(outcome.err, "the sun is not above the horizon (elevation_deg -10)");
-  expect_contains(outcome.err, "the sun shines on no surface's emitting side");
+  expect_contains(outcome.err, "no light of sun or luminaires reaches a surface's emitting side");
 }
 
 }  // namespace

@@ -27,6 +27,20 @@ Scene lit_room() {
   return scene;
 }
 
+TEST(Scenario, DimsLuminairesByName) {
+  Scene scene = lit_room();
+  for (const char* name : {"panel-1-1", "panel-1-2", "panel-2-1"}) {
+    Luminaire luminaire;
+    luminaire.name = name;
+    scene.luminaires.push_back(luminaire);
+  }
+  const Scene dimmed = scene_of(scene, {"evening", {{"panel-1-*", 0.5}, {"*-2-1", 0}}, {}});
+  EXPECT_EQ(dimmed.luminaires[0].dimming, 0.5);
+  EXPECT_EQ(dimmed.luminaires[1].dimming, 0.5);
+  EXPECT_EQ(dimmed.luminaires[2].dimming, 0);
+  EXPECT_EQ(dimmed.surfaces[0].emission_factor, 1);
+}
+
 const Material& material_of(const Scene& scene, std::size_t surface) {
   return scene.materials[scene.surfaces[surface].material];
 }

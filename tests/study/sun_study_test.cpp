@@ -167,7 +167,7 @@ TEST(SunStudy, WarnsOfASunThatReachesNothing) {
   std::vector<std::string> warnings;
   study::run(scene, {}, {.warned = [&](const std::string& text) { warnings.push_back(text); }});
   ASSERT_GE(warnings.size(), 2U);
-  EXPECT_EQ(warnings[0], "the sun shines on no surface's emitting side");
+  EXPECT_EQ(warnings[0], "no light of sun or luminaires reaches a surface's emitting side");
 }
 
 TEST(SunStudy, HasTheSameBitsAtAnyNumberOfThreads) {

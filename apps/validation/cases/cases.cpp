@@ -10,6 +10,8 @@ const std::vector<Case>& all_cases() {
       {"plates", "Two plates, two-surface enclosures, heat between grey plates", run_plates},
       {"cube", "Cube of six patches", run_cube},
       {"room", "Mean indirect irradiance of a room", run_room},
+      {"cie-171", "CIE 171: light between diffuse surfaces", run_cie171},
+      {"cie-171-sky", "CIE 171: daylight of standard skies", run_cie171_sky},
       {"energy", "Energy balance of every scene", run_energy},
       {"hemisphere-vs-area", "Irradiance by rays and by form factors", run_hemisphere},
       {"cornell-box", "Cornell box against path tracing", run_cornell_box},

@@ -35,6 +35,10 @@ CaseResult run_cornell_box(const Context& context);
 CaseResult run_spectral(const Context& context);
 /// Compressed operators next to a dense one and path tracing.
 CaseResult run_scale(const Context& context);
+/// CIE 171:2006, light between diffuse surfaces.
+CaseResult run_cie171(const Context& context);
+/// CIE 171:2006, daylight of the standard skies.
+CaseResult run_cie171_sky(const Context& context);
 /// Error against the number of patches.
 CaseResult run_convergence(const Context& context);
 

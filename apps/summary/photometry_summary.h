@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "radiosity/scene/photometry.h"
+
+namespace apps {
+
+/// The lines that `inspect` prints of a photometric file.
+std::string photometry_text(const radiosity::Photometry& photometry,
+                            const std::vector<std::string>& outputs);
+
+/// The JSON object that it prints.
+std::string photometry_json(const radiosity::Photometry& photometry,
+                            const std::vector<std::string>& outputs,
+                            const std::vector<std::string>& warnings);
+
+}  // namespace apps
