@@ -125,11 +125,11 @@ MergeCommand::Merged MergeCommand::merge_streamed(const PartSet& parts,
   const radiosity::Fingerprint fingerprint = stream_fingerprint(mesh, options);
   check_fingerprint(parts, fingerprint);
   (void)radiosity::work_file_state(work_file, fingerprint.value());
-  const Removal removal(work_file);
   const auto open = [&](radiosity::WorkStart start) {
     return radiosity::TileStore(work_file, fingerprint.value(), start, mesh.area, events.progress);
   };
-  (void)open(radiosity::WorkStart::anew);
+  (void)open(radiosity::WorkStart::anew);  // throws where another merge is at work
+  const Removal removal(work_file);
   gather_records(parts, work_file, events.progress);
   radiosity::TileStore store = open(radiosity::WorkStart::resumed);
   const radiosity::Visibility visibility(mesh);
@@ -166,8 +166,8 @@ MergeCommand::Merged MergeCommand::merge_compressed(const PartSet& parts,
   const radiosity::Fingerprint fingerprint = compressed_fingerprint(mesh, options, light);
   check_fingerprint(parts, fingerprint);
   (void)radiosity::block_file_state(work_file, fingerprint.value());
-  const Removal removal(work_file);
   (void)radiosity::BlockStore(work_file, fingerprint.value(), radiosity::WorkStart::anew);
+  const Removal removal(work_file);
   gather_records(parts, work_file, events.progress);
   const radiosity::Visibility visibility(mesh);
   const auto transport = make_compressed_transport(mesh, visibility, options, light);

@@ -141,9 +141,12 @@ TEST_F(PartsProgram, CompressedOnesAreTheSame) {
   EXPECT_TRUE(contents(result("f.h5")) == contents(result("whole.h5")));
 }
 
-TEST_F(PartsProgram, MergeMakesCompressedOnesThatAreTooFewForParts) {
-  expect_same(write_cube(0.5, 1),
-              {"--patches", "300", "--transport", "compressed", "--tolerance", "0.02"}, 2);
+TEST_F(PartsProgram, MergeMakesRoundsThatFollow) {
+  expect_same(RADIOSITY_SCENES "/window.json",
+              {"--patches", "1500", "--transport", "compressed", "--tolerance", "0.02"}, 2);
+  const Outcome merged = run(merge(part_names(2), {"--json"}));
+  ASSERT_EQ(merged.exit_code, 0) << merged.err;
+  EXPECT_EQ(Json::parse(merged.out).at("form_factors").at("compressed").at("rounds"), 1);
 }
 
 TEST_F(PartsProgram, TellsWhatWasMade) {
