@@ -35,6 +35,9 @@ std::optional<T> parse_number(std::string_view word) {
 /// `text` without blanks at both ends.
 std::string_view trimmed(std::string_view text);
 
+/// What stands between the commas of a line, each without blanks at both ends.
+std::vector<std::string_view> comma_fields(std::string_view line);
+
 /// Splits a line into the words between its blanks.
 class Words {
  public:

@@ -13,20 +13,6 @@
 #include "io/base/line_reader.h"
 
 namespace io {
-namespace {
-
-std::vector<std::string_view> comma_fields(std::string_view line) {
-  std::vector<std::string_view> result;
-  for (;;) {
-    const auto comma = line.find(',');
-    result.push_back(trimmed(line.substr(0, comma)));
-    if (comma == std::string_view::npos) return result;
-    line.remove_prefix(comma + 1);
-  }
-}
-
-}  // namespace
-
 void write_comfort_csv(const std::filesystem::path& path,
                        const std::vector<std::string>& surface_names,
                        const std::vector<ComfortRow>& rows) {

@@ -23,16 +23,6 @@ constexpr double kNoIlluminance = 999900;
 constexpr std::size_t kHoursOfYear = 8760;
 constexpr std::size_t kHoursOfLeapYear = 8784;
 
-std::vector<std::string_view> fields_of(std::string_view line) {
-  std::vector<std::string_view> fields;
-  while (true) {
-    const std::size_t comma = line.find(',');
-    fields.push_back(trimmed(line.substr(0, comma)));
-    if (comma == std::string_view::npos) return fields;
-    line.remove_prefix(comma + 1);
-  }
-}
-
 double number_of(const LineReader& reader, const std::vector<std::string_view>& fields,
                  std::size_t k, const char* name) {
   if (k >= fields.size()) {
@@ -55,7 +45,7 @@ std::optional<double> measured(const LineReader& reader,
 }
 
 void read_location(const LineReader& reader, WeatherYear& year) {
-  const auto fields = fields_of(reader.line());
+  const auto fields = comma_fields(reader.line());
   if (fields[0] != "LOCATION") reader.fail("expected LOCATION: this is no EnergyPlus weather file");
   year.latitude = number_of(reader, fields, 6, "the latitude");
   year.longitude = number_of(reader, fields, 7, "the longitude");
@@ -66,7 +56,7 @@ void read_location(const LineReader& reader, WeatherYear& year) {
 }
 
 WeatherHour read_hour(const LineReader& reader) {
-  const auto fields = fields_of(reader.line());
+  const auto fields = comma_fields(reader.line());
   if (fields.size() < kLeastFields) {
     reader.fail(fmt::format("has {} fields, expected {} at least", fields.size(), kLeastFields));
   }

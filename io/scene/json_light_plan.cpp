@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "io/scene/point_json.h"
 #include "io/scene/points_file.h"
 #include "io/scene/scene_keys.h"
 
@@ -172,11 +173,9 @@ void check_names(const JsonItem& list, const std::vector<Named>& named) {
   }
 }
 
-Json vector_json(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
-
 Json vectors_json(const std::vector<Vec3>& vectors) {
   Json list = Json::array();
-  for (const Vec3& v : vectors) list.push_back(vector_json(v));
+  for (const Vec3& v : vectors) list.push_back(point_json(v));
   return list;
 }
 
@@ -198,12 +197,12 @@ Json grid_json(const GridPlan& plan) {
     json["surface"] = plan.surface;
     json["offset"] = plan.offset;
   } else {
-    json["corner"] = vector_json(plan.corner);
-    json["sides"] = {vector_json(plan.sides[0]), vector_json(plan.sides[1])};
+    json["corner"] = point_json(plan.corner);
+    json["sides"] = {point_json(plan.sides[0]), point_json(plan.sides[1])};
   }
   if (plan.spacing > 0) json["spacing"] = plan.spacing;
   if (plan.border) json["border"] = *plan.border;
-  if (plan.up) json["up"] = vector_json(*plan.up);
+  if (plan.up) json["up"] = point_json(*plan.up);
   if (plan.is_cylindrical) json["cylindrical"] = true;
   if (!plan.vertical.empty()) json["vertical"] = vectors_json(plan.vertical);
   if (!plan.semi_cylindrical.empty()) {
@@ -217,9 +216,9 @@ Json grid_json(const GridPlan& plan) {
 
 Json observer_json(const Observer& observer) {
   Json json = {{"name", observer.name},
-               {"position", vector_json(observer.position)},
-               {"direction", vector_json(observer.direction)},
-               {"up", vector_json(observer.up)}};
+               {"position", point_json(observer.position)},
+               {"direction", point_json(observer.direction)},
+               {"up", point_json(observer.up)}};
   if (observer.limit) json["UGR"] = *observer.limit;
   return json;
 }

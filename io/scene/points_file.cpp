@@ -18,16 +18,6 @@ using radiosity::Vec3;
 
 constexpr const char* kColumns = "expected 3 (x,y,z) or 6 (x,y,z,nx,ny,nz)";
 
-std::vector<std::string_view> fields_of(std::string_view line) {
-  std::vector<std::string_view> fields;
-  for (;;) {
-    const auto comma = line.find(',');
-    fields.push_back(trimmed(line.substr(0, comma)));
-    if (comma == std::string_view::npos) return fields;
-    line.remove_prefix(comma + 1);
-  }
-}
-
 /// Whether the line names columns; throws if it names others.
 bool is_header(LineReader& lines, const std::vector<std::string_view>& fields) {
   if (fields.front() != "x") return false;
@@ -47,7 +37,7 @@ void add_points(const std::filesystem::path& path, double unit, radiosity::GridP
   bool is_first = true;
   std::size_t n_columns = 0;
   while (lines.next_content()) {
-    const auto fields = fields_of(lines.line());
+    const auto fields = comma_fields(lines.line());
     if (std::exchange(is_first, false) && is_header(lines, fields)) continue;
     if (fields.size() != 3 && fields.size() != 6) {
       lines.fail(fmt::format("found {} columns, {}", fields.size(), kColumns));

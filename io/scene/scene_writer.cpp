@@ -14,9 +14,10 @@
 #include <vector>
 
 #include "io/base/atomic_file.h"
-#include "io/scene/json_luminaires.h"
-#include "io/scene/sky_writer.h"
 #include "io/scene/json_light_plan.h"
+#include "io/scene/json_luminaires.h"
+#include "io/scene/point_json.h"
+#include "io/scene/sky_writer.h"
 
 namespace io {
 namespace {
@@ -73,8 +74,6 @@ Json bands_json(const Bands& bands) {
   }
   return bands.wavelengths;
 }
-
-Json point_json(const Vec3& point) { return {point.x(), point.y(), point.z()}; }
 
 /// One number if all bands have the same, else a list.
 Json values_json(const Eigen::VectorXd& values) {

@@ -2,18 +2,17 @@
 
 #include <vector>
 
+#include "io/scene/point_json.h"
+
 namespace io {
 namespace {
 
 using radiosity::SkyDistribution;
-using radiosity::Vec3;
 
 /// Always a list: one number would be shared among bands of heat.
 Json list_json(const Eigen::VectorXd& values) {
   return std::vector<double>(values.begin(), values.end());
 }
-
-Json vector_json(const Vec3& x) { return {x.x(), x.y(), x.z()}; }
 
 Json distribution_json(const SkyDistribution& sky) {
   if (sky.kind == SkyDistribution::Kind::overcast) return {{"form", "overcast"}};
@@ -28,9 +27,9 @@ Json sky_json(const radiosity::Scene& scene) {
   Json json = {{"distribution", distribution_json(sky.distribution)},
                {"zenith_radiance", list_json(sky.zenith_radiance)},
                {"ground_reflectance", list_json(sky.ground_reflectance)},
-               {"up", vector_json(sky.up)}};
+               {"up", point_json(sky.up)}};
   // The scene's sun tells where it is for both.
-  if (!scene.sun) json["direction"] = vector_json(-sky.towards_sun);
+  if (!scene.sun) json["direction"] = point_json(-sky.towards_sun);
   return json;
 }
 
