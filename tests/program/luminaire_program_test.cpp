@@ -85,8 +85,10 @@ TEST_F(Luminaires, StandInArraysAndAreDimmed) {
   const Json table = solve({scene, "--patches", "24", "--scenarios", scenarios});
   EXPECT_NEAR(table["scenarios"][0]["energy"]["incident"][0].get<double>() * 179, 4000, 1e-6);
   EXPECT_NEAR(table["scenarios"][1]["energy"]["incident"][0].get<double>() * 179, 1000, 1e-6);
-  const Outcome text = run({"solve", scene});
+  const Outcome text =
+      run({"solve", scene, "--quantity", "illuminance", "--efficacy", "358", "--patches", "24"});
   expect_contains(text.out, "from luminaires, W");
+  expect_contains(text.err, "--efficacy 358 makes 2 lm of each of their lumens");
   // Written and read again.
   const std::string copy = result("copy.json");
   EXPECT_EQ(run({"inspect", scene, "-o", copy}).exit_code, 0);
