@@ -8,7 +8,7 @@ _radiosity() {
     fi
   done
   if [[ -z $command && $word != -* ]]; then
-    local commands='solve form-factors exchange render view inspect validate'
+    local commands='solve form-factors merge exchange comfort light daylight daylight-year render view inspect batch validate'
     mapfile -t COMPREPLY < <(compgen -W "$commands" -- "$word")
   elif [[ $word == -* ]]; then
     local options

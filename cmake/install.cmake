@@ -50,7 +50,8 @@ if(HELP2MAN AND NOT RADIOSITY_SANITIZE)
             --output ${manual}/radiosity.1 $<TARGET_FILE:radiosity_program>
     DEPENDS radiosity_program
     VERBATIM)
-  foreach(command solve form-factors exchange render view inspect validate)
+  foreach(command solve form-factors merge exchange comfort light daylight daylight-year render view
+                  inspect batch validate)
     list(APPEND pages ${manual}/radiosity-${command}.1)
     add_custom_command(
       OUTPUT ${manual}/radiosity-${command}.1

@@ -48,26 +48,14 @@ void check_made(const Scene& scene, Index n_patches, const StudyOptions& options
   }
 }
 
-TransportOptions transport_options(const Scene& scene, const StudyOptions& options,
-                                   const StudyEvents& events) {
-  return {.tolerance = factor_tolerance(options),
-          .closed = closedness(scene, options.closed),
-          .seed = options.seed,
-          .memory = options.memory,
-          .progress = events.progress,
-          .work_file = options.work_file,
-          .work_start = options.work_start,
-          .rough = events.rough};
-}
-
-/// The light that operators are made for.
-ExpectedLight expected_light(const Scene& scene, const PatchMesh& mesh, const Progress& progress) {
-  return {initial_radiosity(scene, mesh, progress), reflectance(scene, mesh),
-          exitance(scene, mesh).cwiseAbs()};
-}
-
 FormFactors make_adaptive(const Scene& scene, const StudyOptions& options,
                           const StudyEvents& events) {
+  for (const GivenHeat& given : scene.given_heat) {
+    if (given.of == GivenHeat::Of::polygons) continue;
+    throw SolveError(given.source +
+                     ": tells of single patches, which adaptive ones are not before "
+                     "they are made; expected a column polygon");
+  }
   TransportOptions transport = transport_options(scene, options, events);
   // Each round has patches of its own.
   transport.rough = {};
@@ -128,11 +116,29 @@ Patches divide(const Scene& scene, const StudyOptions& options, const StudyEvent
   }
   check_made(scene, mesh.size(), options);
   warn_of_cut_off(scene, mesh, events);
+  warn_of_partly_given_heat(scene, mesh, events);
   Visibility visibility(mesh);
   warn_of_luminaires(scene, mesh, visibility, events);
   Patches patches{std::move(mesh), std::move(visibility)};
   if (events.divided) events.divided(scene, patches);
   return patches;
+}
+
+TransportOptions transport_options(const Scene& scene, const StudyOptions& options,
+                                   const StudyEvents& events) {
+  return {.tolerance = factor_tolerance(options),
+          .closed = closedness(scene, options.closed),
+          .seed = options.seed,
+          .memory = options.memory,
+          .progress = events.progress,
+          .work_file = options.work_file,
+          .work_start = options.work_start,
+          .rough = events.rough};
+}
+
+ExpectedLight expected_light(const Scene& scene, const PatchMesh& mesh, const Progress& progress) {
+  return {initial_radiosity(scene, mesh, progress), reflectance(scene, mesh),
+          exitance(scene, mesh).cwiseAbs()};
 }
 
 Fingerprint compressed_fingerprint(const Scene& scene, const PatchMesh& mesh,

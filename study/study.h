@@ -62,6 +62,16 @@ FormFactors make_form_factors(const radiosity::Scene& scene, const radiosity::Pa
                               const radiosity::Visibility& visibility,
                               const StudyOptions& options = {}, const StudyEvents& events = {});
 
+/// What the assembly of an operator takes by these options.
+radiosity::TransportOptions transport_options(const radiosity::Scene& scene,
+                                              const StudyOptions& options,
+                                              const StudyEvents& events);
+
+/// The light that operators are made for.
+radiosity::ExpectedLight expected_light(const radiosity::Scene& scene,
+                                        const radiosity::PatchMesh& mesh,
+                                        const radiosity::Progress& progress);
+
 /// Of the compressed ones that these options make of patches of one size: what a work file has.
 radiosity::Fingerprint compressed_fingerprint(const radiosity::Scene& scene,
                                               const radiosity::PatchMesh& mesh,

@@ -6,6 +6,7 @@
 
 #include "meshing/inspect/inspect.h"
 #include "radiosity/exchange/cut_off.h"
+#include "radiosity/scene/patch_heat.h"
 
 namespace study {
 
@@ -25,6 +26,19 @@ void warn_of_cut_off(const Scene& scene, const PatchMesh& mesh, const StudyEvent
       "the repeated scene is cut off: beyond its images goes at most {:.2g} of what a patch sends "
       "(surface '{}'), {:.2g} on average, which counts as escaped",
       most, mesh.surface_names[mesh.surface[worst]], bound.mean()));
+}
+
+void warn_of_partly_given_heat(const Scene& scene, const PatchMesh& mesh,
+                               const StudyEvents& events) {
+  (void)patch_heat(scene, mesh);
+  for (const GivenHeat& given : scene.given_heat) {
+    const auto n = static_cast<Index>(given.values.size());
+    if (given.of != GivenHeat::Of::patches || n == mesh.size()) continue;
+    events.warn(fmt::format(
+        "{}: tells of {} of {} patches; the others are as their materials say. If that was not "
+        "meant, the patches are not those of the file: they depend on --patches and the like",
+        given.source, n, mesh.size()));
+  }
 }
 
 std::optional<std::string> open_rows_warning(const AssemblyReport& report) {

@@ -19,6 +19,11 @@ void warn_of_findings(const radiosity::Scene& scene, const StudyEvents& events);
 void warn_of_cut_off(const radiosity::Scene& scene, const radiosity::PatchMesh& mesh,
                      const StudyEvents& events);
 
+/// If heat is given to single patches, but not to all: they may be those of another division.
+/// Throws SceneError as radiosity::patch_heat does.
+void warn_of_partly_given_heat(const radiosity::Scene& scene, const radiosity::PatchMesh& mesh,
+                               const StudyEvents& events);
+
 /// What to say if a scene taken as closed has patches that see an opening; else empty.
 std::optional<std::string> open_rows_warning(const radiosity::AssemblyReport& report);
 /// Says it.

@@ -97,6 +97,7 @@ ExchangeCommand::ExchangeCommand(CLI::App& program, Interruption& interruption)
       ->type_name("X");
   add_compute_options(*command, compute_);
   add_transport_option(*command, compute_);
+  add_memory_option(*command, compute_);
   add_adaptive_option(*command, compute_);
   add_operator_option(*command, operator_);
   command->callback([this] { run(); });

@@ -5,6 +5,8 @@
 #include <CLI/App.hpp>
 #include <algorithm>
 
+#include "apps/run/factor_outputs.h"
+#include "apps/run/factor_part.h"
 #include "apps/run/factor_table.h"
 #include "apps/run/factors_from.h"
 #include "apps/run/scene_input.h"
@@ -34,23 +36,6 @@
 #include "study/warnings.h"
 
 namespace apps {
-namespace {
-
-std::string check_memory_size(const std::string& text) {
-  if (parse_memory_size(text)) return "";
-  return fmt::format("found '{}', expected a size such as 2GB, 500MB or 750MiB", text);
-}
-
-Eigen::VectorXd row_error(const radiosity::StreamedFactors& factors, radiosity::Index row) {
-  Eigen::VectorXd result;
-  factors.for_each_row(
-      [&](radiosity::Index i, const Eigen::VectorXd& /*row*/, const Eigen::VectorXd& error) {
-        if (i == row) result = error;
-      });
-  return result;
-}
-
-}  // namespace
 
 FormFactorsCommand::FormFactorsCommand(CLI::App& program, Interruption& interruption)
     : interruption_(interruption) {
@@ -63,11 +48,17 @@ FormFactorsCommand::FormFactorsCommand(CLI::App& program, Interruption& interrup
       ->add_option(
           "-o,--output", common_.outputs,
           "Result file: .h5 (HDF5, every pair of patches), .csv or, as View3D writes it, .txt "
-          "(between surfaces); may be repeated")
-      ->check(
-          [](const std::string& path) { return check_extension(path, form_factor_extensions()); })
+          "(between surfaces); for solvers .dat (Elmer), .idf or .epJSON (EnergyPlus), or F "
+          "(OpenFOAM); may be repeated")
+      ->check(check_factor_output)
       ->type_name("FILE")
       ->allow_extra_args(false);
+  command
+      ->add_option("--format", format_,
+                   "Which solver's file an output is where its name leaves a choice: moose (.csv), "
+                   "elmer-binary (.dat)...")
+      ->check(CLI::IsMember(factor_format_names()))
+      ->type_name("F");
   auto* by = command->add_option("--by", by_, "Also print the table of factors between surfaces")
                  ->check(CLI::IsMember({"surface"}))
                  ->type_name("WHAT");
@@ -108,7 +99,32 @@ FormFactorsCommand::FormFactorsCommand(CLI::App& program, Interruption& interrup
   add_compute_options(*command, compute_);
   add_transport_option(*command, compute_);
   command->get_option("--transport")->excludes(min_factor);
-  command->callback([this] { run(); });
+  command
+      ->add_option("--part", part_text_,
+                   "Only the K-th of N parts, as F.K-of-N.h5: 'radiosity merge' makes one file of "
+                   "them")
+      ->check([](const std::string& text) {
+        return parse_part(text)
+                   ? ""
+                   : fmt::format("found '{}', expected a part such as 3/16: the third of 16", text);
+      })
+      ->type_name("K/N")
+      ->excludes(by)
+      ->excludes("--from")
+      ->excludes(row);
+  command->callback([this] {
+    choose_part();
+    run();
+  });
+}
+
+void FormFactorsCommand::choose_part() {
+  part_ = parse_part(part_text_);
+  if (!part_ || common_.outputs.empty()) return;
+  if (common_.outputs.size() != 1 || !is_factor_file(common_.outputs.front())) {
+    throw CLI::ValidationError("--part", "its one output is an .h5 file");
+  }
+  common_.outputs.front() = part_path(common_.outputs.front(), *part_).string();
 }
 
 void FormFactorsCommand::run() const {
@@ -116,6 +132,7 @@ void FormFactorsCommand::run() const {
   if (row_) return run_row({*row_, exact_});
   if (common_.outputs.empty()) throw CLI::RequiredError("--output");
   CommonOptions common = common_;
+  common.outputs = all_factor_outputs(common_.outputs, format_);
   common.outputs.push_back(work_file_path(common_.outputs));
   check_outputs(common.outputs, common_.scene);
   TerminalProgress terminal(terminal_style(common_));
@@ -133,6 +150,7 @@ void FormFactorsCommand::run() const {
   }
   const study::Patches patches = study::divide(scene, options, events);
   const auto& [mesh, visibility] = patches;
+  check_factor_outputs(common_.outputs, format_, scene, mesh);
   if (is_compressed(mesh.size())) {
     return write_compressed(scene, patches, options, events, terminal);
   }
@@ -143,9 +161,17 @@ void FormFactorsCommand::run() const {
       .scene = scene, .mesh = mesh, .min_factor = min_factor_, .outputs = common_.outputs};
   if (is_complete(fingerprint)) return tell_complete(summary, terminal);
   radiosity::TileStore store = open_store(mesh, fingerprint, events.progress, terminal);
+  if (part_) {
+    io::FactorPart part = described_part(scene, options, fingerprint, *part_);
+    part.min_factor = min_factor_;
+    summary.part = write_streamed_part(common_.outputs.front(), patches, part, streaming, store,
+                                       interruption_);
+    store.remove();
+    return print_factors(summary, terminal);
+  }
   const radiosity::StreamedFactors factors(mesh, visibility, streaming, store);
   study::refuse_excess(scene, mesh, factors.report(), compute_.tolerance,
-                       [&](radiosity::Index row) { return row_error(factors, row); });
+                       [&](radiosity::Index row) { return row_error_of(factors, row); });
   study::warn_of_open_rows(factors.report(), events);
   summary.report = &factors.report();
   summary.bytes = factors.bytes();
@@ -199,6 +225,7 @@ void FormFactorsCommand::tell_complete(const FactorSummary& summary,
 bool FormFactorsCommand::is_complete(const radiosity::Fingerprint& fingerprint) const {
   const auto& outputs = common_.outputs;
   if (!resume_ || !by_.empty() || std::filesystem::exists(work_file_path(outputs))) return false;
+  if (part_) return io::has_intact_part(outputs.front(), *part_, fingerprint.text());
   return std::all_of(outputs.begin(), outputs.end(), [&](const std::string& output) {
     return is_factor_file(output) && io::read_fingerprint(output) == fingerprint.text() &&
            (io::is_compressed_operator(output) || io::has_intact_form_factors(output));
@@ -222,7 +249,9 @@ Eigen::MatrixXd FormFactorsCommand::write_outputs(const radiosity::Scene& scene,
   };
   const auto lock = interruption_.hold();
   for (const std::string& output : outputs) {
-    if (is_factor_file(output)) {
+    const FactorFormat format = factor_format(output, format_);
+    if (is_by_polygon(format)) write_polygon_factors(output, format, mesh, visit_rows);
+    if (format == FactorFormat::hdf5) {
       io::write_form_factors(output, mesh, {factors.report(), visit_rows},
                              {.tolerance = compute_.tolerance,
                               .min_factor = min_factor_,
@@ -233,8 +262,9 @@ Eigen::MatrixXd FormFactorsCommand::write_outputs(const radiosity::Scene& scene,
   if (!is_table_asked()) return {};
   if (!sums) visit_rows({});
   for (const std::string& output : outputs) {
-    if (is_factor_file(output)) continue;
-    write_factor_table(output, scene, mesh, sums->factors(), factors.report().closed);
+    const FactorFormat format = factor_format(output, format_);
+    if (!is_table(format)) continue;
+    write_factor_table(output, format, scene, mesh, {sums->factors(), factors.report().closed});
   }
   return sums->factors();
 }
@@ -246,6 +276,15 @@ void FormFactorsCommand::print_factors(const FactorSummary& summary,
 }
 
 bool FormFactorsCommand::is_compressed(radiosity::Index n_patches) const {
+  const auto& outputs = common_.outputs;
+  const auto by_polygon = std::find_if(outputs.begin(), outputs.end(), [&](const auto& output) {
+    return is_by_polygon(factor_format(output, format_));
+  });
+  if (by_polygon != outputs.end()) {
+    if (compute_.transport != radiosity::TransportKind::compressed) return false;
+    throw CLI::ValidationError("--transport", "compressed form factors have no rows, which " +
+                                                  *by_polygon + " needs; expected dense");
+  }
   if (compute_.transport != radiosity::TransportKind::automatic) {
     return compute_.transport == radiosity::TransportKind::compressed;
   }
@@ -268,6 +307,13 @@ void FormFactorsCommand::write_compressed(const radiosity::Scene& scene,
       study::compressed_fingerprint(scene, patches.mesh, options);
   if (is_complete(fingerprint)) return tell_complete(summary, terminal);
   announce_work_file(radiosity::block_file_state(options.work_file, fingerprint.value()), terminal);
+  if (part_) {
+    summary.part = write_compressed_part(common_.outputs.front(), scene, patches,
+                                         described_part(scene, options, fingerprint, *part_),
+                                         options, events, interruption_);
+    std::filesystem::remove(options.work_file);
+    return print_factors(summary, terminal);
+  }
   const study::FormFactors made =
       study::make_form_factors(scene, patches.mesh, patches.visibility, options, events);
   summary.report = &made.transport->report();
@@ -294,7 +340,8 @@ void FormFactorsCommand::write_compressed_outputs(const FactorSummary& summary,
                          progress);
     } else {
       const auto lock = interruption_.hold();
-      write_factor_table(output, summary.scene, summary.mesh, table, transport.report().closed);
+      write_factor_table(output, factor_format(output, format_), summary.scene, summary.mesh,
+                         {table, transport.report().closed});
     }
     progress.check();
   }
@@ -302,7 +349,9 @@ void FormFactorsCommand::write_compressed_outputs(const FactorSummary& summary,
 
 bool FormFactorsCommand::is_table_asked() const {
   const auto& outputs = common_.outputs;
-  return !by_.empty() || !std::all_of(outputs.begin(), outputs.end(), is_factor_file);
+  return !by_.empty() || std::any_of(outputs.begin(), outputs.end(), [&](const auto& output) {
+    return is_table(factor_format(output, format_));
+  });
 }
 
 void FormFactorsCommand::check_tables_only(const std::string& option) const {

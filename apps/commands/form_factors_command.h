@@ -9,6 +9,7 @@
 #include "apps/summary/factor_summary.h"
 #include "apps/terminal/interruption.h"
 #include "radiosity/base/progress.h"
+#include "radiosity/base/work_part.h"
 #include "radiosity/scene/patch_mesh.h"
 
 namespace CLI {
@@ -28,6 +29,8 @@ class FormFactorsCommand {
   FormFactorsCommand& operator=(const FormFactorsCommand&) = delete;
 
  private:
+  /// Lets the output be that of --part, if there is one.
+  void choose_part();
   void run() const;
   /// Whether form factors of so many patches are written compressed: if it is said, or if nothing
   /// is and all of them would not fit into memory for who uses them.
@@ -66,9 +69,12 @@ class FormFactorsCommand {
   CommonOptions common_;
   study::StudyOptions compute_;
   std::string by_;
+  std::string format_;
   std::optional<std::string> from_;
   std::optional<std::string> row_;
   bool exact_ = false;
+  std::string part_text_;
+  std::optional<radiosity::WorkPart> part_;
   bool resume_ = false;
   std::string memory_;
   double min_factor_ = 0;

@@ -8,9 +8,15 @@
 #include <new>
 #include <string>
 
+#include "apps/commands/batch_command.h"
+#include "apps/commands/comfort_command.h"
+#include "apps/commands/daylight_command.h"
+#include "apps/commands/daylight_year_command.h"
 #include "apps/commands/exchange_command.h"
 #include "apps/commands/form_factors_command.h"
 #include "apps/commands/inspect_command.h"
+#include "apps/commands/light_command.h"
+#include "apps/commands/merge_command.h"
 #include "apps/commands/render_command.h"
 #include "apps/commands/solve_command.h"
 #include "apps/commands/validate_command.h"
@@ -67,9 +73,15 @@ int main(int argc, char** argv) {
   program.require_subcommand(1);
   const apps::SolveCommand solve(program, interruption);
   const apps::FormFactorsCommand form_factors(program, interruption);
+  const apps::MergeCommand merge(program, interruption);
   const apps::ExchangeCommand exchange(program, interruption);
+  const apps::ComfortCommand comfort(program, interruption);
+  const apps::DaylightCommand daylight_factors(program, interruption);
+  const apps::DaylightYearCommand daylight_year(program, interruption);
   const apps::InspectCommand inspect(program, interruption);
+  const apps::LightCommand light(program, interruption);
   const apps::RenderCommand render(program, interruption);
+  const apps::BatchCommand batch(program, interruption);
   const apps::ValidateCommand validate(program, interruption);
   const apps::ViewCommand view(program, interruption);
   return run(program, interruption, argc, argv);

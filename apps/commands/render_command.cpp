@@ -23,6 +23,7 @@ RenderCommand::RenderCommand(CLI::App& program, Interruption& interruption)
       ->type_name("FILE");
   add_compute_options(*command, compute_);
   add_transport_option(*command, compute_);
+  add_memory_option(*command, compute_);
   add_adaptive_option(*command, compute_);
   add_operator_option(*command, operator_);
   add_picture_options(*command, picture_);

@@ -62,8 +62,10 @@ SolveCommand::SolveCommand(CLI::App& program, Interruption& interruption)
       ->type_name("M");
   add_compute_options(*command, compute_);
   add_transport_option(*command, compute_);
+  add_memory_option(*command, compute_);
   add_adaptive_option(*command, compute_);
   add_operator_option(*command, operator_);
+  add_heat_options(*command, common_.heat);
   auto* verify = command->add_flag(
       "--verify", compute_.verifies_light,
       "Check what compressed form factors of a file are off by for this light, by exact rows");

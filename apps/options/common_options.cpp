@@ -5,6 +5,7 @@
 #include <CLI/App.hpp>
 #include <cmath>
 
+#include "apps/terminal/memory_size.h"
 #include "apps/terminal/number_list.h"
 #include "io/scene/scene_file.h"
 #include "meshing/adaptive/adaptive.h"
@@ -156,6 +157,19 @@ void add_transport_option(CLI::App& command, study::StudyOptions& options) {
       ->check(CLI::IsMember({"auto", "dense", "compressed"}))
       ->default_str("auto")
       ->type_name("K");
+}
+
+void add_memory_option(CLI::App& command, study::StudyOptions& options) {
+  command
+      .add_option_function<std::string>(
+          "--memory",
+          [&options](const std::string& text) {
+            options.memory = parse_memory_size(text).value_or(0);
+          },
+          "Memory that the form factors may take, such as 2GB or 500MiB; default: nine tenths of "
+          "what there is")
+      ->check(check_memory_size)
+      ->type_name("SIZE");
 }
 
 void add_adaptive_option(CLI::App& command, study::StudyOptions& options) {

@@ -6,6 +6,7 @@
 
 #include "apps/options/camera_options.h"
 #include "apps/options/false_color_options.h"
+#include "apps/options/heat_options.h"
 #include "apps/options/quantity_options.h"
 #include "io/picture/image_file.h"
 #include "radiosity/picture/render.h"
@@ -26,6 +27,7 @@ struct CommonOptions {
   std::size_t n_threads = 0;        ///< 0 = all cores
   bool json = false;                ///< one JSON object on stdout instead of the table
   bool quiet = false;               ///< no progress on stderr
+  HeatOptions heat;                 ///< of single patches
   /// Files that the run writes: none of them may be one that the scene is read from.
   std::vector<std::string> outputs;
 };
@@ -51,6 +53,8 @@ void add_seed_option(CLI::App& command, std::uint64_t& seed);
 void add_compute_options(CLI::App& command, study::StudyOptions& options);
 /// --transport.
 void add_transport_option(CLI::App& command, study::StudyOptions& options);
+/// --memory, for an operator in memory.
+void add_memory_option(CLI::App& command, study::StudyOptions& options);
 /// --adaptive, after add_compute_options and add_transport_option.
 void add_adaptive_option(CLI::App& command, study::StudyOptions& options);
 /// --operator, after those.

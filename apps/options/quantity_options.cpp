@@ -81,6 +81,13 @@ std::vector<Quantity> chosen_quantities(const QuantityOptions& options) {
 
 void check_photometry(const radiosity::Scene& scene, const std::vector<Quantity>& quantities,
                       const PhotometryOptions& options, TerminalProgress& terminal) {
+  if (std::find(quantities.begin(), quantities.end(), Quantity::temperature) != quantities.end() &&
+      !(radiosity::is_thermal(scene) && scene.bands.kind == Bands::Kind::grey)) {
+    throw radiosity::SceneError(
+        fmt::format("{}: has no temperatures: that takes \"bands\": \"grey\" and a material with a "
+                    "temperature or heat",
+                    scene.source));
+  }
   const bool photometric = std::any_of(quantities.begin(), quantities.end(), [](Quantity quantity) {
     return radiosity::quantity_info(quantity).is_photometric;
   });

@@ -1,9 +1,12 @@
 #include "apps/run/factor_table.h"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "io/base/extension.h"
+#include "io/mesh/energyplus_model.h"
 #include "io/mesh/vs3_records.h"
+#include "io/result/moose_csv.h"
 #include "io/result/surface_csv.h"
 #include "io/result/view3d_file.h"
 #include "radiosity/operator/surface_factors.h"
@@ -33,9 +36,30 @@ Eigen::Index n_obstructions(const io::Vs3File& file) {
 
 }  // namespace
 
-void write_factor_table(const std::string& path, const radiosity::Scene& scene,
-                        const radiosity::PatchMesh& mesh, const Eigen::MatrixXd& factors,
-                        bool is_closed) {
+io::ZoneFactors zone_factors(const radiosity::Scene& scene, const radiosity::PatchMesh& mesh,
+                             const Eigen::MatrixXd& factors) {
+  io::ZoneFactors table{.surfaces = mesh.surface_names, .zones = {}, .factors = factors};
+  const std::string extension = io::lower_case_extension(scene.source);
+  if (extension == ".idf" || extension == ".epjson") {
+    for (const auto& surface : io::read_energyplus_model(scene.source, {}).surfaces) {
+      table.zones.push_back(surface.zone);
+    }
+  } else {
+    const std::string name =
+        scene.name.empty() ? std::filesystem::path(scene.source).stem().string() : scene.name;
+    table.zones.assign(mesh.surface_names.size(), name);
+  }
+  return table;
+}
+
+void write_factor_table(const std::string& path, FactorFormat format, const radiosity::Scene& scene,
+                        const radiosity::PatchMesh& mesh, const FactorTable& table) {
+  const Eigen::MatrixXd& factors = table.factors;
+  bool is_closed = table.is_closed;
+  if (format == FactorFormat::moose) return io::write_moose_csv(path, factors);
+  if (format == FactorFormat::energyplus) {
+    return io::write_energyplus_factors(path, zone_factors(scene, mesh, factors));
+  }
   if (io::lower_case_extension(path) != ".txt") {
     io::write_surface_csv(path, mesh, factors);
     return;
@@ -48,9 +72,9 @@ void write_factor_table(const std::string& path, const radiosity::Scene& scene,
     is_closed = file.control.is_enclosure;
     n -= n_obstructions(file);  // which come last
   }
-  io::View3dTable table = view3d_table(scene, mesh, factors, n);
-  table.is_enclosure = is_closed;
-  io::write_view3d(path, table, options);
+  io::View3dTable view3d = view3d_table(scene, mesh, factors, n);
+  view3d.is_enclosure = is_closed;
+  io::write_view3d(path, view3d, options);
 }
 
 }  // namespace apps

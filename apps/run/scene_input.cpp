@@ -15,6 +15,7 @@ Scene read_scene_warning(const CommonOptions& common, const study::StudyEvents& 
                                               .precision = common.precision,
                                               .strict = common.strict,
                                               .progress = events.progress});
+  give_heat(common.heat, scene, events.progress);
   check_against_inputs(common.outputs, scene.files);
   for (const std::string& warning : scene.warnings) events.warn(warning);
   return scene;

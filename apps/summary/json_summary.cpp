@@ -255,7 +255,19 @@ std::string scenarios_json(const ScenarioSummary& summary,
 std::string form_factors_json(const FactorSummary& summary,
                               const std::vector<std::string>& warnings) {
   const radiosity::PatchMesh& mesh = summary.mesh;
-  Json json = {{"patches", mesh.size()}, {"bands", summary.scene.bands.count()}};
+  Json json = {{"patches", mesh.size()}};
+  if (summary.n_merged > 0) {
+    json["parts"] = summary.n_merged;
+  } else {
+    json["bands"] = summary.scene.bands.count();
+  }
+  if (const auto& part = summary.part) {
+    json["part"] = {{"number", part->part.number + 1},
+                    {"parts", part->part.n_parts},
+                    {"records", part->records},
+                    {"bytes", part->bytes},
+                    {"seconds", part->seconds}};
+  }
   if (summary.report != nullptr) {
     json["form_factors"] = form_factors(*summary.report, summary.bytes);
     if (summary.min_factor > 0) json["dropped"] = dropped(summary.min_factor, summary.dropped);

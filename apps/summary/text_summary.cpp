@@ -140,7 +140,7 @@ std::string discretisation_lines(const radiosity::DiscretisationError& discretis
 
 /// What the light that does not come from patches is called; nothing if there is none.
 std::string incoming_name(const radiosity::Scene& scene) {
-  if (scene.environment.kind != radiosity::Emission::Kind::none) return "from without";
+  if (scene.environment.kind != radiosity::Emission::Kind::none || scene.sky) return "from without";
   if (!scene.luminaires.empty()) return scene.sun ? "from without" : "from luminaires";
   return scene.sun ? "from the sun" : "";
 }
@@ -318,10 +318,11 @@ std::string form_factors_text(const FactorSummary& summary) {
         form_factor_lines(*summary.report, summary.bytes, seconds_text(summary.report->seconds));
     if (summary.min_factor > 0) text += dropped_lines(summary.min_factor, summary.dropped);
   }
+  if (summary.part) text += part_line(*summary.part);
   if (summary.by_surface.size() > 0) {
     text += surface_factor_table(summary.mesh, summary.by_surface);
   }
-  const std::string_view label = summary.report != nullptr ? "written" : "complete";
+  const std::string_view label = summary.report != nullptr || summary.part ? "written" : "complete";
   for (const std::string& output : summary.outputs) text += line(label, one_line(output));
   return text;
 }

@@ -1,5 +1,7 @@
 #include "apps/terminal/memory_size.h"
 
+#include <fmt/format.h>
+
 #include <charconv>
 #include <cmath>
 #include <string_view>
@@ -34,6 +36,11 @@ std::optional<std::size_t> parse_memory_size(const std::string& text) {
   const double bytes = number * unit_factor(unit).value_or(0);
   if (!(bytes >= 1 && bytes <= kMostBytes)) return std::nullopt;
   return static_cast<std::size_t>(bytes);
+}
+
+std::string check_memory_size(const std::string& text) {
+  if (parse_memory_size(text)) return "";
+  return fmt::format("found '{}', expected a size such as 2GB, 500MB or 750MiB", text);
 }
 
 }  // namespace apps

@@ -11,4 +11,7 @@ namespace apps {
 /// does not matter, nor does the B. Reads what radiosity::memory_text writes.
 std::optional<std::size_t> parse_memory_size(const std::string& text);
 
+/// For the command line's check: empty if the text is such a size, else what was found.
+std::string check_memory_size(const std::string& text);
+
 }  // namespace apps

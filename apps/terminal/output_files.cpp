@@ -32,7 +32,8 @@ const std::vector<std::string>& picture_extensions() {
 }
 
 const std::vector<std::string>& form_factor_extensions() {
-  static const std::vector<std::string> extensions = {".h5", ".csv", ".txt"};
+  static const std::vector<std::string> extensions = {".h5",  ".csv", ".txt",
+                                                      ".dat", ".idf", ".epjson"};
   return extensions;
 }
 

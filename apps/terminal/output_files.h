@@ -15,7 +15,8 @@ bool is_factor_file(const std::filesystem::path& path);
 bool is_glb(const std::filesystem::path& path);
 
 /// Extensions that `solve` writes; `render` writes the pictures only. `form-factors` writes .h5
-/// and, for the factors between surfaces, .csv and .txt (View3D's).
+/// and, for the factors between surfaces, .csv, .txt (View3D's), .idf and .epJSON (EnergyPlus'),
+/// and .dat (Elmer's) between polygons.
 const std::vector<std::string>& result_extensions();
 const std::vector<std::string>& picture_extensions();
 const std::vector<std::string>& form_factor_extensions();

@@ -9,6 +9,8 @@
 #include "io/base/extension.h"
 #include "io/base/line_reader.h"
 #include "io/base/rounding.h"
+#include "io/mesh/energyplus_reader.h"
+#include "io/mesh/foam_reader.h"
 #include "io/mesh/gltf_files.h"
 #include "io/mesh/gltf_reader.h"
 #include "io/mesh/msh_reader.h"
@@ -28,6 +30,8 @@ using radiosity::Scene;
 FileScene read_by_extension(const std::filesystem::path& path, MeshMaterials materials,
                             const Progress& progress) {
   const std::string extension = lower_case_extension(path);
+  if (extension == ".idf" || extension == ".epjson") return read_energyplus(path, progress);
+  if (extension == ".foam") return read_foam_case(path);
   if (extension == ".obj") return read_obj(path, materials, progress);
   if (extension == ".msh") return read_msh(path, progress);
   if (extension == ".off") return read_off(path, progress);
@@ -48,7 +52,7 @@ FileScene read_by_extension(const std::filesystem::path& path, MeshMaterials mat
     return file;
   }
   fail(path, fmt::format("unknown extension \"{}\", expected .obj, .off, .ply, .stl, .gltf, "
-                         ".glb, .msh, .vs3, .vtk, .vtp, .vtu or .json",
+                         ".glb, .msh, .vs3, .vtk, .vtp, .vtu, .idf, .epJSON, .foam or .json",
                          extension));
 }
 

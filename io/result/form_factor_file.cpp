@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "io/result/hdf5_file.h"
+#include "io/result/hdf5_growing.h"
 #include "io/result/hdf5_input.h"
 #include "io/result/hdf5_output.h"
 #include "io/result/hdf5_patches.h"
@@ -17,64 +18,13 @@
 namespace io {
 namespace {
 
-using hdf5::dataset_properties;
+using hdf5::GrowingDataset;
 using hdf5::Handle;
 using hdf5::make_group;
-using hdf5::require;
-using hdf5::type_of;
 using hdf5::write_attribute;
 using radiosity::Index;
 
 constexpr const char* kFingerprint = "fingerprint";
-/// Entries that are collected before they are written.
-constexpr hsize_t kChunk = 1 << 16;
-
-/// A one-dimensional dataset that grows at its end.
-template <typename T>
-class GrowingDataset {
- public:
-  GrowingDataset(hid_t file, const char* name) : set_(make(file, name)) {}
-
-  void push_back(T value) {
-    pending_.push_back(value);
-    if (pending_.size() == kChunk) flush();
-  }
-
-  void flush() {
-    if (pending_.empty()) return;
-    const hsize_t count = pending_.size();
-    const hsize_t size = size_ + count;
-    require(H5Dset_extent(set_, &size));
-    const Handle file_space(H5Dget_space(set_), H5Sclose);
-    require(H5Sselect_hyperslab(file_space, H5S_SELECT_SET, &size_, nullptr, &count, nullptr));
-    const Handle memory_space(H5Screate_simple(1, &count, nullptr), H5Sclose);
-    require(H5Dwrite(set_, type_of<T>(), memory_space, file_space, H5P_DEFAULT, pending_.data()));
-    size_ = size;
-    pending_.clear();
-  }
-
-  /// To be called at the end: closing cannot tell that the disk is full.
-  void finish() {
-    flush();
-    require(H5Dflush(set_));
-  }
-
- private:
-  static Handle make(hid_t file, const char* name) {
-    const hsize_t none = 0;
-    const hsize_t unlimited = H5S_UNLIMITED;
-    const Handle space(H5Screate_simple(1, &none, &unlimited), H5Sclose);
-    const Handle properties = dataset_properties();
-    require(H5Pset_chunk(properties, 1, &kChunk));
-    require(H5Pset_fletcher32(properties));
-    return {H5Dcreate2(file, name, type_of<T>(), space, H5P_DEFAULT, properties, H5P_DEFAULT),
-            H5Dclose};
-  }
-
-  Handle set_;
-  std::vector<T> pending_;
-  hsize_t size_ = 0;
-};
 
 void write_rows(hid_t file, const FormFactorRows& rows) {
   const Handle group = make_group(file, "form_factors");

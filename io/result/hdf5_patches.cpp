@@ -117,6 +117,26 @@ void check_patches(const PatchMesh& mesh, const std::vector<double>& area) {
   }
 }
 
+/// Takes over what was stored to the last bit, in which backs may differ from their corners' sums,
+/// where it agrees with these.
+void restore_places(hid_t file, const std::vector<double>& area, PatchMesh& mesh) {
+  const hsize_t n = area.size();
+  const auto centroids = read_all<double>(file, "patches/centroid", {n, 3});
+  const auto normals = read_all<double>(file, "patches/normal", {n, 3});
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec3 centroid = vector_at(centroids, i);
+    const Vec3 normal = vector_at(normals, i);
+    const double scale = std::sqrt(area[i]) + centroid.norm();
+    if (!((centroid - mesh.centroid[i]).norm() <= kAreaTolerance * scale) ||
+        !((normal - mesh.normal[i]).norm() <= kAreaTolerance)) {
+      continue;
+    }
+    mesh.area[i] = area[i];
+    mesh.centroid[i] = centroid;
+    mesh.normal[i] = normal;
+  }
+}
+
 /// What the patches are parts of, which files of before have not.
 void read_polygons(hid_t file, PatchMesh& mesh) {
   if (!has_dataset(file, "polygons/corners")) return;
@@ -223,6 +243,7 @@ PatchMesh read_mesh(hid_t file, std::vector<std::string>& warnings) {
   if (has_dataset(file, "patches/corners") && has_dataset(file, "vertices")) {
     add_corner_patches(file, surface, polygon, mesh);
     check_patches(mesh, area);
+    restore_places(file, area, mesh);
   } else {
     add_square_patches(file, area, surface, polygon, mesh);
     warnings.emplace_back(

@@ -226,6 +226,12 @@ Solution read_solution(const PolydataArrays& arrays, const PatchMesh& mesh,
   solution.exitance = read_fields(arrays, "exitance", n_bands, path);
   solution.reflectance = read_fields(arrays, "reflectance", n_bands, path);
   solution.radiosity_error = read_fields(arrays, "radiosity_error", n_bands, path);
+  if (arrays.has_cell_array("surface_temperature")) {
+    solution.temperature = read_fields(arrays, "surface_temperature", 1, path);
+    if (!(solution.temperature.minCoeff() >= 0)) {
+      fail(path, "array \"surface_temperature\" has values below 0 K");
+    }
+  }
   read_energies(arrays, mesh, solution, path);
   solution.method = read_method(arrays, path);
   const auto integer = [&](const char* name, std::int64_t high) {

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "io/base/input_checks.h"
+#include "io/scene/json_light_plan.h"
 #include "io/scene/scene_keys.h"
 #include "io/scene/spectrum.h"
 
@@ -215,6 +216,9 @@ Material read_material(const JsonItem& item, const std::string& name, const Band
         "emissivity 0 with a temperature or heat that it cannot give off; expected more than 0, or "
         "\"adiabatic\": true");
   }
+  if (const auto factor = item.find("maintenance_factor")) {
+    material.maintenance_factor = read_maintenance_factor(*factor);
+  }
   return material;
 }
 
@@ -250,6 +254,11 @@ Eigen::VectorXd read_band_values(const JsonItem& item, const std::string& name, 
                                  const std::filesystem::path& folder) {
   return read_values(item, bands, folder,
                      [&](const Eigen::VectorXd& value) { return emission_problem(name, value); });
+}
+
+Eigen::VectorXd read_reflectances(const JsonItem& item, const Bands& bands,
+                                  const std::filesystem::path& folder) {
+  return read_values(item, bands, folder, reflectance_problem);
 }
 
 std::vector<Material> read_materials(const JsonItem& materials, const Bands& bands,

@@ -30,4 +30,8 @@ Eigen::VectorXd read_band_values(const JsonItem& item, const std::string& name,
                                  const radiosity::Bands& bands,
                                  const std::filesystem::path& folder);
 
+/// One value per band in [0, 1], as reflectances have them.
+Eigen::VectorXd read_reflectances(const JsonItem& item, const radiosity::Bands& bands,
+                                  const std::filesystem::path& folder);
+
 }  // namespace io

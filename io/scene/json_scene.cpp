@@ -6,8 +6,11 @@
 
 #include "io/base/json_item.h"
 #include "io/base/line_reader.h"
+#include "io/scene/json_glazing.h"
+#include "io/scene/json_light_plan.h"
 #include "io/scene/json_luminaires.h"
 #include "io/scene/json_materials.h"
+#include "io/scene/json_sky.h"
 #include "io/scene/json_sun.h"
 #include "io/scene/json_surfaces.h"
 #include "io/scene/json_symmetry.h"
@@ -192,6 +195,7 @@ FileScene read_json_scene(const std::filesystem::path& path, const ReadOptions& 
   if (const auto bands = root.find("bands")) scene.bands = read_bands(*bands);
   if (const auto materials = root.find("materials")) {
     scene.materials = read_materials(*materials, scene.bands, path.parent_path());
+    add_glazing(*materials, path.parent_path(), scene);
     add_spectra(materials->value(), path.parent_path(), scene);
   }
   if (const auto environment = root.find("environment")) {
@@ -209,7 +213,12 @@ FileScene read_json_scene(const std::filesystem::path& path, const ReadOptions& 
     read_luminaires(*luminaires, path.parent_path(), unit, options.progress, scene);
     add_spectra(luminaires->value(), path.parent_path(), scene);
   }
+  if (const auto sky = root.find("sky")) {
+    read_sky(*sky, path.parent_path(), scene);
+    add_spectra(sky->value(), path.parent_path(), scene);
+  }
   if (const auto views = root.find("views")) scene.views = read_views(*views, unit);
+  read_light_plan(root, path.parent_path(), unit, scene);
   if (const auto closed = root.find("closed")) scene.closed = closed->boolean();
   if (const auto warning = temperature_warning(scene)) {
     scene.warnings.push_back(scene.source + ": " + *warning);
@@ -221,6 +230,9 @@ FileScene read_json_scene(const std::filesystem::path& path, const ReadOptions& 
   }
   if (scene.sun && !scene.symmetry.is_none()) {
     fail(path, "has both a sun and a symmetry, whose images it would shine upon otherwise");
+  }
+  if (scene.sky && !scene.symmetry.is_none()) {
+    fail(path, "has both a sky and a symmetry, on whose images it would be another one");
   }
   return file;
 }

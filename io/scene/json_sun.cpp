@@ -30,14 +30,9 @@ Vec3 read_angles(const JsonItem& item, Scene& scene) {
         fmt::format("{}: the sun is not above the horizon (elevation_deg {}): it shines from {}",
                     scene.source, height, height < 0 ? "below" : "the side"));
   }
-  const auto up_item = item.find("up");
-  const Vec3 up = up_item ? up_item->direction() : Vec3(0, 0, 1);
-  const auto north_item = item.find("north");
-  const Vec3 north = north_item ? north_item->direction() : radiosity::usual_north(up);
-  if (north_item && !(up.cross(north).norm() > kNorthIsUp)) {
-    north_item->fail("is parallel to \"up\"");
-  }
-  return radiosity::sun_direction(azimuth * kPi / 180, height * kPi / 180, up, north);
+  const Compass compass = read_compass(item);
+  return radiosity::sun_direction(azimuth * kPi / 180, height * kPi / 180, compass.up,
+                                  compass.north);
 }
 
 Vec3 read_sun_direction(const JsonItem& item, Scene& scene) {
@@ -54,7 +49,8 @@ Vec3 read_sun_direction(const JsonItem& item, Scene& scene) {
   return item.at("direction").direction();
 }
 
-/// What each band has of a sun that is given by one number.
+}  // namespace
+
 Eigen::VectorXd shares_of_sun(const radiosity::Bands& bands) {
   switch (bands.kind) {
     case radiosity::Bands::Kind::solar_infrared:
@@ -66,15 +62,29 @@ Eigen::VectorXd shares_of_sun(const radiosity::Bands& bands) {
   }
 }
 
-}  // namespace
+Compass read_compass(const JsonItem& item) {
+  const auto up_item = item.find("up");
+  const Vec3 up = up_item ? up_item->direction() : Vec3(0, 0, 1);
+  const auto north_item = item.find("north");
+  const Vec3 north = north_item ? north_item->direction() : radiosity::usual_north(up);
+  if (north_item && !(up.cross(north).norm() > kNorthIsUp)) {
+    north_item->fail("is parallel to \"up\"");
+  }
+  return {up, north};
+}
+
+Eigen::VectorXd read_sunlight(const JsonItem& item, const std::string& name,
+                              const radiosity::Bands& bands, const std::filesystem::path& folder) {
+  Eigen::VectorXd values = read_band_values(item, name, bands, folder);
+  if (item.value().is_number()) values.array() *= shares_of_sun(bands).array();
+  return values;
+}
 
 void read_sun(const JsonItem& item, const std::filesystem::path& folder, Scene& scene) {
   item.check_keys(keys::kSun);
   radiosity::Sun sun;
   sun.direction = read_sun_direction(item, scene);
-  const JsonItem irradiance = item.at("irradiance");
-  sun.irradiance = read_band_values(irradiance, "irradiance", scene.bands, folder);
-  if (irradiance.value().is_number()) sun.irradiance.array() *= shares_of_sun(scene.bands).array();
+  sun.irradiance = read_sunlight(item.at("irradiance"), "irradiance", scene.bands, folder);
   scene.sun = sun;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cctype>
@@ -218,6 +219,11 @@ void write_mitsuba(const fs::path& path, const Scene& scene, const PatchMesh& me
     throw radiosity::SceneError(printable(
         fmt::format("luminaire {} has a photometric file, which is not written for Mitsuba",
                     in_quotes(scene.luminaires.front().name))));
+  }
+  if (scene.sky || std::any_of(scene.materials.begin(), scene.materials.end(),
+                               [](const auto& material) { return material.glazing.has_value(); })) {
+    throw radiosity::SceneError(printable(scene.source) +
+                                ": a sky or glazing is not written for Mitsuba");
   }
   const auto patches = fronts_by_surface(mesh);
   const Eigen::MatrixXd radiance = radiosity::exitance(scene, mesh) / radiosity::kPi;

@@ -8,7 +8,8 @@ namespace io::keys {
 
 inline constexpr auto kScene = std::to_array<std::string_view>(
     {"$schema", "name", "description", "unit", "precision", "bands", "materials", "surfaces",
-     "environment", "camera", "views", "closed", "sun", "symmetry", "luminaires"});
+     "environment", "camera", "views", "closed", "sun", "sky", "symmetry", "luminaires", "grids",
+     "observers", "maintenance_factor"});
 
 inline constexpr auto kBands = std::to_array<std::string_view>({"thermal", "split_wavelength"});
 
@@ -22,6 +23,25 @@ inline constexpr auto kLuminaire = std::to_array<std::string_view>(
 inline constexpr auto kLuminaireArray =
     std::to_array<std::string_view>({"rows", "columns", "row_step", "column_step"});
 
+inline constexpr auto kSky = std::to_array<std::string_view>(
+    {"type", "perez", "weather", "distribution", "zenith_radiance", "horizontal_irradiance",
+     "zenith_luminance", "horizontal_illuminance", "ground_reflectance", "direction", "azimuth_deg",
+     "elevation_deg", "latitude", "longitude", "time", "up", "north"});
+
+/// An all-weather sky by what is measured below it.
+inline constexpr auto kPerez = std::to_array<std::string_view>(
+    {"direct_normal", "diffuse_horizontal", "direct_normal_illuminance",
+     "diffuse_horizontal_illuminance"});
+
+inline constexpr auto kWeather = std::to_array<std::string_view>({"file", "month", "day", "hour"});
+
+inline constexpr auto kDistribution =
+    std::to_array<std::string_view>({"form", "a", "b", "c", "d", "e"});
+
+inline constexpr auto kGlazing =
+    std::to_array<std::string_view>({"transmittance", "refractive_index", "internal_transmittance",
+                                     "by_thickness", "thickness", "absorption"});
+
 inline constexpr auto kEmission = std::to_array<std::string_view>(
     {"radiance", "exitance", "power", "temperature", "heat_flux", "heat_power", "adiabatic"});
 
@@ -31,7 +51,8 @@ inline constexpr auto kEnvironment =
 /// An emission may stand in the material itself or in its "emission".
 inline constexpr auto kMaterial = std::to_array<std::string_view>(
     {"name", "description", "reflectance", "emissivity", "emission", "radiance", "exitance",
-     "power", "temperature", "heat_flux", "heat_power", "adiabatic", "solar", "infrared"});
+     "power", "temperature", "heat_flux", "heat_power", "adiabatic", "solar", "infrared",
+     "glazing", "maintenance_factor"});
 
 /// What a material is to the sun's light.
 inline constexpr auto kSolar = std::to_array<std::string_view>({"absorptivity"});
@@ -60,5 +81,14 @@ inline constexpr auto kSymmetryRotation =
 
 inline constexpr auto kCamera = std::to_array<std::string_view>(
     {"position", "look_at", "direction", "up", "vertical_fov_deg", "focal_length", "film"});
+
+inline constexpr auto kGrid = std::to_array<std::string_view>(
+    {"name", "surface", "offset", "corner", "sides", "points", "normals", "spacing", "border", "up",
+     "cylindrical", "vertical", "semi_cylindrical", "required"});
+
+inline constexpr auto kRequired = std::to_array<std::string_view>({"Em", "U0", "Ud", "UGR"});
+
+inline constexpr auto kObserver =
+    std::to_array<std::string_view>({"name", "position", "look_at", "direction", "up", "UGR"});
 
 }  // namespace io::keys

@@ -15,11 +15,12 @@
 
 #include "io/base/atomic_file.h"
 #include "io/scene/json_luminaires.h"
+#include "io/scene/sky_writer.h"
+#include "io/scene/json_light_plan.h"
 
 namespace io {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using radiosity::Bands;
 using radiosity::Camera;
 using radiosity::Emission;
@@ -108,6 +109,8 @@ Json material_json(const Material& material) {
   if (material.emission.kind != Emission::Kind::none) {
     json[emission_key(material.emission.kind)] = values_json(material.emission.value);
   }
+  if (material.glazing) json["glazing"] = glazing_json(*material.glazing);
+  if (material.maintenance_factor != 1) json["maintenance_factor"] = material.maintenance_factor;
   return json;
 }
 
@@ -318,11 +321,16 @@ void write_json(const Scene& scene, const std::filesystem::path& folder, std::os
   write_surfaces(scene, material_names, stream);
   if (scene.sun) stream << ",\n  \"sun\": " << text(sun_json(*scene.sun));
   if (!scene.luminaires.empty()) write_luminaires(scene, folder, stream);
+  if (scene.sky) stream << ",\n  \"sky\": " << text(sky_json(scene));
   if (scene.camera) stream << ",\n  \"camera\": " << text(camera_json(*scene.camera));
   if (!scene.views.empty()) write_views(scene, stream);
   if (scene.closed) stream << ",\n  \"closed\": " << (*scene.closed ? "true" : "false");
   if (!scene.symmetry.is_none()) {
     stream << ",\n  \"symmetry\": " << text(symmetry_json(scene.symmetry));
+  }
+  const Json plan = light_plan_json(scene.light_plan);
+  for (const auto& [key, value] : plan.items()) {
+    stream << ",\n  \"" << key << "\": " << text(value);
   }
   stream << "\n}\n";
 }

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "io/base/rounding.h"
+#include "io/result/given_heat_file.h"
 #include "io/scene/scene_file.h"
 #include "io/scene/scene_writer.h"
 #include "python/bindings/arrays.h"
@@ -94,6 +95,27 @@ std::vector<std::string> names_of(const std::vector<Item>& items) {
   return names;
 }
 
+GivenHeat::Kind heat_kind(bool is_temperature) {
+  return is_temperature ? GivenHeat::Kind::temperature : GivenHeat::Kind::heat_flux;
+}
+
+/// A value for each patch or polygon, NaN where nothing is given.
+Scene with_heat_values(Scene scene, bool is_temperature, const Eigen::VectorXd& values) {
+  GivenHeat given{.kind = heat_kind(is_temperature),
+                  .of = GivenHeat::Of::cells,
+                  .values = {},
+                  .source = is_temperature ? "temperatures" : "heat_fluxes"};
+  for (Index i = 0; i < values.size(); ++i) given.values.emplace_back(i, values[i]);
+  scene.given_heat.push_back(std::move(given));
+  return scene;
+}
+
+Scene with_heat_file(Scene scene, bool is_temperature, const std::filesystem::path& path) {
+  scene.given_heat.push_back(io::read_given_heat(path, heat_kind(is_temperature)));
+  scene.files.push_back(path);
+  return scene;
+}
+
 }  // namespace
 
 void bind_scene(py::module_& module) {
@@ -126,6 +148,8 @@ void bind_scene(py::module_& module) {
                                }
                                return result;
                              })
+      .def("with_heat_values", &with_heat_values)
+      .def("with_heat_file", &with_heat_file)
       .def("changed", &changed, py::arg("lights"), py::arg("reflectances"))
       .def("write", [](const Scene& scene, const std::filesystem::path& path) {
         io::write_scene(path, scene);

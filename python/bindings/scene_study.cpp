@@ -18,12 +18,14 @@
 #include "io/result/result_file.h"
 #include "python/bindings/arrays.h"
 #include "python/bindings/light.h"
+#include "python/bindings/light_plan.h"
 #include "python/bindings/operator.h"
 #include "python/bindings/work.h"
 #include "radiosity/base/error.h"
 #include "radiosity/picture/light_atlas.h"
 #include "radiosity/picture/render.h"
 #include "radiosity/solve/quantity.h"
+#include "study/comfort.h"
 #include "study/study.h"
 #include "study/study_picture.h"
 
@@ -88,6 +90,40 @@ QuantityField field_of(const study::Study& study, const std::string& name, doubl
     throw SceneError("found quantity '" + name + "', expected one of " + known);
   }
   return make_field(*quantity, study.mesh, study.solution, study.scene.bands, efficacy);
+}
+
+/// Mean radiant temperatures, and what a person sees, at points.
+py::dict comfort_at(const KeptStudy& kept, const Array<double>& points, const std::string& posture,
+                    const Eigen::VectorXd& up, const std::optional<Eigen::VectorXd>& facing,
+                    const py::object& report, std::size_t n_threads) {
+  const auto named = study::posture_named(posture);
+  if (!named) throw SceneError("found posture '" + posture + "', expected 'standing' or 'seated'");
+  study::ComfortOptions options{.posture = *named, .up = Vec3(up).normalized()};
+  if (facing) options.facing = Vec3(*facing);
+  const std::vector<Vec3> places = points_of(points);
+  std::vector<study::ComfortPoint> found;
+  run_work({report, n_threads}, [&](const study::StudyEvents& events) {
+    options.progress = events.progress;
+    found = study::comfort(*kept.study, places, options);
+  });
+  const auto n = static_cast<Index>(found.size());
+  const auto n_surfaces = static_cast<Index>(kept.study->mesh.surface_names.size());
+  Eigen::VectorXd mean(n);
+  Eigen::MatrixXd planes(n, 6);
+  Eigen::MatrixXd factors(n, n_surfaces + 2);
+  for (Index k = 0; k < n; ++k) {
+    const study::ComfortPoint& point = found[static_cast<std::size_t>(k)];
+    mean[k] = point.mean_radiant_temperature;
+    planes.row(k) = Eigen::Map<const Eigen::RowVectorXd>(point.plane_temperatures.data(), 6);
+    factors.row(k).head(n_surfaces) = point.surfaces.transpose();
+    factors(k, n_surfaces) = point.backs;
+    factors(k, n_surfaces + 1) = point.sky;
+  }
+  py::dict result;
+  result["mean_radiant_temperature"] = std::move(mean);
+  result["plane_radiant_temperatures"] = std::move(planes);
+  result["factors"] = std::move(factors);
+  return result;
 }
 
 /// How a picture is taken.
@@ -173,6 +209,7 @@ Camera camera_of(const Eigen::VectorXd& position, const Eigen::VectorXd& directi
 }  // namespace
 
 void bind_study(py::module_& module) {
+  bind_light_plan(module);
   py::class_<Camera>(module, "Camera").def(py::init(&camera_of));
   py::class_<PictureOptions>(module, "PictureOptions")
       .def(py::init([](int width, int height, int samples, bool gathers,
@@ -197,6 +234,13 @@ void bind_study(py::module_& module) {
            [](const KeptStudy& kept, const std::string& name, double efficacy) {
              QuantityField field = field_of(*kept.study, name, efficacy);
              return py::make_tuple(std::move(field.values), field.unit);
+           })
+      .def("comfort", &comfort_at)
+      .def("measure",
+           [](const KeptStudy& kept, const std::optional<LightPlan>& plan, double efficacy,
+              const py::object& report, std::size_t n_threads) {
+             return measure(*kept.study, kept.options, plan ? *plan : kept.study->scene.light_plan,
+                            efficacy, {report, n_threads});
            })
       .def("image", &image)
       .def("write", &write);

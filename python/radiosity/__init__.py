@@ -36,16 +36,18 @@ from ._operator import (
 )
 from ._photometry import Photometry, read_photometry
 from ._solve import Energy, Light, importance, solve
-from ._study import Camera, Study
+from ._study import Camera, Comfort, Measured, Study
 from ._view import view
 
 __all__ = [
     "Camera",
+    "Comfort",
     "Energy",
     "Error",
     "FormFactors",
     "InputError",
     "Light",
+    "Measured",
     "MemoryShortage",
     "Mesh",
     "MeshError",

@@ -296,6 +296,34 @@ class Scene:
             paints[str(name)] = values
         return Scene(self._core.changed(factors, paints))
 
+    def with_heat(self, temperatures=None, heat_fluxes=None) -> "Scene":
+        """The same scene with temperatures or net heats of single patches or polygons.
+
+        Parameters
+        ----------
+        temperatures : array_like or path, optional
+            K, one for each patch of the study, or else one for each polygon of the scene; NaN where
+            the material tells. Or a file of `radiosity solve --temperatures`.
+        heat_fluxes : array_like or path, optional
+            What they give off on balance, B - H, W/m², likewise.
+        """
+        core = self._core
+        for name, values in (("temperatures", temperatures), ("heat_fluxes", heat_fluxes)):
+            is_temperature = name == "temperatures"
+            if values is None:
+                continue
+            if isinstance(values, (str, os.PathLike)):
+                core = core.with_heat_file(is_temperature, os.fspath(values))
+                continue
+            given = np.asarray(values)
+            if given.ndim != 1 or given.dtype.kind not in "fiu":
+                raise InputError(
+                    f"{name}: found {given.dtype} of shape {given.shape}, expected numbers of "
+                    "shape (n,)"
+                )
+            core = core.with_heat_values(is_temperature, given.astype(float))
+        return Scene(core)
+
     def write(self, path) -> None:
         """Write it as JSON."""
         self._core.write(os.fspath(path))

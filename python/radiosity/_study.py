@@ -2,7 +2,7 @@
 
 import math
 import os
-from typing import Optional, Sequence
+from typing import Any, Dict, List, Optional, Sequence
 
 import numpy as np
 
@@ -49,6 +49,66 @@ class Camera:
         if angle >= 180:
             raise InputError(f"fov: found {angle}, expected less than 180 degrees")
         self._core = _core.Camera(place, way, above, math.radians(angle))
+
+
+class Comfort:
+    """What a person gets of thermal radiation at k points (ISO 7726, six directions)."""
+
+    def __init__(self, core):
+        #: K, (k,)
+        self.mean_radiant_temperature: np.ndarray = core["mean_radiant_temperature"]
+        #: of planes that look up, down, to the front, back, left and right, K, (k, 6)
+        self.plane_radiant_temperatures: np.ndarray = core["plane_radiant_temperatures"]
+        #: from the person to each surface, then backs and sky, (k, n_surfaces + 2)
+        self.factors: np.ndarray = core["factors"]
+
+    def __repr__(self) -> str:
+        return f"<radiosity.Comfort: {len(self.mean_radiant_temperature)} points>"
+
+
+class Measured:
+    """Illuminance at points, lux; NaN where a point is not measured.
+
+    Attributes
+    ----------
+    points, normals : ndarray, (n, 3)
+    place : ndarray, (n,)
+        0 where it is measured, 1 in solids, 2 outside.
+    shape : tuple, optional
+        Rows and columns of a grid, for `reshape`.
+    """
+
+    def __init__(self, grid):
+        self.points = grid["points"]
+        self.normals = grid["normals"]
+        self.place = grid["place"]
+        self.shape = grid["shape"]
+        self._lights = {"new": grid["new"], "maintained": grid["maintained"]}
+
+    def __repr__(self) -> str:
+        return f"<radiosity.Measured: {len(self.points)} points, {', '.join(self.quantities)}>"
+
+    @property
+    def quantities(self) -> List[str]:
+        """'illuminance', 'cylindrical', 'vertical 1,0,0'..."""
+        return list(self._lights["new"])
+
+    def values(self, quantity: str = "illuminance", *, part: str = "total",
+               lamps: str = "new") -> np.ndarray:
+        """One value per point, of new or 'maintained' lamps.
+
+        `part` is 'total', 'direct', 'indirect' or 'error' (one standard error)."""
+        parts = ("direct", "indirect", "error")
+        if part not in ("total", *parts):
+            raise InputError(f"part: found {part!r}, expected 'total', 'direct', 'indirect' or "
+                             "'error'")
+        if lamps not in self._lights:
+            raise InputError(f"lamps: found {lamps!r}, expected 'new' or 'maintained'")
+        if quantity not in self._lights[lamps]:
+            raise InputError(f"quantity: found {quantity!r}, expected one of {self.quantities}")
+        columns = self._lights[lamps][quantity]
+        chosen = columns[:, :2].sum(axis=1) if part == "total" else columns[:, parts.index(part)]
+        return np.where(self.place == 0, chosen, np.nan)
 
 
 class Study:
@@ -163,6 +223,99 @@ class Study:
             str(name), _arguments.number("efficacy", efficacy, above=0)
         )
         return values[:, 0] if values.shape[1] == 1 else values
+
+    def comfort(self, points, *, posture: str = "standing", facing=None, up=(0, 0, 1)) -> "Comfort":
+        """The mean radiant temperature of a person at points, of a thermal scene.
+
+        Parameters
+        ----------
+        points : array_like, (k, 3) or (3,)
+            Where the middle of the person is, m.
+        posture : {'standing', 'seated'}
+        facing : array_like, (3,), optional
+            Where the person looks to; without it, to all sides alike.
+        up : array_like, (3,)
+        """
+        places = _arguments.points("points", points)
+        above = _arguments.points("up", up)[0]
+        if not np.linalg.norm(above) > 0:
+            raise InputError("up: found 0, expected a direction")
+        way = None if facing is None else _arguments.points("facing", facing)[0]
+        self.solve()
+        with reporter(self._progress) as report:
+            found = self._assembled().comfort(
+                places, str(posture), above, way, report, self._threads
+            )
+        return Comfort(found)
+
+    def measure(
+        self,
+        points,
+        normals=(0, 0, 1),
+        *,
+        up=None,
+        cylindrical: bool = False,
+        vertical=(),
+        semi_cylindrical=(),
+        efficacy: float = _core.WHITE_EFFICACY,
+    ) -> Measured:
+        """Illuminance at points, by the final gather with exact shadows.
+
+        Parameters
+        ----------
+        points : array_like, (n, 3)
+            m.
+        normals : array_like, (n, 3) or (3,)
+            The sides that are measured, of any length.
+        up : array_like, (3,), optional
+            Axis of cylinders; else z.
+        cylindrical : bool
+            Cylindrical illuminance, too.
+        vertical, semi_cylindrical : array_like, (k, 3)
+            Directions that planes, and half cylinders, face.
+        efficacy : float
+            lm/W of white light, of RGB and grey bands.
+        """
+        places = _arguments.points("points", points)
+        sides = np.broadcast_to(_arguments.points("normals", normals), places.shape)
+        others = [
+            _arguments.points(name, given) if len(given) else np.zeros((0, 3))
+            for name, given in (("vertical", vertical), ("semi_cylindrical", semi_cylindrical))
+        ]
+        axis = None if up is None else _arguments.points("up", up)[0]
+        for name, given in (("normals", sides), ("vertical", others[0]),
+                            ("semi_cylindrical", others[1]),
+                            ("up", np.ones((1, 3)) if axis is None else axis[None])):
+            if not (np.linalg.norm(given, axis=1) > 0).all():
+                raise InputError(f"{name}: found a direction of length 0")
+        plan = _core.points_plan(places, sides, axis, bool(cylindrical), *others)
+        return Measured(self._measured(plan, efficacy)["grids"][0])
+
+    def grids(self, *, efficacy: float = _core.WHITE_EFFICACY) -> Dict[str, Measured]:
+        """The light on the scene's own grids, by name; of points in solids and outside NaN."""
+        return {grid["name"]: Measured(grid) for grid in self._measured(None, efficacy)["grids"]}
+
+    def glare(self, position, direction, up=(0, 0, 1), *,
+              efficacy: float = _core.WHITE_EFFICACY) -> Dict[str, Any]:
+        """UGR for an eye: 'ugr' (None if nothing dazzles), 'background' luminance and 'luminance' in
+        the line of sight (cd/m2), and 'sources', each with 'surface', 'luminance', 'solid_angle', 'direction' and
+        'position_index' (None where it does not count)."""
+        eye, view, above = (
+            _arguments.points(name, given)[0]
+            for name, given in (("position", position), ("direction", direction), ("up", up))
+        )
+        if not np.linalg.norm(np.cross(view, above)) > 1e-6 * np.linalg.norm(
+            view
+        ) * np.linalg.norm(above):
+            raise InputError("glare: up is parallel to the viewing direction, or 0")
+        return self._measured(_core.observer_plan(eye, view, above), efficacy)["observers"][0]
+
+    def _measured(self, plan, efficacy):
+        self.solve()
+        with reporter(self._progress) as report:
+            return self._assembled().measure(
+                plan, _arguments.number("efficacy", efficacy, above=0), report, self._threads
+            )
 
     def image(
         self,

@@ -49,7 +49,7 @@ class TileMaker final : public BlockVisitor {
     const auto [first_column, last_column] = strip_range(b);
     for (Index row = first_row; row <= last_row; ++row) {
       for (Index column = std::max(row, first_column); column <= last_column; ++column) {
-        if (!sink_.has(row, column)) return true;
+        if (sink_.owns(row, column) && !sink_.has(row, column)) return true;
       }
     }
     return false;
@@ -122,11 +122,13 @@ class TileMaker final : public BlockVisitor {
                                      : rows(row_strip) * rows(column_strip);
   }
 
-  /// Counts the pairs of the tiles that the sink has from the start.
+  /// Counts the pairs of the tiles that the sink wants, and of those that it has from the start.
   void count_done() {
     const auto n_strips = static_cast<Index>(strips_.size());
     for (Index column = 0; column < n_strips; ++column) {
       for (Index row = 0; row <= column; ++row) {
+        if (!sink_.owns(row, column)) continue;
+        total_ += n_pairs(row, column);
         if (sink_.has(row, column)) done_ += n_pairs(row, column);
       }
     }
@@ -135,8 +137,7 @@ class TileMaker final : public BlockVisitor {
 
   void report_progress() const {
     if (!progress_.report) return;
-    const auto n = static_cast<double>(evaluator_.tree().part_size());
-    progress_.report("form factors", done_, 0.5 * n * (n - 1), "pairs");
+    progress_.report("form factors", done_, total_, "pairs");
   }
 
   const ExchangeEvaluator& evaluator_;
@@ -144,8 +145,9 @@ class TileMaker final : public BlockVisitor {
   TileSink& sink_;
   std::vector<std::int32_t> strips_;            // clusters
   std::vector<std::int32_t> strip_of_cluster_;  // per cluster, or -1
+  double total_ = 0;                            // pairs
   std::mutex mutex_;                            // guards the following
-  double done_ = 0;                             // pairs
+  double done_ = 0;
 };
 
 }  // namespace

@@ -39,6 +39,10 @@ class TileSink {
   virtual ~TileSink() = default;
   /// Called once, before everything else.
   virtual void start(const TileLayout& layout) = 0;
+  /// Whether the tile is wanted at all: those of other parts of the work are made elsewhere.
+  [[nodiscard]] virtual bool owns(Index /*row_strip*/, Index /*column_strip*/) const {
+    return true;
+  }
   /// Whether the tile is there already and need not be made.
   [[nodiscard]] virtual bool has(Index row_strip, Index column_strip) const = 0;
   /// Takes a tile. Called from many threads at once, in any order, once for each tile.

@@ -51,7 +51,10 @@ LowPriority::~LowPriority() = default;
 void parallel_ranges(std::ptrdiff_t n, std::ptrdiff_t grain,
                      const std::function<void(std::ptrdiff_t, std::ptrdiff_t)>& body) {
   // Otherwise an exception in a loop around this one would end it half-done, and it would return.
-  tbb::task_group_context context(tbb::task_group_context::isolated);
+  // And numbers next to 0 would vanish or not by who was the first to use TBB: ray tracers let
+  // them.
+  tbb::task_group_context context(tbb::task_group_context::isolated,
+                                  tbb::task_group_context::fp_settings);
   tbb::parallel_for(
       tbb::blocked_range<std::ptrdiff_t>(0, n, grain),
       [&](const tbb::blocked_range<std::ptrdiff_t>& range) { body(range.begin(), range.end()); },

@@ -254,7 +254,7 @@ void BlockMaker::work(Item item, double limit, Worker& worker, MadeBlocks& made,
 }
 
 /// All blocks of an item and its parts.
-MadeBlocks BlockMaker::make_part(Item item, double limit) const {
+MadeBlocks BlockMaker::make_item(Item item, double limit) const {
   Worker worker{evaluator_.worker(), {polynomials_, evaluator_.tree().order}};
   MadeBlocks made;
   Items open;
@@ -269,9 +269,7 @@ MadeBlocks BlockMaker::make_part(Item item, double limit) const {
   return made;
 }
 
-MadeBlocks BlockMaker::make(Items items, double limit, BlockStore* store) const {
-  MadeBlocks result;
-  // Level by level until there is enough to do in parallel, then each to its end.
+void BlockMaker::spread(Items& items, double limit, MadeBlocks& result) const {
   while (!items.empty() && items.size() < kItems) {
     std::vector<Items> open(items.size());
     std::vector<MadeBlocks> made(items.size());
@@ -287,6 +285,11 @@ MadeBlocks BlockMaker::make(Items items, double limit, BlockStore* store) const 
       std::move(open[k].begin(), open[k].end(), std::back_inserter(items));
     }
   }
+}
+
+MadeBlocks BlockMaker::make(Items items, double limit, BlockStore* store) const {
+  MadeBlocks result;
+  spread(items, limit, result);
   if (store != nullptr) store->start_round(items.size(), limit);
   std::vector<MadeBlocks> made(items.size());
   std::mutex mutex;
@@ -297,7 +300,7 @@ MadeBlocks BlockMaker::make(Items items, double limit, BlockStore* store) const 
     if (known) {
       made[k] = std::move(*known);
     } else {
-      made[k] = make_part(std::move(items[k]), limit);
+      made[k] = make_item(std::move(items[k]), limit);
       if (store != nullptr) store->put(k, made[k]);
     }
     if (!progress_.report) return;
@@ -312,6 +315,28 @@ MadeBlocks BlockMaker::make(double limit, BlockStore* store) const {
   Items items;
   if (evaluator_.size() > 0) items.push_back({0, 0, evaluator_.everything()});
   return make(std::move(items), limit, store);
+}
+
+void BlockMaker::make_part(double limit, BlockStore& store, WorkPart part) const {
+  Items items;
+  if (evaluator_.size() > 0) items.push_back({0, 0, evaluator_.everything()});
+  MadeBlocks of_all_parts;
+  spread(items, limit, of_all_parts);
+  store.start_round(items.size(), limit);
+  Items own;
+  std::vector<std::size_t> numbers;
+  for (std::size_t k = part.number; k < items.size(); k += part.n_parts) {
+    own.push_back(std::move(items[k]));
+    numbers.push_back(k);
+  }
+  std::mutex mutex;
+  double n_done = 0;
+  parallel_for(static_cast<std::ptrdiff_t>(own.size()), [&](std::ptrdiff_t k) {
+    if (!store.part(numbers[k])) store.put(numbers[k], make_item(std::move(own[k]), limit));
+    if (!progress_.report) return;
+    const std::lock_guard lock(mutex);
+    progress_.report("form factors", ++n_done, static_cast<double>(own.size()), "parts");
+  });
 }
 
 MadeBlocks BlockMaker::refine(MadeBlocks blocks, double limit, BlockStore* store) const {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "radiosity/base/progress.h"
+#include "radiosity/base/work_part.h"
 #include "radiosity/compressed/block_fit.h"
 #include "radiosity/compressed/block_store.h"
 #include "radiosity/compressed/cluster_polynomials.h"
@@ -34,6 +35,8 @@ class BlockMaker {
   /// Blocks of at most `limit` action_error() each, or entries. A store has the parts as they are
   /// made, and those that it has are taken from there.
   [[nodiscard]] MadeBlocks make(double limit, BlockStore* store = nullptr) const;
+  /// Of what make() puts into a store, every n-th from the part's number on, of n.
+  void make_part(double limit, BlockStore& store, WorkPart part) const;
   /// The same from blocks of a larger limit: those that are off by more are divided.
   [[nodiscard]] MadeBlocks refine(MadeBlocks blocks, double limit,
                                   BlockStore* store = nullptr) const;
@@ -52,7 +55,10 @@ class BlockMaker {
     BlockFitter fitter;
   };
   [[nodiscard]] MadeBlocks make(Items items, double limit, BlockStore* store) const;
-  [[nodiscard]] MadeBlocks make_part(Item item, double limit) const;
+  /// Works on items level by level until there are enough of them to do in parallel; what is made
+  /// on the way goes into `made`.
+  void spread(Items& items, double limit, MadeBlocks& made) const;
+  [[nodiscard]] MadeBlocks make_item(Item item, double limit) const;
   void work(Item item, double limit, Worker& worker, MadeBlocks& made, Items& open) const;
   bool fit_visible(const Item& item, double limit, BlockFitter& fitter, MadeBlocks& made) const;
   bool fit_sampled(Item& item, double limit, Worker& worker, MadeBlocks& made) const;

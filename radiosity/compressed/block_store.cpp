@@ -97,8 +97,7 @@ void BlockStore::start_round(std::size_t n_parts, double limit) {
 
 std::optional<MadeBlocks> BlockStore::part(std::size_t number) const {
   if (offsets_[number] == 0) return std::nullopt;
-  const std::vector<std::byte> record = read_record(offsets_[number]);
-  if (record.empty()) throw OutputError("the work file has been cut off by another program");
+  const std::vector<std::byte> record = this->record(number);
   const PartHeader header = header_of(record);
   MadeBlocks blocks;
   const std::byte* place = record.data() + sizeof(header);
@@ -109,6 +108,12 @@ std::optional<MadeBlocks> BlockStore::part(std::size_t number) const {
   blocks.census = header.census;
   blocks.pairs = header.pairs;
   return blocks;
+}
+
+std::vector<std::byte> BlockStore::record(std::size_t number) const {
+  std::vector<std::byte> record = read_record(offsets_[number]);
+  if (record.empty()) throw OutputError("the work file has been cut off by another program");
+  return record;
 }
 
 void BlockStore::put(std::size_t number, const MadeBlocks& blocks) {
@@ -130,7 +135,7 @@ void BlockStore::put(std::size_t number, const MadeBlocks& blocks) {
   append(record, blocks.densities);
   header.checksum = checksum(record);
   std::memcpy(record.data(), &header.checksum, sizeof(header.checksum));
-  file_.append(record);
+  offsets_[number] = file_.append(record);
 }
 
 /// The record at an offset; empty if the file ends before it does, or it is none.

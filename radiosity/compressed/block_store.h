@@ -32,6 +32,10 @@ class BlockStore {
   [[nodiscard]] std::optional<MadeBlocks> part(std::size_t number) const;
   /// Likewise.
   void put(std::size_t number, const MadeBlocks& blocks);
+  /// Number of parts of this round.
+  [[nodiscard]] std::size_t n_parts() const { return offsets_.size(); }
+  /// The bytes that the file has of a part of this round that is there.
+  [[nodiscard]] std::vector<std::byte> record(std::size_t number) const;
 
   /// Removes the file.
   void remove() const { file_.remove(); }

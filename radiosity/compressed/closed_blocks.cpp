@@ -1,10 +1,13 @@
 #include "radiosity/compressed/closed_blocks.h"
 
+#include <cmath>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
 #include "radiosity/assembly/assembly_report.h"
 #include "radiosity/assembly/balance.h"
+#include "radiosity/exchange/openings.h"
 
 namespace radiosity {
 namespace {
@@ -44,51 +47,63 @@ class AdjustableBlocks final : public AdjustableExchange {
   Eigen::VectorXd multipliers_;
 };
 
-Eigen::ArrayXd gaps(const AssemblyReport& report) {
-  return 1 - report.covered.array() - report.row_sums.array();
+/// What rows lack of 1, but for what is covered.
+Eigen::ArrayXd gaps(const AssemblyReport& report, const Eigen::VectorXd& row_sums) {
+  return 1 - report.covered.array() - row_sums.array();
 }
 
-/// Rows that lack more than errors explain: whether, in the order of the patches.
-Eigen::Array<bool, Eigen::Dynamic, 1> are_open(const CompressedTransport& transport,
-                                               double tolerance) {
+/// What rows may be off by.
+Eigen::ArrayXd most_off(const CompressedTransport& transport, double tolerance) {
   const Eigen::VectorXd ones = Eigen::VectorXd::Ones(transport.size());
   const double own = kSigmas / transport.parts().error_scale;
-  const Eigen::ArrayXd most = own * transport.apply_error(ones).col(0).array();
-  return gaps(transport.report()).abs() > most + kSigmas * tolerance;
-}
-
-/// Changes the densities until rows, of which these are the sums as they stand, sum to 1.
-void close(CompressedTransport& transport, const Eigen::VectorXd& row_sums, double tolerance) {
-  const PatchOrder& order = transport.order();
-  const Eigen::VectorXd& area = transport.area();
-  const AssemblyReport& report = transport.report();
-  const Eigen::VectorXd mask = (!are_open(transport, tolerance)).cast<double>();
-  RowSums sums{order.to_rows(area.cwiseProduct(row_sums)).col(0),
-               order.to_rows(area.array() * (1 - report.covered.array())).col(0),
-               order.to_rows(mask).col(0)};
-  AdjustableBlocks exchange(transport.matrix(), order.to_rows(area).col(0), sums.present);
-  balance_rows(exchange, sums, kRounds);
-  transport.set_multipliers(exchange.multipliers());
+  return own * transport.apply_error(ones).col(0).array() + kSigmas * tolerance;
 }
 
 }  // namespace
 
-void close_blocks(CompressedTransport& transport, double tolerance) {
+ClosedSums find_closed_sums(CompressedTransport& transport, const PatchMesh& mesh,
+                            const Visibility& visibility, const TransportOptions& options) {
   AssemblyReport report = transport.report();
   report.row_sums = transport.apply(Eigen::VectorXd::Ones(transport.size()));
+  const Eigen::ArrayXd gap = gaps(report, report.row_sums);
   if (transport.size() > 0) {
-    report.closure_mean = gaps(report).abs().mean();
-    report.closure_max = gaps(report).abs().maxCoeff();
+    report.closure_mean = gap.abs().mean();
+    report.closure_max = gap.abs().maxCoeff();
   }
-  transport.set_report(std::move(report));
-  if (!transport.report().closed) return;
-  close(transport, transport.report().row_sums, tolerance);
+  transport.set_report(report);
+  if (!report.closed) return {};
+  const Eigen::ArrayXd most = most_off(transport, options.tolerance);
+  ClosedSums sums{1 - report.covered.array(), Eigen::VectorXd::Ones(transport.size())};
+  std::vector<std::int32_t> lacking;
+  for (Index i = 0; i < transport.size(); ++i) {
+    if (gap[i] > most[i]) lacking.push_back(static_cast<std::int32_t>(i));
+  }
+  const auto open = open_shares(mesh, visibility, report.covered, lacking, options.seed);
+  for (std::size_t k = 0; k < lacking.size(); ++k) {
+    const std::int32_t i = lacking[k];
+    const bool is_told = gap[i] - open[k].share <= most[i] + kSigmas * open[k].error;
+    const bool is_opening = open[k].share > options.tolerance;
+    if (std::isnan(open[k].share) || (is_opening && is_told)) {
+      sums.mask[i] = 0;
+    } else {
+      sums.wanted[i] -= is_opening ? open[k].share : 0;
+    }
+  }
+  return sums;
 }
 
-void close_again(CompressedTransport& transport, double tolerance) {
-  if (!transport.report().closed) return;
+void close_blocks(CompressedTransport& transport, const ClosedSums& sums) {
+  if (sums.mask.size() == 0) return;
   transport.set_multipliers({});
-  close(transport, transport.apply(Eigen::VectorXd::Ones(transport.size())), tolerance);
+  const PatchOrder& order = transport.order();
+  const Eigen::VectorXd& area = transport.area();
+  const Eigen::VectorXd present = transport.apply(Eigen::VectorXd::Ones(transport.size()));
+  RowSums rows{order.to_rows(area.cwiseProduct(present)).col(0),
+               order.to_rows(area.cwiseProduct(sums.wanted)).col(0),
+               order.to_rows(sums.mask).col(0)};
+  AdjustableBlocks exchange(transport.matrix(), order.to_rows(area).col(0), rows.present);
+  balance_rows(exchange, rows, kRounds);
+  transport.set_multipliers(exchange.multipliers());
 }
 
 void find_backs(CompressedTransport& transport, const PatchMesh& mesh, const Visibility& visibility,
@@ -97,7 +112,8 @@ void find_backs(CompressedTransport& transport, const PatchMesh& mesh, const Vis
   const Eigen::VectorXd present = transport.apply(Eigen::VectorXd::Ones(transport.size()));
   std::vector<Index> open_rows;
   if (report.closed) {
-    const Eigen::VectorXd is_open = are_open(transport, options.tolerance).cast<double>();
+    const Eigen::VectorXd is_open =
+        (gaps(report, present) > most_off(transport, options.tolerance)).cast<double>();
     const Eigen::VectorXd rows = transport.order().to_rows(is_open);
     for (Index row = 0; row < rows.size(); ++row) {
       if (rows[row] != 0) open_rows.push_back(row);

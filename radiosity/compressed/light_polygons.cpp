@@ -112,13 +112,15 @@ std::vector<LightPolygon> make_light_polygons(
 }
 
 void close_with_light(CompressedTransport& transport, const std::vector<LightPolygon>& lights,
-                      double tolerance) {
+                      const PatchMesh& mesh, const Visibility& visibility,
+                      const TransportOptions& options) {
   set_light(transport, lights);
-  close_blocks(transport, tolerance);
+  const ClosedSums sums = find_closed_sums(transport, mesh, visibility, options);
+  close_blocks(transport, sums);
   if (!transport.report().closed || lights.empty()) return;
   for (int round = 0; round < kLightRounds; ++round) {
     set_light(transport, lights);
-    close_again(transport, tolerance);
+    close_blocks(transport, sums);
   }
 }
 
@@ -137,7 +139,7 @@ void add_missing_light(Transport& transport, const PatchMesh& mesh, const Visibi
     lights.push_back({source.patches, exchange_with(*compressed, source.patches)});
   }
   compressed->set_multipliers({});
-  close_with_light(*compressed, lights, options.tolerance);
+  close_with_light(*compressed, lights, mesh, visibility, options);
   find_backs(*compressed, mesh, visibility, options);
 }
 

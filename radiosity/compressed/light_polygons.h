@@ -31,9 +31,10 @@ std::vector<LightPolygon> make_light_polygons(
     const std::vector<std::vector<std::int32_t>>& polygons, const TransportOptions& options);
 
 /// Adds to an operator whose rows are not closed what its blocks lack of that exchange, and closes
-/// them if its report says that the scene is closed.
+/// them if its report says that the scene is closed (find_closed_sums).
 void close_with_light(CompressedTransport& transport, const std::vector<LightPolygon>& lights,
-                      double tolerance);
+                      const PatchMesh& mesh, const Visibility& visibility,
+                      const TransportOptions& options);
 
 /// For other light than a compressed operator was made for: adds what it lacks of the exchange with
 /// the polygons that emit now, and closes the rows anew if they were closed. Nothing changes if it

@@ -51,7 +51,7 @@ constexpr Index kRoughRows = 32;
 constexpr double kLightTolerance = 1e-2;
 
 /// To be raised whenever the same scene and options give other numbers than before.
-constexpr int kNumbersVersion = 2;
+constexpr int kNumbersVersion = 3;
 
 /// Memory for the assembly of so many patches, bytes: measured on rooms at 1e-2, 1.3 KB for what is
 /// prepared of a patch and up to 1.5 KB for its blocks.
@@ -125,6 +125,15 @@ class CompressedAssembly {
     return transport;
   }
 
+  /// Makes only what a part of the work has of the first round.
+  void make_part(WorkPart part, const RecordVisitor& visit) {
+    open_store();
+    maker_.make_part(first_limit(options_.tolerance), *store_, part);
+    for (std::size_t k = part.number; k < store_->n_parts(); k += part.n_parts) {
+      visit(store_->record(k));
+    }
+  }
+
  private:
   [[nodiscard]] double first_limit(double tolerance) const {
     const double n = std::max(static_cast<double>(mesh_.size()) / kFewPatches, 1.0);
@@ -180,7 +189,9 @@ class CompressedAssembly {
                                               made_.coefficients, made_.near, made_.densities},
                                    .area = area_,
                                    .report = report_of_pairs()});
-    close_with_light(*transport, lights_, tolerance);
+    TransportOptions asked = options_;
+    asked.tolerance = tolerance;
+    close_with_light(*transport, lights_, mesh_, visibility_, asked);
     return transport;
   }
 
@@ -259,6 +270,14 @@ std::unique_ptr<CompressedTransport> make_compressed_transport(const PatchMesh& 
   if (!mesh.images.empty()) refuse_compressed_part();
   check_compressed_memory(mesh.size(), options.memory);
   return CompressedAssembly(mesh, visibility, options, light).make();
+}
+
+void make_compressed_part(const PatchMesh& mesh, const Visibility& visibility,
+                          const TransportOptions& options, const ExpectedLight& light,
+                          WorkPart part, const RecordVisitor& visit) {
+  if (!mesh.images.empty()) refuse_compressed_part();
+  check_compressed_memory(mesh.size(), options.memory);
+  CompressedAssembly(mesh, visibility, options, light).make_part(part, visit);
 }
 
 Fingerprint compressed_fingerprint(const PatchMesh& mesh, const TransportOptions& options,

@@ -5,6 +5,7 @@
 
 #include "radiosity/assembly/transport_options.h"
 #include "radiosity/base/fingerprint.h"
+#include "radiosity/base/work_part.h"
 #include "radiosity/compressed/compressed_transport.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/visibility/visibility.h"
@@ -33,6 +34,14 @@ std::unique_ptr<CompressedTransport> make_compressed_transport(const PatchMesh& 
                                                                const Visibility& visibility,
                                                                const TransportOptions& options = {},
                                                                const ExpectedLight& light = {});
+
+/// Makes, in TransportOptions::work_file, which must be named, what one part of the work has of the
+/// first round, and visits its records, in fixed order. With the records of all parts in one work
+/// file, make_compressed_transport() goes on from there, to the same bits: with the verification
+/// and any further rounds, which need the whole. Throws as that does.
+void make_compressed_part(const PatchMesh& mesh, const Visibility& visibility,
+                          const TransportOptions& options, const ExpectedLight& light,
+                          WorkPart part, const RecordVisitor& visit);
 
 /// Of all that decides about the numbers, as a work file has it.
 Fingerprint compressed_fingerprint(const PatchMesh& mesh, const TransportOptions& options,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -15,6 +16,8 @@ namespace {
 constexpr double kRaysInAll = 2e5;
 constexpr double kFewestRaysOfPatch = 16;
 constexpr double kMostRaysOfPatch = 1024;
+constexpr double kRaysOfRows = 2e6;
+constexpr double kFewestRaysOfRow = 64;
 constexpr double kLeastMissing = 1e-4;
 /// Of patches narrower than so many gaps, in which rays meet nothing at their start, too many pass
 /// by what stands beside them.
@@ -98,6 +101,25 @@ Eigen::VectorXd shares_on_backs(const PatchMesh& mesh, const Visibility& visibil
     result[asked[k]] = missing[asked[k]] * static_cast<double>(count.backs) /
                        static_cast<double>(count.backs + count.sky);
   }
+  return result;
+}
+
+std::vector<OpenShare> open_shares(const PatchMesh& mesh, const Visibility& visibility,
+                                   const Eigen::VectorXd& covered,
+                                   const std::vector<std::int32_t>& patches, std::uint64_t seed) {
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  std::vector<OpenShare> result(patches.size(), {kUnknown, kUnknown});
+  const auto n_rays = static_cast<int>(std::clamp(
+      kRaysOfRows / static_cast<double>(patches.size() + 1), kFewestRaysOfRow, kMostRaysOfPatch));
+  const double least_width = kLeastGapsAcross * visibility.end_gap();
+  parallel_for(static_cast<std::ptrdiff_t>(patches.size()), [&](std::ptrdiff_t k) {
+    const std::int32_t patch = patches[k];
+    if (covered[patch] > 0 || width(mesh, patch) < least_width) return;
+    const Count count = count_rays(mesh, visibility, patch, n_rays, pair_seed(seed, patch, -2));
+    const double share = static_cast<double>(count.backs + count.sky) / n_rays;
+    // Of none and of all, what one ray more might have told.
+    result[k] = {share, std::max(std::sqrt(share * (1 - share) / n_rays), 1. / n_rays)};
+  });
   return result;
 }
 

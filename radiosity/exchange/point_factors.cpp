@@ -160,7 +160,7 @@ class View {
   void visit(const Cell& cell, const std::vector<Piece>& candidates, int halvings,
              Destinations& sum) const {
     progress_.check();
-    const std::vector<Piece> pieces = visible_pieces(cell, candidates);
+    const std::vector<Piece> pieces = visible_parts(cell, candidates);
     const int extra = std::max(0, halvings - kSmallCell) / 2;
     if (pieces.size() <= kFewPatches << static_cast<unsigned>(extra)) {
       add_shares(cell, pieces, sum);
@@ -170,7 +170,7 @@ class View {
   }
 
   /// The candidates' parts in the cell but for those behind the first patch that fills it.
-  [[nodiscard]] std::vector<Piece> visible_pieces(const Cell& cell,
+  [[nodiscard]] std::vector<Piece> visible_parts(const Cell& cell,
                                                   const std::vector<Piece>& candidates) const {
     const Vec3 middle = cell[0] + cell[1] + cell[2];
     std::vector<Piece> pieces;

@@ -91,6 +91,18 @@ Eigen::MatrixXd FinalGather::irradiance(std::span<const Vec3> points, const Vec3
   return result.transpose();
 }
 
+void FinalGather::look(const Vec3& point, const Vec3& normal, const Sight& sight) const {
+  const GatherScene& scene = implementation_->scene;
+  const Vec3 place = point - scene.center;
+  std::vector<Vec3> corners;
+  PointGather(scene).visit({normal, normal.dot(place)}, place,
+                           [&](std::int32_t patch, std::span<const Vec3> piece) {
+                             corners.clear();
+                             for (const Vec3& corner : piece) corners.push_back(corner - place);
+                             sight(patch, corners);
+                           });
+}
+
 Index FinalGather::n_bands() const { return implementation_->scene.radiosity.rows(); }
 
 void FinalGather::Implementation::keep_within_patch(std::int32_t patch, Vec3& x) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <memory>
 #include <span>
 
@@ -32,6 +33,13 @@ class FinalGather {
   /// tells.
   [[nodiscard]] Eigen::MatrixXd irradiance(std::span<const Vec3> points, const Vec3& normal) const;
   [[nodiscard]] Index n_bands() const;
+
+  /// Takes the number of a patch, of image g of a symmetric part of n patches i + g n, and a convex
+  /// part of it with its corners relative to the point, counter-clockwise as seen from there.
+  using Sight = std::function<void(std::int32_t patch, std::span<const Vec3> piece)>;
+  /// Shows all parts of patches with radiosity that a point sees on the side of `normal` of the
+  /// plane through it, exactly as `irradiance` has them.
+  void look(const Vec3& point, const Vec3& normal, const Sight& sight) const;
 
   /// Whether two patches lie in one plane and face the same way.
   [[nodiscard]] bool are_coplanar(std::int32_t i, std::int32_t j) const;

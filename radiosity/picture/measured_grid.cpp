@@ -18,8 +18,10 @@ constexpr double kRaised = 1e-4;
 /// them in half of them at most.
 constexpr double kSurrounded = 0.5;
 
-PointPlace place_of(const Visibility& visibility, const Vec3& point, const Vec3& normal,
-                    bool has_floor) {
+}  // namespace
+
+PointPlace point_place(const Visibility& visibility, const Vec3& point, const Vec3& normal,
+                       bool has_floor) {
   const auto below = visibility.first_hit(point, -normal);
   const PointPlace if_not_inside = has_floor && !below ? PointPlace::outside : PointPlace::open;
   const auto above = visibility.first_hit(point, normal);
@@ -29,8 +31,6 @@ PointPlace place_of(const Visibility& visibility, const Vec3& point, const Vec3&
   // A solid may stand on the floor without a bottom of its own.
   return surroundings(visibility, point).backs > kSurrounded ? PointPlace::inside : if_not_inside;
 }
-
-}  // namespace
 
 MeasuredGrid measure(const FinalGather& gather, const Visibility& visibility, const PointGrid& grid,
                      bool has_floor, const Progress& progress) {
@@ -58,7 +58,7 @@ MeasuredGrid measure(const FinalGather& gather, const Visibility& visibility, co
         ++n_points;
         const Vec3 point = grid.point(k);
         PointPlace& place = result.places[static_cast<std::size_t>(k)];
-        place = place_of(visibility, point + kRaised * size * normal, normal, has_floor);
+        place = point_place(visibility, point + kRaised * size * normal, normal, has_floor);
         if (place != PointPlace::open) continue;
         kept.push_back(k);
         points.push_back(point);
@@ -85,8 +85,14 @@ GridSummary summary(const std::vector<PointPlace>& places, const Eigen::VectorXd
     if (place == PointPlace::inside) ++result.n_inside;
     if (place == PointPlace::outside) ++result.n_outside;
     if (place != PointPlace::open) continue;
-    result.least = result.n == 0 ? values[k] : std::min(result.least, values[k]);
-    result.greatest = result.n == 0 ? values[k] : std::max(result.greatest, values[k]);
+    if (result.n == 0 || values[k] < result.least) {
+      result.least = values[k];
+      result.least_at = k;
+    }
+    if (result.n == 0 || values[k] > result.greatest) {
+      result.greatest = values[k];
+      result.greatest_at = k;
+    }
     result.mean += values[k];
     ++result.n;
   }

@@ -17,6 +17,11 @@ enum class PointPlace {
   outside  ///< beyond the floor, if there is one
 };
 
+/// The place of a point with a unit normal. It should be a little above what it may lie on.
+/// `has_floor`: whether one with nothing behind it is outside.
+PointPlace point_place(const Visibility& visibility, const Vec3& point, const Vec3& normal,
+                       bool has_floor);
+
 /// The light on a grid of points.
 struct MeasuredGrid {
   PointGrid grid;
@@ -39,6 +44,8 @@ struct GridSummary {
   double mean = 0;  ///< of equal cells; 0 if there are none
   double least = 0;
   double greatest = 0;
+  Index least_at = -1;  ///< the first point that has the least; -1 if there are none
+  Index greatest_at = -1;
 
   /// Uniformity U_0, and the diversity's inverse; 0 in darkness.
   [[nodiscard]] double least_to_mean() const { return mean > 0 ? least / mean : 0; }

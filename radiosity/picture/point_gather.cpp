@@ -63,6 +63,14 @@ void PointGather::gather(const HalfSpace& plane, std::span<GatherPoint> points,
   resolve(source, 0);
 }
 
+void PointGather::visit(const HalfSpace& plane, const Vec3& point, const PieceVisitor& visitor) {
+  visitor_ = &visitor;
+  Eigen::MatrixXd unused;
+  std::array<GatherPoint, 1> points = {GatherPoint{point, 0}};
+  gather(plane, points, unused);
+  visitor_ = nullptr;
+}
+
 PointGather::Source PointGather::make_source(std::span<GatherPoint> points) const {
   const Vec3 u = plane_.normal.unitOrthogonal();
   const Vec3 v = plane_.normal.cross(u);
@@ -231,6 +239,13 @@ void PointGather::add_partial(const Target& target, const Source& source) {
       if (blocking == Blocking::some) ++n_shadows_;
     }
     if (is_hidden) continue;
+    if (visitor_ != nullptr) {
+      const std::span<const Shadow> shadows(shadows_.data(), n_shadows_);
+      for (const ConvexPolygon& piece : cutter_.visible_parts(point.position, part, shadows)) {
+        (*visitor_)(target.patch, piece.points());
+      }
+      continue;
+    }
     const double whole = facing_point_to_polygon(point.position, plane_.normal, part.points());
     add(target.patch,
         cutter_.visible_part(point.position, plane_.normal, part, whole,
@@ -257,6 +272,10 @@ void PointGather::add_visible(const Target& target, const Source& source) {
   if (order > RectangleInterpolation::kLargestOrder || !pays || !is_in_front) {
     for (const GatherPoint& point : source.points) {
       if (is_behind(point.position, target.patch)) continue;
+      if (visitor_ != nullptr) {
+        (*visitor_)(target.patch, part.points());
+        continue;
+      }
       add(target.patch, facing_point_to_polygon(point.position, plane_.normal, part.points()),
           point.column);
     }

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <deque>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -42,6 +43,11 @@ class PointGather {
 
   /// Adds the irradiance of the points, which are reordered, to their columns, n_bands rows.
   void gather(const HalfSpace& plane, std::span<GatherPoint> points, Eigen::MatrixXd& irradiance);
+
+  /// Takes the number of a patch and a convex part of it.
+  using PieceVisitor = std::function<void(std::int32_t patch, std::span<const Vec3> piece)>;
+  /// Visits all that a single point of the plane sees in front of it of patches that are not dark.
+  void visit(const HalfSpace& plane, const Vec3& point, const PieceVisitor& visitor);
 
  private:
   /// A patch, or its part in front of the points, and what may hide it: a range of a level's
@@ -91,6 +97,7 @@ class PointGather {
   const GatherScene& scene_;
   HalfSpace plane_{};
   Eigen::MatrixXd* irradiance_ = nullptr;
+  const PieceVisitor* visitor_ = nullptr;  // takes the pieces in place of the irradiance
   std::vector<ConvexPolygon> clipped_;
   std::deque<Level> levels_;  // does not move them as it grows
   std::array<Nodes, RectangleInterpolation::kLargestOrder + 1> nodes_;

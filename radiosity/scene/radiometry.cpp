@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "radiosity/scene/black_body.h"
+#include "radiosity/scene/patch_heat.h"
 
 namespace radiosity {
 namespace {
@@ -28,6 +29,11 @@ bool is_given_heat(const Material& material) {
          material.emission.kind == Emission::Kind::heat_power;
 }
 
+/// M_e of a black body in each band, W/m².
+Eigen::VectorXd black_exitance(double kelvin, const Bands& bands) {
+  return kStefanBoltzmann * std::pow(kelvin, 4) * thermal_fractions(bands, kelvin);
+}
+
 /// M_e of a surface of the given material and total area, per band.
 Eigen::VectorXd surface_exitance(const Material& material, double area, const Bands& bands) {
   const Emission& emission = material.emission;
@@ -44,10 +50,9 @@ Eigen::VectorXd surface_exitance(const Material& material, double area, const Ba
     case Emission::Kind::heat_flux:
       return emission.value;
     case Emission::Kind::temperature:
-      return kStefanBoltzmann * std::pow(emission.value[0], 4) *
-             (1 - material.reflectance.array())
-                 .matrix()
-                 .cwiseProduct(thermal_fractions(bands, emission.value[0]));
+      return (1 - material.reflectance.array())
+          .matrix()
+          .cwiseProduct(black_exitance(emission.value[0], bands));
   }
   return Eigen::VectorXd::Zero(bands.count());
 }
@@ -75,13 +80,6 @@ double shield_share(const Scene& scene, const PatchMesh& mesh, Index i) {
 
 }  // namespace
 
-int material_of(const Scene& scene, const PatchMesh& mesh, Index patch) {
-  const Surface& surface = surface_of(scene, mesh, patch);
-  // Fronts come before their backs.
-  const bool is_back = mesh.twin[patch] >= 0 && mesh.twin[patch] < patch;
-  return is_back && surface.back_material >= 0 ? surface.back_material : surface.material;
-}
-
 Eigen::MatrixXd exitance(const Scene& scene, const PatchMesh& mesh) {
   std::map<std::pair<std::int32_t, int>, Eigen::VectorXd> values;
   for (const auto& [key, area] : material_areas(scene, mesh)) {
@@ -103,6 +101,14 @@ Eigen::MatrixXd exitance(const Scene& scene, const PatchMesh& mesh) {
     const double own = grey_emissivity(scene, mesh, i);
     const double both = own + grey_emissivity(scene, mesh, twin);
     result.row(i) = (both > 0 ? own / both : 0.) * (given.row(i) + given.row(twin));
+  }
+  const PatchHeat heat = patch_heat(scene, mesh);
+  for (Index i = 0; i < mesh.size() && !heat.empty(); ++i) {
+    if (!std::isnan(heat.heat_flux[i])) result(i, 0) = heat.heat_flux[i];
+    if (std::isnan(heat.temperature[i])) continue;
+    const auto& reflectance = scene.materials[material_of(scene, mesh, i)].reflectance.array();
+    result.row(i) =
+        (1 - reflectance).matrix().cwiseProduct(black_exitance(heat.temperature[i], scene.bands));
   }
   return result;
 }
@@ -126,6 +132,12 @@ Eigen::MatrixXd reflectance(const Scene& scene, const PatchMesh& mesh) {
     } else if (is_given_heat(material)) {
       result.row(i).setOnes();
     }
+  }
+  const PatchHeat heat = patch_heat(scene, mesh);
+  for (Index i = 0; i < mesh.size() && !heat.empty(); ++i) {
+    if (!std::isnan(heat.heat_flux[i])) result.row(i).setOnes();
+    if (std::isnan(heat.temperature[i])) continue;
+    result.row(i) = scene.materials[material_of(scene, mesh, i)].reflectance.transpose();
   }
   return result;
 }

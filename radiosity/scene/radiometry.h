@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include "radiosity/scene/patch_material.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/scene.h"
 
@@ -11,15 +12,13 @@ namespace radiosity {
 /// Stefan-Boltzmann constant, W/(m² K⁴) (CODATA 2018).
 inline constexpr double kStefanBoltzmann = 5.670374419e-8;
 
-/// Index of the material of a patch: backs may have one of their own.
-int material_of(const Scene& scene, const PatchMesh& mesh, Index patch);
-
 /// Radiant exitance M_e that each patch emits by itself, W/m², n_patches x n_bands.
 /// From radiance L: M_e = π L. From the power Φ of a surface of total emitting area A (both sides
 /// if two-sided): M_e = Φ / A. From temperature T: M_e = (1 - ρ) f σ T⁴ with the share f of the
 /// band (thermal_fractions; 1 if it is one grey band). A patch whose net heat q = B - H is given
 /// has M_e = q, which may be negative, and the reflectance 1; sides of a shield have their shares
-/// of the heat given to both. Each times the surface's `emission_factor`.
+/// of the heat given to both. Each times the surface's `emission_factor`. Temperatures and net
+/// heats of single patches (patch_heat) count in place of all that.
 Eigen::MatrixXd exitance(const Scene& scene, const PatchMesh& mesh);
 
 /// What leaves each patch before light is exchanged, M_e + ρ E, W/m², n x k, with irradiance E from

@@ -8,8 +8,12 @@
 #include <vector>
 
 #include "radiosity/base/geometry.h"
+#include "radiosity/scene/given_heat.h"
 #include "radiosity/scene/luminaire.h"
 #include "radiosity/scene/photometry.h"
+#include "radiosity/scene/glazing.h"
+#include "radiosity/scene/sky.h"
+#include "radiosity/scene/light_plan.h"
 #include "radiosity/scene/sun.h"
 #include "radiosity/scene/symmetry.h"
 
@@ -65,6 +69,9 @@ struct Material {
   std::string name;
   Eigen::VectorXd reflectance;
   Emission emission;
+  /// If it is a pane: what that lets through of the sun and the sky.
+  std::optional<Glazing> glazing = {};
+  double maintenance_factor = 1;  ///< of its lamps, (0, 1]: LightPlan
 };
 
 /// A named set of polygons that share a material.
@@ -115,16 +122,19 @@ struct Scene {
   /// What comes in wherever a patch sees no other and no back: of radiance, exitance or temperature
   /// (of a black one).
   Emission environment;
+  std::vector<GivenHeat> given_heat;  ///< of single patches or polygons
   /// How far a coordinate may be off what was meant, for its last digits were rounded away: half a
   /// unit in the last place of the file, m. 0 = exact but for the rounding of `double`.
   double precision = 0;
   std::optional<Sun> sun;
   std::vector<Photometry> photometries;  ///< of luminaires
   std::vector<Luminaire> luminaires;     ///< no two of one name
+  std::optional<Sky> sky;
   std::optional<Camera> camera;
   std::vector<View> views;            ///< other cameras, no two of one name
   Symmetry symmetry;                  ///< the polygons are a part of a whole, if there is any
   std::optional<bool> closed;         ///< as declared by the user; absent = to be found out
+  LightPlan light_plan;               ///< what is to be measured
   std::vector<std::string> warnings;  ///< what the reader noticed and the user should know
 
   [[nodiscard]] Index n_polygons() const { return static_cast<Index>(polygon_surface.size()); }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "radiosity/base/error.h"
+#include "radiosity/scene/patch_heat.h"
 #include "radiosity/scene/radiometry.h"
 #include "radiosity/solve/surface_flux.h"
 
@@ -14,8 +15,12 @@ namespace {
 /// σ T⁴ below 0 by less than this share of B and H is rounding, or what the iteration leaves.
 constexpr double kColdRounding = 1e-6;
 
-bool is_given_heat(const Scene& scene, const PatchMesh& mesh, Index patch) {
+/// `single` is what is given to patches by themselves.
+bool is_given_heat(const Scene& scene, const PatchMesh& mesh, const PatchHeat& single,
+                   Index patch) {
   if (scene.surfaces[mesh.surface[patch]].is_shield) return true;
+  if (!single.empty() && !std::isnan(single.heat_flux[patch])) return true;
+  if (!single.empty() && !std::isnan(single.temperature[patch])) return false;
   const Emission::Kind kind = scene.materials[material_of(scene, mesh, patch)].emission.kind;
   return kind == Emission::Kind::heat_flux || kind == Emission::Kind::heat_power;
 }
@@ -24,8 +29,9 @@ bool is_given_heat(const Scene& scene, const PatchMesh& mesh, Index patch) {
 /// each emits.
 void add_heat(const Scene& scene, const PatchMesh& mesh, const Eigen::VectorXd& added,
               Conditions& conditions) {
+  const PatchHeat single = patch_heat(scene, mesh);
   for (Index i = 0; i < mesh.size(); ++i) {
-    if (!is_given_heat(scene, mesh, i)) continue;
+    if (!is_given_heat(scene, mesh, single, i)) continue;
     const Index twin = mesh.twin[i];
     if (!scene.surfaces[mesh.surface[i]].is_shield || twin < 0) {
       conditions.exitance(i, 0) += added[i];
@@ -39,8 +45,9 @@ void add_heat(const Scene& scene, const PatchMesh& mesh, const Eigen::VectorXd& 
 
 void require_grey_where_heat_is_given(const Scene& scene, const PatchMesh& mesh) {
   if (scene.bands.kind == Bands::Kind::grey) return;
+  const PatchHeat single = patch_heat(scene, mesh);
   for (Index i = 0; i < mesh.size(); ++i) {
-    if (!is_given_heat(scene, mesh, i)) continue;
+    if (!is_given_heat(scene, mesh, single, i)) continue;
     throw SceneError("surface '" + mesh.surface_names[mesh.surface[i]] +
                      "': heat or a shield in a scene whose bands are not grey; its temperature "
                      "would couple them");

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <charconv>
 
+#include "radiosity/base/error.h"
 #include "radiosity/scene/color_matching.h"
 
 namespace radiosity {
@@ -27,6 +28,7 @@ constexpr std::array kInfos = {
     QuantityInfo{power, "power", "power", "W", kBanded, kAdditive},
     QuantityInfo{reflectance, "reflectance", "reflectance", "", kBanded, kIntensity},
     QuantityInfo{error, "error", "radiosity_error", "W/m²", kBanded, kIntensity},
+    QuantityInfo{temperature, "temperature", "surface_temperature", "K", kBanded, kIntensity},
     QuantityInfo{luminance, "luminance", "luminance", "cd/m²", kPhotometric, kIntensity},
     QuantityInfo{illuminance, "illuminance", "illuminance", "lux", kPhotometric, kIntensity},
     QuantityInfo{luminous_exitance, "luminous-exitance", "luminous_exitance", "lm/m²", kPhotometric,
@@ -84,6 +86,9 @@ Eigen::MatrixXd band_values(Quantity quantity, const PatchMesh& mesh, const Solu
       return solution.reflectance;
     case error:
       return solution.radiosity_error;
+    case temperature:
+      if (solution.temperature.size() > 0) return solution.temperature;
+      throw SolveError("temperatures are known only where the light is heat in one grey band");
   }
   return {};
 }

@@ -26,6 +26,7 @@ enum class Quantity {
   power,              ///< A B, what leaves the patch
   reflectance,        ///< ρ
   error,              ///< one standard error of B
+  temperature,        ///< what patches are at, K; of one grey band of heat only
   luminance,          ///< of L
   illuminance,        ///< of H
   luminous_exitance,  ///< of B: all light that leaves, as photometry uses the word
@@ -80,6 +81,7 @@ struct QuantityField {
   Eigen::MatrixXd values;  ///< n_patches x n_bands; x 1 if photometric
 };
 
+/// Throws SolveError for temperatures of a solution that has none.
 QuantityField make_field(Quantity quantity, const PatchMesh& mesh, const Solution& solution,
                          const Bands& bands, double efficacy = kWhiteEfficacy);
 

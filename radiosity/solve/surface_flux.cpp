@@ -6,6 +6,7 @@ namespace radiosity {
 
 bool is_thermal(const Scene& scene) {
   if (scene.bands.hold_heat() && scene.bands.kind != Bands::Kind::grey) return true;
+  if (!scene.given_heat.empty()) return true;
   const auto is_hot = [](const Emission& emission) {
     return emission.kind == Emission::Kind::temperature ||
            emission.kind == Emission::Kind::heat_flux ||

@@ -27,14 +27,14 @@ double largest_gap(const RowSums& sums) {
   return sums.mask.cwiseProduct(sums.wanted - sums.present).cwiseAbs().maxCoeff();
 }
 
+}  // namespace
+
 TransportOptions assembly_options(const StreamOptions& options) {
   return {.tolerance = options.tolerance,
           .closed = options.closed,
           .seed = options.seed,
           .progress = options.progress};
 }
-
-}  // namespace
 
 Fingerprint stream_fingerprint(const PatchMesh& mesh, const StreamOptions& options) {
   Fingerprint fingerprint;
@@ -126,6 +126,14 @@ void StreamedFactors::balance(RowSums& sums) {
 void StreamedFactors::for_each_row(const RowVisitor& visit) const {
   stream_rows(*balance_, store_.layout(), mesh_.area, visit,
               {.memory = options_.buffers, .progress = options_.progress});
+}
+
+Eigen::VectorXd row_error_of(const StreamedFactors& factors, Index row) {
+  Eigen::VectorXd result;
+  factors.for_each_row([&](Index i, const Eigen::VectorXd& /*row*/, const Eigen::VectorXd& error) {
+    if (i == row) result = error;
+  });
+  return result;
 }
 
 }  // namespace radiosity

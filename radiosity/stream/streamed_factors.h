@@ -35,6 +35,9 @@ struct DroppedFactors {
 /// Identifies a computation: a hash of the patches and of all options that change the result.
 Fingerprint stream_fingerprint(const PatchMesh& mesh, const StreamOptions& options);
 
+/// What the assembly of the tiles takes.
+TransportOptions assembly_options(const StreamOptions& options);
+
 /// Form factors of any number of patches: the exchange areas go to a tile store as they are
 /// computed and come back row by row, in float64. Same input, same bits, at any number of threads,
 /// however little the memory and however often the work was stopped and resumed. The row sums are
@@ -71,5 +74,8 @@ class StreamedFactors {
   std::optional<StoredClosure> closure_;
   std::optional<StoredBalance> balance_;
 };
+
+/// The standard errors of one row, n.
+Eigen::VectorXd row_error_of(const StreamedFactors& factors, Index row);
 
 }  // namespace radiosity

@@ -12,8 +12,8 @@ WorkStamp stamp_of(std::uint64_t fingerprint) {
   return {{'R', 'A', 'D', 'T', 'I', 'L', 'E', '1'}, fingerprint};
 }
 
-/// In place of an offset, for a tile that is wholly 0. (Records start beyond the header.)
-constexpr std::uint64_t kZeroTile = 1;
+/// With the offset of a tile that is wholly 0.
+constexpr std::uint64_t kZeroTile = std::uint64_t{1} << 63U;
 
 constexpr const char* kLostEnd = "the work file has been cut off by another program";
 
@@ -60,7 +60,8 @@ void TileStore::put(ExchangeTile tile) {
 
 void TileStore::note(const RecordHeader& header, std::uint64_t offset) {
   const bool is_zero = header.n_certain == 0 && header.n_uncertain == 0;
-  offsets_[Strips::tile(header.row_strip, header.column_strip)] = is_zero ? kZeroTile : offset;
+  offsets_[Strips::tile(header.row_strip, header.column_strip)] =
+      is_zero ? offset | kZeroTile : offset;
   n_uncertain_ += header.n_uncertain;
 }
 
@@ -79,7 +80,7 @@ ExchangeTile TileStore::tile(Index row_strip, Index column_strip) const {
   const Index rows = layout_->strips.rows(row_strip);
   const Index columns = layout_->strips.rows(column_strip);
   const std::uint64_t offset = offsets_[Strips::tile(row_strip, column_strip)];
-  if (offset == kZeroTile) {
+  if ((offset & kZeroTile) != 0) {
     return {row_strip, column_strip, Eigen::MatrixXd::Zero(rows, columns), {}, {}};
   }
   const std::vector<std::byte> record = read_record(offset);
@@ -87,10 +88,17 @@ ExchangeTile TileStore::tile(Index row_strip, Index column_strip) const {
   return decode_tile(record, rows, columns);
 }
 
+std::vector<std::byte> TileStore::record(Index row_strip, Index column_strip) const {
+  std::vector<std::byte> record =
+      read_record(offsets_[Strips::tile(row_strip, column_strip)] & ~kZeroTile);
+  if (record.empty()) throw OutputError(kLostEnd);
+  return record;
+}
+
 TileStore::UncertainPart TileStore::uncertain_part(Index row_strip, Index column_strip) const {
   const std::uint64_t offset = offsets_[Strips::tile(row_strip, column_strip)];
   UncertainPart part;
-  if (offset == kZeroTile) return part;
+  if ((offset & kZeroTile) != 0) return part;
   RecordHeader header;
   bool is_read = file_.read(offset, std::as_writable_bytes(std::span(&header, 1)));
   part.entries.resize(header.n_uncertain);

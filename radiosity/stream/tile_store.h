@@ -51,6 +51,9 @@ class TileStore final : public TileSink {
   /// Reads only the uncertain entries of a tile; likewise.
   [[nodiscard]] UncertainPart uncertain_part(Index row_strip, Index column_strip) const;
 
+  /// The bytes that the file has of a tile that was put.
+  [[nodiscard]] std::vector<std::byte> record(Index row_strip, Index column_strip) const;
+
   /// Removes the file.
   void remove() const { file_.remove(); }
 
@@ -63,7 +66,7 @@ class TileStore final : public TileSink {
   Progress progress_;
   std::optional<TileLayout> layout_;
   std::optional<TileTotals> totals_;
-  std::vector<std::uint64_t> offsets_;  // per tile; 0 = not there yet
+  std::vector<std::uint64_t> offsets_;  // per tile, and kZeroTile; 0 = not there yet
   std::atomic<std::int64_t> n_uncertain_ = 0;
 };
 

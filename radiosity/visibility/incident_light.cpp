@@ -3,54 +3,76 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "radiosity/base/error.h"
 #include "radiosity/scene/radiometry.h"
 #include "radiosity/visibility/luminaire_light.h"
+#include "radiosity/visibility/sky_light.h"
 #include "radiosity/visibility/sun_shadows.h"
 
 namespace radiosity {
 
 namespace {
 
-/// The sun with its shadows.
-struct SunLight {
-  SunLight(const Sun& given, const PatchMesh& mesh) : sun(given), shadows(mesh, given.direction) {}
-
-  void add(const Vec3& point, const Vec3& normal, Eigen::Ref<Eigen::VectorXd> irradiance) const {
-    if (!shadows.is_lit(point, normal)) return;
-    irradiance += shadows.cosine(normal) * sun.irradiance;
+/// Adds what patches get of one source to that of the others.
+void add_source(const Eigen::MatrixXd& of_source, Eigen::MatrixXd& sum) {
+  if (sum.size() == 0) {
+    sum = of_source;
+  } else {
+    sum += of_source;
   }
-  [[nodiscard]] Eigen::MatrixXd irradiance(const PatchMesh& mesh, const Progress& progress) const {
-    const Eigen::VectorXd shares = shadows.lit_shares(progress);
-    Eigen::MatrixXd result(mesh.size(), sun.irradiance.size());
-    for (Index i = 0; i < mesh.size(); ++i) {
-      const double section = shadows.cosine(mesh.normal[i]) * shares[i];
-      result.row(i) = section * sun.irradiance.transpose();
-    }
-    return result;
-  }
+}
 
-  Sun sun;
-  SunShadows shadows;
-};
+/// What a scene's panes let through of a beam, by their kind.
+SunShadows::PaneFactor pane_factor(const Scene& scene) {
+  std::vector<Glazing> glazings;
+  for (const Material& material : scene.materials) {
+    glazings.push_back(material.glazing.value_or(Glazing{}));
+  }
+  return [glazings](int kind, double cosine) {
+    return glazings[static_cast<std::size_t>(kind)].at(cosine);
+  };
+}
+
+Eigen::MatrixXd sun_irradiance(const Scene& scene, const PatchMesh& mesh,
+                               const Progress& progress) {
+  const Sun& sun = *scene.sun;
+  const SunShadows shadows(mesh, sun.direction, panes_of(scene, mesh));
+  Eigen::MatrixXd result =
+      shadows.shares_through_panes(sun.irradiance.size(), pane_factor(scene), progress);
+  for (Index i = 0; i < mesh.size(); ++i) {
+    const double section = shadows.cosine(mesh.normal[i]);
+    result.row(i).array() *= section * sun.irradiance.transpose().array();
+  }
+  return result;
+}
 
 }  // namespace
 
-/// Each is there if the scene has it.
 struct IncidentLight::Sources {
-  std::optional<SunLight> sun;
+  struct OfSun {
+    Sun sun;
+    SunShadows shadows;
+    SunShadows::PaneFactor panes;
+  };
+  std::optional<OfSun> sun;
+  std::optional<SkyLight> sky;
   std::optional<LuminaireLight> luminaires;
 };
 
 bool has_incident_light(const Scene& scene) {
-  return scene.sun.has_value() || !scene.luminaires.empty();
+  return scene.sun.has_value() || scene.sky.has_value() || !scene.luminaires.empty();
 }
 
 IncidentLight::IncidentLight(const Scene& scene, const PatchMesh& mesh) {
   if (!has_incident_light(scene)) return;
   auto sources = std::make_shared<Sources>();
-  if (scene.sun) sources->sun.emplace(*scene.sun, mesh);
+  if (scene.sun) {
+    sources->sun.emplace(*scene.sun, SunShadows(mesh, scene.sun->direction, panes_of(scene, mesh)),
+                         pane_factor(scene));
+  }
+  if (scene.sky) sources->sky.emplace(scene, mesh);
   if (!scene.luminaires.empty()) sources->luminaires.emplace(scene, mesh);
   sources_ = std::move(sources);
 }
@@ -58,7 +80,12 @@ IncidentLight::IncidentLight(const Scene& scene, const PatchMesh& mesh) {
 void IncidentLight::add(const Vec3& point, const Vec3& normal,
                         Eigen::Ref<Eigen::VectorXd> irradiance) const {
   if (!sources_) return;
-  if (sources_->sun) sources_->sun->add(point, normal, irradiance);
+  if (sources_->sun && sources_->sun->shadows.is_lit(point, normal)) {
+    const auto& [sun, shadows, panes] = *sources_->sun;
+    const Eigen::VectorXd through = shadows.factor_at(point, normal, sun.irradiance.size(), panes);
+    irradiance += shadows.cosine(normal) * sun.irradiance.cwiseProduct(through);
+  }
+  if (sources_->sky) irradiance += sources_->sky->at(point, normal).sum();
   if (sources_->luminaires) sources_->luminaires->add(point, normal, irradiance);
 }
 
@@ -70,11 +97,14 @@ Eigen::MatrixXd incident_irradiance(const Scene& scene, const PatchMesh& mesh,
                                     const Progress& progress) {
   if (!has_incident_light(scene)) return {};
   if (!scene.symmetry.is_none()) {
-    throw SolveError("a sun or a luminaire does not shine on all images of a part");
+    throw SolveError("a sun, a sky or a luminaire does not shine on all images of a part");
   }
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(mesh.size(), scene.bands.count());
-  if (scene.sun) result += SunLight(*scene.sun, mesh).irradiance(mesh, progress);
-  if (!scene.luminaires.empty()) result += LuminaireLight(scene, mesh).irradiance(progress);
+  Eigen::MatrixXd result;
+  if (scene.sun) add_source(sun_irradiance(scene, mesh, progress), result);
+  if (scene.sky) add_source(SkyLight(scene, mesh).on_patches(progress).irradiance, result);
+  if (!scene.luminaires.empty()) {
+    add_source(LuminaireLight(scene, mesh).irradiance(progress), result);
+  }
   return result;
 }
 

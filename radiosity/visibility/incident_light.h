@@ -10,8 +10,9 @@
 namespace radiosity {
 
 /// Light that comes straight from what is no surface of the scene, with exact shadows: the sun, E =
-/// E_n cosθ where it shines (SunShadows), and luminaires, E = I cosθ / d² (LuminaireLight). Copies
-/// share what they hold; immutable, and may be used by many threads.
+/// E_n cosθ where it shines (SunShadows), the sky with its ground (SkyLight), and luminaires, E = I
+/// cosθ / d² (LuminaireLight). Copies share what they hold; immutable, and may be used by many
+/// threads.
 class IncidentLight {
  public:
   /// Of nothing: dark.
@@ -35,10 +36,10 @@ Eigen::VectorXd lit_shares(const PatchMesh& mesh, const Vec3& direction,
 /// Whether a scene has any such source.
 bool has_incident_light(const Scene& scene);
 
-/// The mean of IncidentLight on each patch, n_patches x n_bands, W/m², exactly: of the sun E = E_n
-/// cosθ · lit share, of luminaires the flux through the lit parts over the area; empty if the scene
-/// has no such source. (1 - ρ) E is what the patch absorbs of
-/// it before any reflection. Throws Interrupted, and SolveError for a scene with a symmetry.
+/// The mean of IncidentLight on each patch, n_patches x n_bands, W/m², of the sun exactly: E = E_n
+/// cosθ · lit share, of luminaires too: the flux through the lit parts over the area; of the sky by
+/// SkyLight::on_patches. Empty if the scene has no such source. (1 - ρ) E is what the patch absorbs
+/// of it before any reflection. Throws Interrupted, and SolveError for a scene with a symmetry.
 Eigen::MatrixXd incident_irradiance(const Scene& scene, const PatchMesh& mesh,
                                     const Progress& progress = {});
 

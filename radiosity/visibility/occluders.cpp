@@ -342,4 +342,14 @@ void drop_covered_occluders(std::vector<Occluder>& occluders, double thickness) 
   occluders = std::move(kept);
 }
 
+std::vector<Occluder> occluders_of_kind(const PatchMesh& mesh, std::span<const int> kinds, int kind,
+                                        double thickness) {
+  std::vector<std::int32_t> patches;
+  for (std::int32_t i = 0; i < static_cast<std::int32_t>(mesh.size()); ++i) {
+    if (!kinds.empty() && kinds[static_cast<std::size_t>(i)] != kind) continue;
+    if (mesh.twin[i] < 0 || i < mesh.twin[i]) patches.push_back(i);
+  }
+  return patches.empty() ? std::vector<Occluder>() : make_occluders(mesh, patches, thickness);
+}
+
 }  // namespace radiosity

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "radiosity/base/geometry.h"
@@ -22,6 +23,11 @@ struct Occluder {
 /// points may be and still count as on it, m.
 std::vector<Occluder> make_occluders(const PatchMesh& mesh,
                                      const std::vector<std::int32_t>& patches, double thickness);
+
+/// The occluders of one kind of patches, of which `kinds` has one number per patch, or of all if it
+/// is empty; of each pair of twins one. None if there are no such patches.
+std::vector<Occluder> occluders_of_kind(const PatchMesh& mesh, std::span<const int> kinds, int kind,
+                                        double thickness);
 
 /// Leaves out the occluders that lie within another one, such as one of two walls back to back.
 void drop_covered_occluders(std::vector<Occluder>& occluders, double thickness);

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
+#include <span>
 #include <vector>
 
 #include "radiosity/base/box_tree.h"
@@ -19,7 +21,20 @@ namespace radiosity {
 class SunShadows {
  public:
   /// `direction` is the one in which light travels, of unit length. The mesh must outlive this.
-  SunShadows(const PatchMesh& mesh, const Vec3& direction);
+  /// `pane` tells of each patch which kind of pane it is, -1 = none; empty: none is. Panes do not
+  /// block.
+  SunShadows(const PatchMesh& mesh, const Vec3& direction, std::span<const int> pane = {});
+
+  /// What a kind of pane lets through at a cosine from its normal, one value per band.
+  using PaneFactor = std::function<Eigen::VectorXd(int kind, double cosine)>;
+  /// The day-lit share of each patch's area times what panes on the way let through, n_patches x
+  /// n_bands.
+  [[nodiscard]] Eigen::MatrixXd shares_through_panes(Index n_bands, const PaneFactor& factor,
+                                                     const Progress& progress = {}) const;
+  /// What panes let through of the beam that a point on a surface with that normal gets if it is
+  /// lit, n_bands.
+  [[nodiscard]] Eigen::VectorXd factor_at(const Vec3& point, const Vec3& normal, Index n_bands,
+                                          const PaneFactor& factor) const;
 
   /// The day-lit share of each patch's area, n_patches, in [0, 1]; 0 where the emitting side is
   /// turned away or along the beam. Same input, same bits, at any number of threads. Throws
@@ -42,7 +57,21 @@ class SunShadows {
   /// What an occluder hides of what lies in a plane, across the beam; empty if nothing.
   [[nodiscard]] FlatPolygon shadow_on(const Occluder& occluder, const Vec3& on_plane,
                                       const Vec3& normal) const;
+  /// The lit parts of a patch, across the beam, and the area of all of it.
+  struct Lit {
+    std::vector<FlatPolygon> parts;
+    double area = 0;
+    bool is_cut = false;
+  };
+  [[nodiscard]] Lit lit_parts(Index patch) const;
   [[nodiscard]] double lit_share(Index patch) const;
+  [[nodiscard]] bool is_in_plane(const Occluder& occluder, Index patch) const;
+  /// Whether a point meets the occluder on its way to the sun.
+  [[nodiscard]] bool meets(const Occluder& occluder, const Vec3& x, double cosine_there) const;
+  /// Adds the areas of parts times the factors of the panes from the first on.
+  void add_through(Index patch, std::vector<FlatPolygon> parts, std::size_t first,
+                   const Eigen::VectorXd& so_far, const PaneFactor& factor,
+                   Eigen::VectorXd& sum) const;
 
   const PatchMesh& mesh_;
   Vec3 center_;
@@ -53,6 +82,11 @@ class SunShadows {
   double top_ = 0;                   // along the beam, of all that blocks
   std::vector<Occluder> occluders_;  // relative to the centre
   BoxTree tree_;                     // of them, in the beam's frame
+  struct Pane {
+    Occluder occluder;
+    int kind;
+  };
+  std::vector<Pane> panes_;
 };
 
 }  // namespace radiosity

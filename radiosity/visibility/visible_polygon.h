@@ -20,7 +20,8 @@ class ShadowCutter {
   double visible_part(const Vec3& point, const Vec3& normal, const ConvexPolygon& target,
                       double whole, std::span<const Shadow> shadows);
 
-  /// Those parts themselves, convex and without overlap, valid until the next call.
+  /// The convex parts of `target` that lie in none of the shadows as seen from `point`, valid until
+  /// the next call.
   std::span<const ConvexPolygon> visible_parts(const Vec3& point, const ConvexPolygon& target,
                                                std::span<const Shadow> shadows);
 

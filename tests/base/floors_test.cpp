@@ -25,6 +25,7 @@ const std::vector<std::string> kFloors = {"radiosity/base",
                                           "radiosity/compressed",
                                           "radiosity/stream",
                                           "radiosity/picture",
+                                          "radiosity/meter",
                                           "radiosity",
                                           "meshing/base",
                                           "meshing/patches",
@@ -52,6 +53,7 @@ const std::vector<std::string> kFloors = {"radiosity/base",
                                           "apps/options",
                                           "apps/run",
                                           "apps/summary",
+                                          "apps/report",
                                           "apps/commands"};
 
 struct Source {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cfenv>
 #include <chrono>
 #include <stdexcept>
 #include <thread>
@@ -25,6 +26,20 @@ TEST(ParallelFor, WithinAnotherThatFailsIsDoneOrThrows) {
     };
     EXPECT_THROW(parallel_for(8, outer), std::runtime_error);
     EXPECT_EQ(n_unfinished, 0);
+  }
+}
+
+// Whoever was the first to use TBB, and however that one rounded.
+TEST(ParallelFor, RoundsAsItsCallerDoes) {
+  const int before = std::fegetround();
+  for (const int mode : {FE_UPWARD, FE_TONEAREST, FE_DOWNWARD}) {
+    std::fesetround(mode);
+    std::atomic<int> n_other = 0;
+    parallel_for(1000, [&](std::ptrdiff_t) {
+      if (std::fegetround() != mode) ++n_other;
+    });
+    std::fesetround(before);
+    EXPECT_EQ(n_other, 0) << mode;
   }
 }
 

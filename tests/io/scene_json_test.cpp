@@ -486,12 +486,20 @@ TEST(SceneSchema, ListsTheKeysOfTheReader) {
   expect_keys("sun", io::keys::kSun);
   expect_keys("luminaire", io::keys::kLuminaire);
   expect_keys("luminaire_array", io::keys::kLuminaireArray);
+  expect_keys("sky", io::keys::kSky);
+  expect_keys("perez", io::keys::kPerez);
+  expect_keys("weather", io::keys::kWeather);
+  expect_keys("distribution", io::keys::kDistribution);
+  expect_keys("glazing", io::keys::kGlazing);
   expect_keys("bands", io::keys::kBands);
   expect_keys("solar", io::keys::kSolar);
   expect_keys("infrared", io::keys::kInfrared);
   expect_keys("symmetry", io::keys::kSymmetry);
   expect_keys("mirror", io::keys::kMirror);
   expect_keys("symmetry_rotation", io::keys::kSymmetryRotation);
+  expect_keys("grid", io::keys::kGrid);
+  expect_keys("required", io::keys::kRequired);
+  expect_keys("observer", io::keys::kObserver);
   for (const auto& unit : definitions.at("unit").at("enum")) {
     EXPECT_GT(io::metres_per_unit(unit.get<std::string>()), 0);
   }

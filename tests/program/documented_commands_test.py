@@ -92,17 +92,27 @@ def set_up(folder, sources):
     for name in ("office.json", "scene.json"):
         (folder / name).write_text(json.dumps(scene(0.5)))
     (folder / "room.gltf").write_text(json.dumps(gltf(0.5)))
+    (folder / "list.json").write_text(json.dumps(batch_list()))
     (folder / "scenarios.json").write_text(json.dumps(SCENARIOS))
+
+
+def batch_list():
+    return {"options": {"as-is": True}, "output": "of-{name}.csv",
+            "entries": [{"scene": "office.json"}, {"scene": "scene.json", "command": "inspect",
+                                                   "options": {"as-is": False}, "output": []}]}
 
 
 def reads_factors(command):
     """Whether the command reads a file that another one has written."""
-    return re.search(r"(?<!-o )\b\S+\.h5\b", command) is not None
+    return re.search(r"(?<!-o )\b\S+\.h5\b|--temperatures ", command) is not None
 
 
 def outputs_of(folder, words):
-    """Files that a command names; of scenarios there is one for each."""
+    """Files that a command names; of scenarios there is one for each, of parts that one."""
+    part = re.fullmatch(r"(\d+)/(\d+)", words[words.index("--part") + 1]) if "--part" in words else None
     named = [folder / after for word, after in zip(words, words[1:]) if word in ("-o", "--table")]
+    if part:
+        return [path.with_stem(f"{path.stem}.{part[1]}-of-{part[2]}") for path in named]
     if "--scenarios" not in words:
         return named
     return [path.with_stem(f"{path.stem}-{scenario['name']}") if path.suffix == ".vtp" else path

@@ -134,6 +134,76 @@ TEST_F(Heat, FilesTellTemperatures) {
   EXPECT_NE(outcome.out.find(" K\n"), std::string::npos) << outcome.out;
 }
 
+// What one run finds another takes as given, from either file, and comes to the same heats.
+TEST_F(Heat, TemperaturesOfAResultAreTaken) {
+  const std::string furnace = RADIOSITY_SCENES "/furnace-walls.json";
+  const auto solve_furnace = [&](Arguments more) {
+    Arguments arguments = {"solve", furnace, "--patches", "60", "--tolerance", "1e-6", "--json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return outcome.exit_code == 0 ? Json::parse(outcome.out) : Json();
+  };
+  const Json first =
+      solve_furnace({"--quantity", "temperature", "-o", result("a.csv"), "-o", result("a.vtp")});
+  ASSERT_TRUE(first.contains("quantities"));
+  EXPECT_NEAR(first["quantities"]["temperature"]["surfaces"][0]["mean"][0], 900, 1e-6);
+  EXPECT_EQ(first["quantities"]["temperature"]["unit"], "K");
+  const std::string csv = contents(result("a.csv"));
+  EXPECT_NE(csv.substr(0, csv.find('\n')).find(",T,surface_temperature_0"), std::string::npos);
+  for (const char* file : {"a.csv", "a.vtp"}) {
+    const Json again = solve_furnace({"--temperatures", result(file)});
+    ASSERT_TRUE(again.contains("surfaces"));
+    for (std::size_t s = 0; s < 3; ++s) {
+      // The iterations add up to 1e-8 of B, of which heats are a part.
+      EXPECT_NEAR(again["surfaces"][s]["net_heat"], first["surfaces"][s]["net_heat"], 0.1) << file;
+    }
+  }
+}
+
+TEST_F(Heat, CellDataOfGridsAreTaken) {
+  const std::string text = scene(
+      "", R"("m": {"emissivity": 0.5})",
+      surface(
+          "m",
+          R"("polygons": [[[0,0,0],[1,0,0],[1,1,0],[0,1,0]], [[2,0,0],[3,0,0],[3,1,0],[2,1,0]]])"));
+  const std::string grid = write_file("T.vtu", R"(<?xml version="1.0"?>
+<VTKFile type="UnstructuredGrid" version="1.0" byte_order="LittleEndian"><UnstructuredGrid>
+<Piece NumberOfPoints="8" NumberOfCells="2">
+<Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">
+0 0 0 1 0 0 1 1 0 0 1 0 2 0 0 3 0 0 3 1 0 2 1 0</DataArray></Points>
+<Cells><DataArray type="Int64" Name="connectivity" format="ascii">0 1 2 3 4 5 6 7</DataArray>
+<DataArray type="Int64" Name="offsets" format="ascii">4 8</DataArray>
+<DataArray type="UInt8" Name="types" format="ascii">9 9</DataArray></Cells>
+<CellData><DataArray type="Float64" Name="temperature" format="ascii">300 400</DataArray>
+<DataArray type="Float64" Name="heat_flux" format="ascii">7 nan</DataArray></CellData>
+</Piece></UnstructuredGrid></VTKFile>)");
+  const auto heats = [&](const char* option, const char* more) {
+    const Outcome outcome =
+        run({"solve", write_file("two.json", text), more, option, grid, "--json"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return outcome.exit_code == 0 ? Json::parse(outcome.out)["surfaces"] : Json();
+  };
+  for (const char* more : {"--as-is", "--patches=32"}) {
+    const double expected = 0.5 * (black(300) + black(400));
+    EXPECT_NEAR(heats("--temperatures", more)[0]["net_heat"], expected, 1e-9 * expected) << more;
+  }
+  EXPECT_NEAR(heats("--heat-fluxes", "--as-is")[0]["net_heat"], 7, 1e-9);
+  const Outcome both = run({"solve", write_file("two.json", text), "--as-is", "--temperatures",
+                            grid, "--heat-fluxes", grid});
+  expect_error(both, 1, "has a temperature or heat flux already");
+  expect_error(run({"solve", write_file("two.json", text), "--temperatures", grid, "-o", grid}), 2,
+               ".vtu");
+  const std::string csv = write_file("T.csv", "patch,T\n0,300\n");
+  const Outcome part =
+      run({"solve", write_file("two.json", text), "--as-is", "--temperatures", csv});
+  EXPECT_NE(part.err.find("tells of 1 of 2 patches"), std::string::npos) << part.err;
+  expect_error(run({"solve", write_file("two.json", text), "--temperatures", csv, "-o", csv}), 1,
+               "cannot be written");
+  expect_error(run({"solve", RADIOSITY_SCENES "/cornell-box.json", "--quantity", "temperature"}), 1,
+               "has no temperatures");
+}
+
 TEST_F(Heat, BadConditionsAreRefused) {
   const std::string square = R"("polygons": [[[0,0,0], [1,0,0], [1,1,0], [0,1,0]]])";
   const auto with = [&](const std::string& material, const std::string& rest = "") {

@@ -105,10 +105,11 @@ TEST_F(Quantities, ShowInTheTable) {
 
 TEST_F(Quantities, RefuseAndWarnPlainly) {
   const std::string square = write_lamp("\"rgb\"");
-  expect_error(run({"solve", square, "--quantity", "brightness"}), 2,
-               "expected one of radiance, radiosity, irradiance, exitance, incident, absorbed, "
-               "net-flux, power, "
-               "reflectance, error, luminance, illuminance, luminous-exitance, luminous-flux");
+  expect_error(
+      run({"solve", square, "--quantity", "brightness"}), 2,
+      "expected one of radiance, radiosity, irradiance, exitance, incident, absorbed, "
+      "net-flux, power, "
+      "reflectance, error, temperature, luminance, illuminance, luminous-exitance, luminous-flux");
   expect_error(run({"solve", square, "--efficacy", "0"}), 2, "expected a number above 0");
   EXPECT_NE(run({"solve", square, "--as-is", "--efficacy", "90", "--quantity", "power"})
                 .err.find("warning: --efficacy has no effect without a photometric quantity"),

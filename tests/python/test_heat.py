@@ -222,3 +222,127 @@ def test_duct_of_sides_3_4_5_with_given_fluxes(tmp_path):
         bound = 3 * lost / e.min() * black.max()
         assert light.radiosity.ravel() == pytest.approx(radiosity, abs=bound)
         assert SIGMA * light.temperature**4 == pytest.approx(black, abs=bound / e.min())
+
+
+@pytest.fixture
+def enclosure(tmp_path):
+    """An oblong room, turned, with a plate of two sides in it."""
+    materials = {
+        "wall": {"emissivity": 0.6, "temperature": 300},
+        "plate": {"emissivity": 0.8, "adiabatic": True},
+    }
+    walls = [face[::-1] for face in box([0, 0, 0], [3, 2, 1])]
+    surfaces = [
+        {"name": "walls", "material": "wall", "polygons": walls},
+        {"name": "plate", "material": "plate", "two_sided": True,
+         "polygons": [square(1, 0.5, 2, 1.5, 0.4)]},
+    ]
+    return write_scene(tmp_path, 7, surfaces, materials, closed=True)
+
+
+def test_temperatures_come_back_as_they_were_given(enclosure, tmp_path):
+    random = np.random.default_rng(5)
+    scene = rad.read_scene(enclosure)
+    n = len(rad.Study(scene, patches=60).patches)
+    kelvin = random.uniform(200, 500, n)
+    study = rad.Study(scene.with_heat(temperatures=kelvin), patches=60, tolerance=1e-5)
+    light = study.solve()
+    assert light.temperature == pytest.approx(kelvin, rel=1e-6)
+    assert study.quantity("temperature") == pytest.approx(light.temperature, rel=0)
+    # Against B = ε σT⁴ + (1 - ε) F B, all at once.
+    f = np.asarray(study.transport @ np.eye(n))
+    e = np.where(study.patches.surface == 0, 0.6, 0.8)
+    b = np.linalg.solve(np.eye(n) - (1 - e)[:, None] * f, e * SIGMA * kelvin**4)
+    assert light.radiosity.ravel() == pytest.approx(b, rel=1e-6)
+    # Files of the result give the same again; so do the heats that it tells.
+    for name in ("T.csv", "T.vtp"):
+        try:
+            study.write(tmp_path / name)
+        except rad.OutputError as error:
+            assert "without VTK" in str(error)
+            continue
+        again = rad.Study(scene.with_heat(tmp_path / name), patches=60, tolerance=1e-5).solve()
+        assert again.radiosity == pytest.approx(light.radiosity, rel=1e-6)
+    heat = light.net_flux.ravel().copy()
+    heat[0] = np.nan  # one has to have a temperature
+    given = np.full(n, np.nan)
+    given[0] = kelvin[0]
+    again = rad.Study(scene.with_heat(given, heat), patches=60, tolerance=1e-5).solve()
+    assert again.temperature == pytest.approx(kelvin, rel=1e-5)
+
+
+def test_polygons_may_be_given_instead_of_patches(enclosure, tmp_path):
+    kelvin = [250.0, 300, 350, 400, 450, 500, np.nan]
+    path = tmp_path / "T.csv"
+    rows = [f"{k},{value}" for k, value in enumerate(kelvin) if value == value]
+    path.write_text("polygon,value\n" + "\n".join(rows) + "\n")
+    scene = rad.read_scene(enclosure)
+    for source in (kelvin, path):
+        for options in ({"as_is": True}, {"patches": 90}, {"adaptive": True, "patches": 200}):
+            if "adaptive" in options and source is not path:
+                continue  # these may be of patches
+            study = rad.Study(scene.with_heat(source), **options)
+            light = study.solve()
+            walls = study.patches.surface == 0
+            faces = np.asarray(study.patches.face)[walls]
+            assert light.temperature[walls] == pytest.approx(np.array(kelvin)[faces], rel=1e-6)
+            assert np.all((light.temperature[~walls] > 250) & (light.temperature[~walls] < 500))
+
+
+@pytest.mark.parametrize("text, message", [
+    ("patch,temperature\n0,-3\n", "patch 0 has the temperature -3"),
+    ("patch,temperature\n99999,300\n", "has a value for patch 99999, but there are"),
+    ("patch,temperature\n1,300\n1,310\n", "has two values for patch 1"),
+    ("patch,temperature\n1,warm\n", "T.csv:2: expected a number"),
+    ("patch,temperature\n1\n", "T.csv:2: found 1 columns, expected 2"),
+    ("patch,kelvin\n1,300\n", "T.csv:1: has no column of what is given"),
+    ("surface,temperature\n1,300\n", "T.csv:1: has no column patch or polygon"),
+    ("patch,temperature\n", "T.csv: has no values"),
+    ("", "T.csv"),
+])
+def test_bad_temperatures_are_refused(enclosure, tmp_path, text, message):
+    path = tmp_path / "T.csv"
+    path.write_text(text)
+    with pytest.raises(rad.SceneError, match=message):
+        rad.Study(rad.read_scene(enclosure).with_heat(path), as_is=True).solve()
+
+
+def test_patches_that_cannot_be_given_heat(enclosure, tmp_path):
+    scene = rad.read_scene(enclosure)
+    with pytest.raises(rad.SceneError, match="temperature or heat flux already"):
+        rad.Study(scene.with_heat([300.0] * 7, [5.0] * 7), as_is=True).solve()
+    with pytest.raises(rad.SceneError, match="has 3 cells, expected one for each of the 8 patches"):
+        rad.Study(scene.with_heat([300.0] * 3), as_is=True).solve()
+    with pytest.raises(rad.InputError, match="temperatures"):
+        scene.with_heat([[300.0]])
+    text = json.loads(enclosure.read_text())
+    text["surfaces"][1]["shield"] = True
+    del text["materials"]["plate"]["adiabatic"]
+    shield = tmp_path / "shield.json"
+    shield.write_text(json.dumps(text))
+    with pytest.raises(rad.SceneError, match="is a shield's"):
+        rad.Study(rad.read_scene(shield).with_heat([300.0] * 7), as_is=True).solve()
+    text["bands"] = "rgb"
+    text["surfaces"][1].pop("shield")
+    text["materials"]["wall"] = {"reflectance": 0.5}
+    shield.write_text(json.dumps(text))
+    with pytest.raises(rad.SceneError, match="temperatures need a scene with"):
+        rad.Study(rad.read_scene(shield).with_heat([300.0] * 7), as_is=True).solve()
+
+
+def test_a_person_between_warm_and_cool_halves(enclosure):
+    """In an even room a person is as warm as the walls; factors add up to 1."""
+    scene = rad.read_scene(enclosure).with_heat(temperatures=[300.0] * 7)
+    study = rad.Study(scene, as_is=True, tolerance=1e-6)
+    middle = study.patches.centroid[np.asarray(study.patches.surface) == 0].mean(axis=0)
+    for options in ({}, {"posture": "seated"}, {"facing": (1, 2, 0.5)}, {"up": (1, 0, 0)}):
+        comfort = study.comfort([middle, middle + 0.1], **options)
+        assert comfort.mean_radiant_temperature == pytest.approx([300, 300], abs=1e-4)
+        assert comfort.plane_radiant_temperatures == pytest.approx(np.full((2, 6), 300), abs=1e-3)
+        assert comfort.factors.sum(axis=1) == pytest.approx([1, 1], abs=1e-9)
+    with pytest.raises(rad.SceneError, match="posture"):
+        study.comfort(middle, posture="lying")
+    with pytest.raises(rad.SceneError, match="cannot face"):
+        study.comfort(middle, facing=(0, 0, 1))
+    with pytest.raises(rad.InputError, match="points"):
+        study.comfort([1, 2])

@@ -48,8 +48,8 @@ TEST(Quantities, HaveDifferentNamesThatFindThem) {
     names.insert(info.name);
     columns.insert(info.column);
   }
-  EXPECT_EQ(names.size(), 14U);
-  EXPECT_EQ(columns.size(), 14U);
+  EXPECT_EQ(names.size(), 15U);
+  EXPECT_EQ(columns.size(), 15U);
   EXPECT_FALSE(quantity_named("net_flux"));
 }
 

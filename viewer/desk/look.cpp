@@ -57,6 +57,9 @@ ShownField banded(std::string what, const std::string& unit, const Eigen::Matrix
 std::optional<ShownField> quantity_field(const Known& known, const Look& look) {
   if (!known.light) return std::nullopt;
   if (look.quantity == Quantity::error && !known.light->has_errors()) return std::nullopt;
+  if (look.quantity == Quantity::temperature && known.light->solution.temperature.size() == 0) {
+    return std::nullopt;
+  }
   const QuantityField field =
       make_field(look.quantity, *known.model.mesh, known.light->solution, known.model.bands);
   std::string name(field.info.name);
@@ -141,6 +144,9 @@ std::string_view show_name(const Look& look) {
 }
 
 bool is_offered(const ShowName& name, const Session& session) {
+  if (name.show == Show::quantity && name.quantity == Quantity::temperature) {
+    return session.light() != nullptr && session.light()->solution.temperature.size() > 0;
+  }
   const bool is_seen =
       name.show == Show::true_color ||
       (name.show == Show::quantity && radiosity::quantity_info(name.quantity).is_photometric);

@@ -17,7 +17,7 @@ constexpr std::string_view kSurfaces = "Surfaces and errors";
 
 constexpr std::array kGroups = {kLight, kPower, kExchange, kIteration, kSurfaces};
 
-constexpr std::array<ShowInfo, 25> kInfos = {{
+constexpr std::array<ShowInfo, 26> kInfos = {{
     {"true-colour", kLight, "true colour", "",
      "The light that leaves each patch, as the eye would see it: radiosity B times an exposure."},
     {"illuminance", kLight, "illuminance", "lux",
@@ -66,6 +66,8 @@ constexpr std::array<ShowInfo, 25> kInfos = {{
      "The share of what arrives that is reflected: ρ."},
     {"error", kSurfaces, "error of radiosity (1 σ)", "W/m²",
      "One standard error of B, by form factors and iteration: B is known to about ± 2 σ."},
+    {"temperature", kSurfaces, "temperature", "K",
+     "What a patch is at, as given or as its heat makes it: σ T⁴ = (B − (1 − ε) H) / ε."},
     {"unseen", kSurfaces, "unseen share", "",
      "What the form factors of a patch lack to 1, as they were before a closed scene was "
      "corrected: "

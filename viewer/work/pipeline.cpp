@@ -73,6 +73,17 @@ radiosity::Conditions mix_conditions(const Model& model, const Transport& transp
   return conditions;
 }
 
+/// What patches are at, where the light is heat in one band; a warning where that cannot be.
+void set_temperatures(const PatchMesh& mesh, const radiosity::Conditions& conditions,
+                      Solution& solution, const LightEvents& events) {
+  if (conditions.emissivity.size() == 0 || solution.radiosity.cols() != 1) return;
+  try {
+    solution.temperature = temperatures(mesh, solution, conditions.emissivity);
+  } catch (const radiosity::SolveError& error) {
+    events.warned(error.what());
+  }
+}
+
 /// The light of each emitter, and that from without in columns of its own.
 EmitterLights separate(const Model& model, const LightMix& mix, const Scene& scene,
                        const radiosity::Conditions& conditions, double tolerance,
@@ -243,6 +254,7 @@ void solve_light(const Model& model, const LightMix& mix, const LightStart& star
   Light light{Light::Kind::complete,
               with_discretisation_error(std::move(complete), discretisation)};
   light.relative_error = relative_error(*model.mesh, light.solution);
+  set_temperatures(*model.mesh, conditions, light.solution, events);
   events.lit(std::move(light));
 }
 

@@ -1,0 +1,113 @@
+#include "study/measured_plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "radiosity/base/error.h"
+#include "radiosity/picture/point_grid.h"
+#include "radiosity/solve/surface_flux.h"
+
+namespace study {
+namespace {
+
+using radiosity::Index;
+using radiosity::Scene;
+
+/// What is left of the light that each surface emits by itself.
+std::vector<double> maintenance_factors(const Scene& scene, double factor) {
+  std::vector<double> factors;
+  for (const radiosity::Surface& surface : scene.surfaces) {
+    factors.push_back(factor * scene.materials[surface.material].maintenance_factor);
+  }
+  return factors;
+}
+
+/// The scene as it is then.
+Scene maintained(Scene scene, const std::vector<double>& factors) {
+  for (std::size_t k = 0; k < factors.size(); ++k) scene.surfaces[k].emission_factor *= factors[k];
+  return scene;
+}
+
+void check_light(const Scene& scene, const StudyEvents& events) {
+  if (radiosity::is_thermal(scene)) {
+    throw radiosity::SceneError(
+        fmt::format("{}: the light is heat, which is not measured in lux", scene.source));
+  }
+  if (scene.environment.kind != radiosity::Emission::Kind::none) {
+    events.warn(fmt::format("{}: points do not see the environment, whose direct light is missing",
+                            scene.source));
+  }
+}
+
+void warn_of_places(const MeasuredPlanGrid& grid, const StudyEvents& events) {
+  const auto summary =
+      radiosity::summary(grid.light.places, grid.light.quantities.front().total(0));
+  const auto tell = [&](Index n, const char* what) {
+    if (n == 0) return;
+    events.warn(fmt::format("grid \"{}\": {} of {} points {} and count nothing", grid.plan.name, n,
+                            grid.light.where.size(), what));
+  };
+  tell(summary.n_inside, "lie in solids");
+  tell(summary.n_outside, "lie outside");
+}
+
+void warn_of_sources(const MeasuredObserver& observer, const StudyEvents& events) {
+  const auto n = std::count_if(
+      observer.glare.sources.begin(), observer.glare.sources.end(), [](const auto& source) {
+        return source.position && (source.solid_angle < radiosity::kSmallestGlareSource ||
+                                   source.solid_angle > radiosity::kLargestGlareSource);
+      });
+  if (n == 0) return;
+  events.warn(
+      fmt::format("observer \"{}\": {} of {} sources are smaller than {:g} or larger than "
+                  "{:g} sr, for which UGR is not made",
+                  observer.observer.name, n, observer.glare.sources.size(),
+                  radiosity::kSmallestGlareSource, radiosity::kLargestGlareSource));
+}
+
+}  // namespace
+
+std::optional<double> MeasuredPlan::largest_ugr() const {
+  std::optional<double> largest;
+  for (const MeasuredObserver& observer : observers) {
+    const auto ugr = observer.glare.ugr();
+    if (ugr && (!largest || *ugr > *largest)) largest = ugr;
+  }
+  return largest;
+}
+
+MeasuredPlan measure_plan(const Study& solved, const radiosity::LightPlan& plan,
+                          const StudyOptions& options, double efficacy, const StudyEvents& events) {
+  const Scene& scene = solved.scene;
+  check_light(scene, events);
+  MeasuredPlan result;
+  result.maintenance_factors = maintenance_factors(scene, plan.maintenance_factor);
+  result.has_maintenance =
+      std::any_of(result.maintenance_factors.begin(), result.maintenance_factors.end(),
+                  [](double factor) { return factor != 1; });
+  const Scene later = maintained(scene, result.maintenance_factors);
+  radiosity::Solution later_solution;
+  std::vector<radiosity::Lighting> lights = {{scene, solved.solution}};
+  if (result.has_maintenance) {
+    later_solution = solve_light(later, solved.mesh, *solved.transport, options, events).solution;
+    lights.push_back({later, later_solution});
+  }
+  const radiosity::Photometer photometer(solved.mesh, lights,
+                                         radiosity::luminous_weights(scene.bands, efficacy));
+  for (const radiosity::GridPlan& grid : plan.grids) {
+    const radiosity::Vec3 up = grid.up.value_or(radiosity::Vec3::UnitZ());
+    const bool has_floor = grid.surface.empty() && radiosity::find_floor(solved.mesh, up).is_found;
+    result.grids.push_back({grid, radiosity::measure_grid(grid, solved.mesh, solved.visibility,
+                                                          photometer, has_floor, events.progress)});
+    warn_of_places(result.grids.back(), events);
+  }
+  for (const radiosity::Observer& observer : plan.observers) {
+    result.observers.push_back(
+        {observer, radiosity::find_glare(observer, solved.mesh, photometer)});
+    warn_of_sources(result.observers.back(), events);
+  }
+  return result;
+}
+
+}  // namespace study
