@@ -11,7 +11,7 @@
 namespace apps {
 namespace {
 
-constexpr std::size_t kMostPointsShown = 50;
+constexpr std::size_t kMostPersonsShown = 50;
 constexpr double kZeroCelsius = 273.15;  // K
 
 using Document = nlohmann::ordered_json;
@@ -27,7 +27,7 @@ std::string comfort_text(const ComfortSummary& summary) {
   std::vector<Row> rows = {
       {"at, m", "mean radiant, K", "°C", "up", "down", "front", "back", "left", "right"}};
   for (const study::ComfortPoint& point : summary.points) {
-    if (rows.size() > kMostPointsShown) break;
+    if (rows.size() > kMostPersonsShown) break;
     Row row = {
         fmt::format("{:g},{:g},{:g}", point.position.x(), point.position.y(), point.position.z()),
         fmt::format("{:.3f}", point.mean_radiant_temperature),
@@ -37,9 +37,9 @@ std::string comfort_text(const ComfortSummary& summary) {
     rows.push_back(std::move(row));
   }
   result += table(rows);
-  if (summary.points.size() > kMostPointsShown) {
+  if (summary.points.size() > kMostPersonsShown) {
     result +=
-        line("  and", fmt::format("{} points more", summary.points.size() - kMostPointsShown));
+        line("  and", fmt::format("{} points more", summary.points.size() - kMostPersonsShown));
   }
   for (const std::string& output : summary.outputs) result += line("written", one_line(output));
   return result;

@@ -14,7 +14,7 @@ namespace {
 using namespace radiosity::test;
 using Json = nlohmann::json;
 
-constexpr double kPi = 3.14159265358979323846;
+constexpr double kHalfTurn = 3.14159265358979323846;
 
 class Light : public Program {
  protected:
@@ -154,7 +154,7 @@ TEST_F(Light, OfAFurnaceIsTheSameOfAllKinds) {
   const Json json = light({write_cube(0.5, 1), "--grid", ".2,.2,.5,.6,0,0,0,.6,0", "--spacing",
                            ".3", "--cylindrical", "--vertical", "1,0,0", "--semi-cylindrical",
                            "0,1,0", "--patches", "100"});
-  const double expected = 179 * kPi / (1 - 0.5);
+  const double expected = 179 * kHalfTurn / (1 - 0.5);
   for (const Json& quantity : json["grids"][0]["quantities"]) {
     EXPECT_NEAR(quantity["new"]["Em"].get<double>(), expected, 1e-3 * expected) << quantity;
     EXPECT_NEAR(quantity["new"]["U0"].get<double>(), 1, 1e-3);
