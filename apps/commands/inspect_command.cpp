@@ -48,9 +48,9 @@ InspectCommand::InspectCommand(CLI::App& program, Interruption& interruption)
           "-o,--output", common_.outputs,
           "Write the scene to this file: .json (own format, all in one) or .xml (for the "
           "path tracer Mitsuba 3, with a .ply beside it for each surface); of a luminaire (.ies, "
-          ".ldt) .svg, its polar curve; may be repeated")
+          ".ldt) .svg or .png, its polar curve; may be repeated")
       ->check([](const std::string& path) {
-        return check_extension(path, {".json", ".xml", ".svg"});
+        return check_extension(path, {".json", ".xml", ".svg", ".png"});
       })
       ->type_name("FILE")
       ->allow_extra_args(false);
@@ -85,9 +85,10 @@ void InspectCommand::run() const {
     return;
   }
   for (const std::string& output : common_.outputs) {
-    if (io::lower_case_extension(output) == ".svg") {
-      throw radiosity::OutputError(output +
-                                   ": .svg is for the polar curve of a luminaire, .ies or .ldt");
+    const std::string extension = io::lower_case_extension(output);
+    if (extension == ".svg" || extension == ".png") {
+      throw radiosity::OutputError(output + ": " + extension +
+                                   " is for the polar curve of a luminaire, .ies or .ldt");
     }
   }
   check_outputs(common_.outputs, common_.scene);

@@ -9,15 +9,17 @@
 #include "io/base/extension.h"
 #include "io/light/photometric_file.h"
 #include "io/light/polar_curve.h"
+#include "io/light/polar_picture.h"
 #include "radiosity/base/error.h"
 
 namespace apps {
 
 void inspect_photometry(const CommonOptions& common, Interruption& interruption) {
   for (const std::string& output : common.outputs) {
-    if (io::lower_case_extension(output) != ".svg") {
+    const std::string extension = io::lower_case_extension(output);
+    if (extension != ".svg" && extension != ".png") {
       throw radiosity::OutputError(
-          fmt::format("{}: a luminaire's polar curve is drawn as .svg only", output));
+          fmt::format("{}: a luminaire's polar curve is drawn as .svg or .png", output));
     }
   }
   check_outputs(common.outputs, common.scene);
@@ -27,7 +29,11 @@ void inspect_photometry(const CommonOptions& common, Interruption& interruption)
   for (const std::string& warning : photometry.warnings) events.warn(warning);
   for (const std::string& output : common.outputs) {
     const auto lock = interruption.hold();
-    io::write_polar_curve(output, photometry);
+    if (io::lower_case_extension(output) == ".png") {
+      io::write_polar_picture(output, photometry);
+    } else {
+      io::write_polar_curve(output, photometry);
+    }
   }
   print(common.json ? photometry_json(photometry, common.outputs, terminal.warnings())
                     : photometry_text(photometry, common.outputs));

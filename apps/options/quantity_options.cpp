@@ -98,6 +98,13 @@ void check_photometry(const radiosity::Scene& scene, const std::vector<Quantity>
                     : "--efficacy has no effect without a photometric quantity");
   }
   if (!photometric) return;
+  if (options.efficacy && !has_wavelengths && !scene.luminaires.empty()) {
+    terminal.warn(
+        fmt::format("luminaires are reckoned with {} lm/W: --efficacy {} makes {:.4g} lm of each "
+                    "of their lumens",
+                    radiosity::kWhiteEfficacy, *options.efficacy,
+                    *options.efficacy / radiosity::kWhiteEfficacy));
+  }
   if (has_wavelengths) check_wavelengths(scene, terminal);
   if (radiosity::is_thermal(scene)) {
     terminal.warn(

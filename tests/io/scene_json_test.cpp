@@ -194,6 +194,54 @@ TEST_F(SceneJson, ReadsSuns) {
   EXPECT_CONTAINS(night.warnings[0], "the sun is not above the horizon (elevation_deg -3)");
 }
 
+// How luminaires hang, in the scene's unit: where C0, C90 and the axis point.
+TEST_F(SceneJson, ReadsLuminaires) {
+  (void)file("a.ies", "IESNA91\nTILT=NONE\n1 -1 1 2 1 1 2 .3 1.2 0\n1 1 9\n0 180\n0\n1 1\n");
+  const auto luminaires = [&](const std::string& members) {
+    return read("a.json", scene(R"("unit": "mm", "luminaires": [{"name": "l", "file": "a.ies",
+        "position": [1000, 2000, 3000])" +
+                                members + "}], "))
+        .luminaires;
+  };
+  const auto expect_axes = [&](const std::string& members, const Vec3& c0, const Vec3& c90,
+                               const Vec3& axis) {
+    const auto read = luminaires(", " + members);
+    ASSERT_EQ(read.size(), 1U);
+    EXPECT_TRUE(read[0].position.isApprox(Vec3(1, 2, 3), 1e-15));
+    EXPECT_TRUE(read[0].axes.col(0).isApprox(c0, 1e-14)) << members;
+    EXPECT_TRUE(read[0].axes.col(1).isApprox(c90, 1e-14)) << members;
+    EXPECT_TRUE(read[0].axes.col(2).isApprox(-axis, 1e-14)) << members;
+  };
+  const Vec3 x(1, 0, 0);
+  const Vec3 y(0, 1, 0);
+  const Vec3 z(0, 0, 1);
+  expect_axes(R"("dimming": 1)", x, y, -z);
+  expect_axes(R"("turn_deg": 90)", y, -x, -z);
+  expect_axes(R"("direction": [0, 0, 2])", x, -y, z);
+  expect_axes(R"("aim": [1000, 9000, 3000])", x, z, y);
+  expect_axes(R"("aim": [1000, 9000, 3000], "turn_deg": -90)", -z, x, y);
+  expect_axes(R"("direction": [0, 1, 0], "c0": [5, 3, 0])", x, z, y);
+  expect_axes(R"("up": [0, 1, 0])", x, -z, -y);
+  expect_axes(R"("rotations_deg": [90, 0, 0])", x, z, y);
+  expect_axes(R"("rotations_deg": [0, 0, 90])", y, -x, -z);
+  expect_axes(R"("rotations_deg": [90, 0, 90])", y, z, -x);
+  const auto array = luminaires(R"(, "points": [4, 2], "array": {"rows": 2, "columns": 3,
+      "row_step": [0, 500, 0], "column_step": [100, 0, 0]})");
+  ASSERT_EQ(array.size(), 6U);
+  EXPECT_EQ(array[5].name, "l-2-3");
+  EXPECT_TRUE(array[5].position.isApprox(Vec3(1.2, 2.5, 3), 1e-15));
+  EXPECT_EQ(array[5].divisions, (std::array{4, 2}));
+  const Scene both = read("b.json", scene(R"("luminaires": [
+      {"name": "a", "file": "a.ies", "position": [0, 0, 1]},
+      {"name": "b", "file": "a.ies", "position": [0, 0, 2], "spectrum": [2, 1, 1]}], )"));
+  EXPECT_EQ(both.photometries.size(), 1U);
+  // One lumen: 179 lm/W of white, and of any colour.
+  EXPECT_TRUE(both.luminaires[0].watts_per_lumen.isConstant(1.0 / 179, 1e-15));
+  const Eigen::VectorXd& colored = both.luminaires[1].watts_per_lumen;
+  EXPECT_NEAR(179 * Vec3(0.2126, 0.7152, 0.0722).dot(colored), 1, 1e-14);
+  EXPECT_NEAR(colored[0] / colored[1], 2, 1e-14);
+}
+
 TEST_F(SceneJson, ReadsBandsOfHeat) {
   const std::string paint =
       R"("solar": {"absorptivity": 0.2}, "infrared": {"emissivity": 0.9}, "temperature": 300)";

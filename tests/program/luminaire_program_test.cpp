@@ -85,8 +85,10 @@ TEST_F(Luminaires, StandInArraysAndAreDimmed) {
   const Json table = solve({scene, "--patches", "24", "--scenarios", scenarios});
   EXPECT_NEAR(table["scenarios"][0]["energy"]["incident"][0].get<double>() * 179, 4000, 1e-6);
   EXPECT_NEAR(table["scenarios"][1]["energy"]["incident"][0].get<double>() * 179, 1000, 1e-6);
-  const Outcome text = run({"solve", scene});
+  const Outcome text =
+      run({"solve", scene, "--quantity", "illuminance", "--efficacy", "358", "--patches", "24"});
   expect_contains(text.out, "from luminaires, W");
+  expect_contains(text.err, "--efficacy 358 makes 2 lm of each of their lumens");
   // Written and read again.
   const std::string copy = result("copy.json");
   EXPECT_EQ(run({"inspect", scene, "-o", copy}).exit_code, 0);
@@ -105,20 +107,20 @@ TEST_F(Luminaires, LightWithoutReflectionInPicturesAndOutputs) {
 
 TEST_F(Luminaires, AreInspected) {
   const std::string file = write_file("half.ies", kHalf);
-  const Outcome text = run({"inspect", file, "-o", result("curve.svg")});
+  const Outcome text = run({"inspect", file, "-o", result("curve.svg"), "-o", result("curve.png")});
   EXPECT_EQ(text.exit_code, 0) << text.err;
   for (const char* part : {"628.319 lm", "absolute photometry", "rotational", "180.0", "100 cd",
                            "62.83 lm/W", "IES LM-63-1991, type C"}) {
     expect_contains(text.out, part);
   }
-  EXPECT_EQ(results().size(), 1U);
+  EXPECT_EQ(results().size(), 2U);
   const Outcome json = run({"inspect", file, "--json"});
   ASSERT_EQ(json.exit_code, 0);
   EXPECT_NEAR(Json::parse(json.out)["flux"].get<double>(), 628.3185307179587, 1e-9);
   EXPECT_EQ(Json::parse(json.out)["lamp_flux"], nullptr);
   const Outcome scene = run({"inspect", file, "-o", result("x.json")});
   EXPECT_EQ(scene.exit_code, 1);
-  expect_contains(scene.err, "drawn as .svg only");
+  expect_contains(scene.err, "drawn as .svg or .png");
 }
 
 TEST_F(Luminaires, TellWhatIsWrong) {

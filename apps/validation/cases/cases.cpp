@@ -11,6 +11,7 @@ const std::vector<Case>& all_cases() {
       {"cube", "Cube of six patches", run_cube},
       {"room", "Mean indirect irradiance of a room", run_room},
       {"cie-171", "CIE 171: light between diffuse surfaces", run_cie171},
+      {"cie-171-lamps", "CIE 171: luminaires", run_cie171_lamps},
       {"cie-171-sky", "CIE 171: daylight of standard skies", run_cie171_sky},
       {"energy", "Energy balance of every scene", run_energy},
       {"hemisphere-vs-area", "Irradiance by rays and by form factors", run_hemisphere},

@@ -37,6 +37,8 @@ CaseResult run_spectral(const Context& context);
 CaseResult run_scale(const Context& context);
 /// CIE 171:2006, light between diffuse surfaces.
 CaseResult run_cie171(const Context& context);
+/// CIE 171:2006, light of luminaires.
+CaseResult run_cie171_lamps(const Context& context);
 /// CIE 171:2006, daylight of the standard skies.
 CaseResult run_cie171_sky(const Context& context);
 /// Error against the number of patches.
