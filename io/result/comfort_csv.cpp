@@ -13,6 +13,7 @@
 #include "io/base/line_reader.h"
 
 namespace io {
+
 void write_comfort_csv(const std::filesystem::path& path,
                        const std::vector<std::string>& surface_names,
                        const std::vector<ComfortRow>& rows) {
