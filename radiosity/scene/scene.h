@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "radiosity/base/geometry.h"
@@ -64,6 +65,10 @@ struct Material {
   std::string name;
   Eigen::VectorXd reflectance;
   Emission emission;
+  /// Pairs of a temperature, K, and the emissivity at it, increasing, of one grey band
+  /// (emissivity_at); `reflectance` is then that at the material's own temperature, or at 300 K.
+  /// Empty: constant.
+  std::vector<std::pair<double, double>> emissivity_table = {};
 };
 
 /// A named set of polygons that share a material.
