@@ -59,6 +59,7 @@
 #include "radiosity/polygon/point_to_polygon.h"
 #include "radiosity/scene/black_body.h"
 #include "radiosity/scene/color_matching.h"
+#include "radiosity/scene/emissivity_table.h"
 #include "radiosity/scene/patch_heat.h"
 #include "radiosity/scene/light_plan.h"
 #include "radiosity/scene/patch_mesh.h"

@@ -4,7 +4,9 @@
 #include <map>
 #include <utility>
 
+#include "radiosity/base/error.h"
 #include "radiosity/compressed/light_polygons.h"
+#include "radiosity/scene/emissivity_table.h"
 #include "radiosity/scene/radiometry.h"
 #include "radiosity/solve/conditions.h"
 #include "radiosity/visibility/incident_light.h"
@@ -111,6 +113,11 @@ Study solve_scenarios(Study study, const std::vector<Scenario>& scenarios,
                       const StudyOptions& options, const StudyEvents& events,
                       const ScenarioVisitor& visit) {
   const Scene scene = study.scene;
+  if (has_emissivity_tables(scene)) {
+    throw SolveError(scene.source +
+                     ": has emissivities that depend on the temperature, which scenarios do not "
+                     "settle; expected constant ones");
+  }
   const std::vector<Group> groups = make_groups(scene, scenarios);
   add_missing_light(
       *study.transport, study.mesh, study.visibility,

@@ -10,6 +10,7 @@
 #include "radiosity/compressed/light_polygons.h"
 #include "radiosity/compressed/make_compressed_transport.h"
 #include "radiosity/compressed/make_transport.h"
+#include "radiosity/scene/emissivity_table.h"
 #include "radiosity/scene/radiometry.h"
 #include "radiosity/solve/conditions.h"
 #include "radiosity/solve/solve.h"
@@ -171,10 +172,17 @@ FormFactors make_form_factors(const Scene& scene, const PatchMesh& mesh,
 
 Light solve_light(const Scene& scene, const PatchMesh& mesh, const Transport& transport,
                   const StudyOptions& options, const StudyEvents& events) {
-  return solve_light(
-      mesh, transport,
-      make_conditions(scene, mesh, transport, incident_irradiance(scene, mesh, events.progress)),
-      options, events);
+  const Eigen::MatrixXd sun = incident_irradiance(scene, mesh, events.progress);
+  if (!has_emissivity_tables(scene)) {
+    return solve_light(mesh, transport, make_conditions(scene, mesh, transport, sun), options,
+                       events);
+  }
+  const SettledEmissivity settled = settle_emissivity(scene, mesh, transport, sun, options, events);
+  Light light = solve_light(mesh, transport,
+                            make_conditions(scene, mesh, transport, sun, {}, settled.emissivity),
+                            options, events);
+  light.emissivity = settled.iteration;
+  return light;
 }
 
 Light solve_light(const PatchMesh& mesh, const Transport& transport, const Conditions& conditions,
@@ -191,7 +199,7 @@ Light solve_light(const PatchMesh& mesh, const Transport& transport, const Condi
   if (conditions.emissivity.size() > 0 && solution.radiosity.cols() == 1) {
     solution.temperature = temperatures(mesh, solution, conditions.emissivity);
   }
-  return {std::move(solution), std::move(discretisation)};
+  return {.solution = std::move(solution), .discretisation = std::move(discretisation)};
 }
 
 Study assemble(Scene scene, const StudyOptions& options, const StudyEvents& events) {
@@ -230,6 +238,7 @@ Study with_light(Study study, const StudyOptions& options, const StudyEvents& ev
   Light light = solve_light(study.scene, study.mesh, *study.transport, options, events);
   study.solution = std::move(light.solution);
   study.discretisation = std::move(light.discretisation);
+  study.emissivity = light.emissivity;
   if (options.verifies_light) {
     TransportOptions made = transport_options(study.scene, options, events);
     made.tolerance = study.factor_tolerance;

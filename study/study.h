@@ -15,6 +15,7 @@
 #include "radiosity/solve/solution.h"
 #include "radiosity/visibility/visibility.h"
 #include "study/known_factors.h"
+#include "study/settled_emissivity.h"
 #include "study/study_events.h"
 #include "study/study_options.h"
 
@@ -32,6 +33,7 @@ struct FormFactors {
 struct Light {
   radiosity::Solution solution;  ///< its errors include `discretisation`
   radiosity::DiscretisationError discretisation;
+  std::optional<EmissivityIteration> emissivity = {};  ///< if it depends on the temperature
 };
 
 /// A scene and all that was found out about it.
@@ -44,6 +46,7 @@ struct Study {
   std::optional<meshing::Refinement> refinement = {};  ///< if patches were refined
   radiosity::Solution solution = {};                   ///< its errors include `discretisation`
   radiosity::DiscretisationError discretisation = {};
+  std::optional<EmissivityIteration> emissivity = {};  ///< if it depends on the temperature
   /// Of a compressed operator and this light, if StudyOptions::verifies_light.
   std::optional<radiosity::VerifiedLight> verified = {};
 };

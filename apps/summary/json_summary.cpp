@@ -211,6 +211,11 @@ std::string solve_json(const SolveSummary& summary, const std::vector<std::strin
     json["form_factors"]["compressed"]["for_this_light"] = {{"verified_error", verified->error},
                                                             {"rows", verified->n_rows}};
   }
+  if (const auto& emissivity = solved.emissivity) {
+    json["emissivity"] = {{"solves", emissivity->n_solves},
+                          {"temperature_change", emissivity->change},
+                          {"settled", emissivity->settled}};
+  }
   if (solved.refinement) json["refinement"] = refinement(*solved.refinement);
   if (radiosity::is_thermal(solved.scene)) {
     json["surfaces"] =

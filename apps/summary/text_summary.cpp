@@ -333,6 +333,10 @@ std::string solve_text(const SolveSummary& summary) {
   if (solved.refinement) text += refinement_lines(*solved.refinement);
   text += solve_lines(solved.solution);
   text += discretisation_lines(solved.discretisation);
+  if (const auto& found = solved.emissivity) {
+    text += line("  emissivity", fmt::format("by temperature, of {} solves; these change by {:.1e}",
+                                             found->n_solves, found->change));
+  }
   text += energy_table(solved.scene.bands, solved.solution.energy, incoming_name(solved.scene));
   if (radiosity::is_thermal(solved.scene))
     text += flux_table(radiosity::surface_fluxes(solved.mesh, solved.solution), solved.scene.bands);

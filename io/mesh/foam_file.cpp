@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <cstdint>
 #include <fstream>
 #include <iterator>
 
@@ -103,6 +104,13 @@ Index FoamTokens::count() {
   fail("expected a number of items that follow");
 }
 
+Index FoamTokens::whole() {
+  const auto n = parse_number<std::int32_t>(take());
+  if (n && *n >= 0) return *n;
+  --next_;
+  fail("expected a whole number, at least 0");
+}
+
 double FoamTokens::number() {
   const auto value = parse_number<double>(take());
   if (value && std::isfinite(*value)) return *value;
@@ -125,15 +133,14 @@ std::vector<FoamPatch> read_radiating_patches(const std::filesystem::path& bound
     tokens.expect("{");
     while (tokens.peek() != "}") {
       const std::string_view key = tokens.take();
-      if (key == "nFaces") patch.n = static_cast<Index>(tokens.number());
-      if (key == "startFace") patch.first = static_cast<Index>(tokens.number());
+      if (key == "nFaces") patch.n = tokens.whole();
+      if (key == "startFace") patch.first = tokens.whole();
       for (auto word = tokens.take(); word != ";"; word = tokens.take()) {
         if (word == "{" || word == "}") tokens.fail("the entry before has no semicolon");
         if (key == "inGroups") patch.groups.emplace_back(word);
       }
     }
     tokens.expect("}");
-    if (patch.n < 0 || patch.first < 0) tokens.fail("patch " + patch.name + " has no faces");
     const auto& groups = patch.groups;
     if (std::find(groups.begin(), groups.end(), "viewFactorWall") != groups.end()) {
       patches.push_back(std::move(patch));

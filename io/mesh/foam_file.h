@@ -21,6 +21,7 @@ class FoamTokens {
   std::string_view take();  ///< must be there
   void expect(std::string_view token);
   radiosity::Index count();  ///< a number of items, at most as many as there are tokens left
+  radiosity::Index whole();  ///< a whole number from 0 to 2³¹ - 1
   double number();
   [[noreturn]] void fail(const std::string& message) const;
 

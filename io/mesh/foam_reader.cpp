@@ -43,8 +43,8 @@ std::vector<std::vector<std::int32_t>> read_faces(const std::filesystem::path& p
     if (n_corners < 3) tokens.fail("a face has fewer than three corners");
     tokens.expect("(");
     for (Index k = 0; k < n_corners; ++k) {
-      const auto corner = static_cast<std::int64_t>(tokens.number());
-      if (corner < 0 || corner >= static_cast<std::int64_t>(n_points)) {
+      const Index corner = tokens.whole();
+      if (corner >= static_cast<Index>(n_points)) {
         tokens.fail(fmt::format("a face uses point {}, but there are {}", corner, n_points));
       }
       face.push_back(static_cast<std::int32_t>(corner));

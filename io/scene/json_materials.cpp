@@ -7,11 +7,14 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "io/base/input_checks.h"
 #include "io/scene/json_light_plan.h"
 #include "io/scene/scene_keys.h"
 #include "io/scene/spectrum.h"
+#include "radiosity/scene/emissivity_table.h"
 
 namespace io {
 namespace {
@@ -96,6 +99,36 @@ Eigen::VectorXd read_solar_infrared(const JsonItem& material, const Bands& bands
                          1 - read_share(infrared.at("emissivity"), "emissivity"));
 }
 
+/// Whether it is a list of pairs, of a temperature and the emissivity at it.
+bool is_table(const JsonItem& emissivity) {
+  return emissivity.value().is_array() && emissivity.size() > 0 && emissivity[0].value().is_array();
+}
+
+std::vector<std::pair<double, double>> read_emissivity_table(const JsonItem& item,
+                                                             const Bands& bands) {
+  if (bands.kind != Bands::Kind::grey) {
+    item.fail("an emissivity by temperature needs \"bands\": \"grey\"");
+  }
+  if (item.size() < 2) item.fail("has one pair, expected at least two");
+  std::vector<std::pair<double, double>> table;
+  for (std::size_t k = 0; k < item.size(); ++k) {
+    const JsonItem pair = item[k];
+    if (pair.size() != 2) pair.fail("expected a pair of a temperature, K, and an emissivity");
+    const double kelvin = pair[0].number();
+    const double emissivity = pair[1].number();
+    if (kelvin < 0) pair.fail(fmt::format("temperature is {} K, below absolute zero", kelvin));
+    if (!table.empty() && !(kelvin > table.back().first)) {
+      pair.fail(fmt::format("temperature {} K does not follow {} K, expected increasing ones",
+                            kelvin, table.back().first));
+    }
+    if (!(emissivity > 0 && emissivity <= 1)) {
+      pair.fail(fmt::format("emissivity {} is outside (0, 1]", emissivity));
+    }
+    table.emplace_back(kelvin, emissivity);
+  }
+  return table;
+}
+
 Eigen::VectorXd read_reflectance(const JsonItem& material, const Bands& bands,
                                  const std::filesystem::path& folder) {
   if (material.has("solar") || material.has("infrared")) {
@@ -108,6 +141,8 @@ Eigen::VectorXd read_reflectance(const JsonItem& material, const Bands& bands,
     return read_values(*item, bands, folder, reflectance_problem);
   }
   const JsonItem item = material.at("emissivity");
+  // Of a table the temperature, which is read later, tells.
+  if (is_table(item)) return Eigen::VectorXd::Zero(bands.count());
   if (!item.value().is_array()) {
     return Eigen::VectorXd::Constant(bands.count(), 1 - read_share(item, "emissivity"));
   }
@@ -211,6 +246,12 @@ Material read_material(const JsonItem& item, const std::string& name, const Band
   Material material{.name = name,
                     .reflectance = read_reflectance(item, bands, folder),
                     .emission = read_emission(item, bands, folder)};
+  if (const auto emissivity = item.find("emissivity"); emissivity && is_table(*emissivity)) {
+    material.emissivity_table = read_emissivity_table(*emissivity, bands);
+    const bool is_known = material.emission.kind == Emission::Kind::temperature;
+    const double kelvin = is_known ? material.emission.value[0] : radiosity::kUsualTemperature;
+    material.reflectance[0] = 1 - radiosity::emissivity_at(material, kelvin);
+  }
   if (needs_emissivity(material.emission) && material.reflectance.minCoeff() == 1) {
     item.fail(
         "emissivity 0 with a temperature or heat that it cannot give off; expected more than 0, or "

@@ -105,6 +105,14 @@ const char* emission_key(Emission::Kind kind) {
 
 Json material_json(const Material& material) {
   Json json = {{"reflectance", values_json(material.reflectance)}};
+  if (!material.emissivity_table.empty()) {
+    Json table = Json::array();
+    for (const auto& [kelvin, emissivity] : material.emissivity_table) {
+      table.push_back(Json::array({kelvin, emissivity}));
+    }
+    json = Json::object();
+    json["emissivity"] = std::move(table);
+  }
   if (material.emission.kind != Emission::Kind::none) {
     json[emission_key(material.emission.kind)] = values_json(material.emission.value);
   }

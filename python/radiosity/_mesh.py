@@ -343,7 +343,8 @@ def _single_names(names):
 
 
 def read_scene(path, *, unit=None, precision=None, strict=False, progress=None) -> Scene:
-    """Read a scene: .json, .obj, .ply, .stl, .off, .gltf, .glb, .msh, .vs3, .vtk, .vtp or .vtu.
+    """Read a scene: .json, .obj, .ply, .stl, .off, .gltf, .glb, .msh, .vs3, .vtk, .vtp, .vtu,
+    .idf, .epJSON or .foam.
 
     Parameters
     ----------

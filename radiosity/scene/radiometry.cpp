@@ -66,21 +66,31 @@ bool is_shield(const Scene& scene, const PatchMesh& mesh, Index i) {
   return surface_of(scene, mesh, i).is_shield && mesh.twin[i] >= 0;
 }
 
-double grey_emissivity(const Scene& scene, const PatchMesh& mesh, Index i) {
-  return 1 - scene.materials[material_of(scene, mesh, i)].reflectance[0];
+/// 1 - ρ of a patch's material in each band, or what is told of the patch.
+Eigen::VectorXd emissivity_of(const Scene& scene, const PatchMesh& mesh,
+                              const Eigen::VectorXd& told, Index i) {
+  if (told.size() > 0) return Eigen::VectorXd::Constant(1, told[i]);
+  return 1 - scene.materials[material_of(scene, mesh, i)].reflectance.array();
+}
+
+double grey_emissivity(const Scene& scene, const PatchMesh& mesh, const Eigen::VectorXd& told,
+                       Index i) {
+  return emissivity_of(scene, mesh, told, i)[0];
 }
 
 /// ε ε' / (ε + ε'), the share that one side of a shield passes on to the other; 0 if both are
 /// white.
-double shield_share(const Scene& scene, const PatchMesh& mesh, Index i) {
-  const double front = grey_emissivity(scene, mesh, i);
-  const double back = grey_emissivity(scene, mesh, mesh.twin[i]);
+double shield_share(const Scene& scene, const PatchMesh& mesh, const Eigen::VectorXd& told,
+                    Index i) {
+  const double front = grey_emissivity(scene, mesh, told, i);
+  const double back = grey_emissivity(scene, mesh, told, mesh.twin[i]);
   return front + back > 0 ? front * back / (front + back) : 0;
 }
 
 }  // namespace
 
-Eigen::MatrixXd exitance(const Scene& scene, const PatchMesh& mesh) {
+Eigen::MatrixXd exitance(const Scene& scene, const PatchMesh& mesh,
+                         const Eigen::VectorXd& emissivity) {
   std::map<std::pair<std::int32_t, int>, Eigen::VectorXd> values;
   for (const auto& [key, area] : material_areas(scene, mesh)) {
     const auto& [surface, material] = key;
@@ -98,17 +108,16 @@ Eigen::MatrixXd exitance(const Scene& scene, const PatchMesh& mesh) {
   for (Index i = 0; i < mesh.size(); ++i) {
     if (!is_shield(scene, mesh, i)) continue;
     const Index twin = mesh.twin[i];
-    const double own = grey_emissivity(scene, mesh, i);
-    const double both = own + grey_emissivity(scene, mesh, twin);
+    const double own = grey_emissivity(scene, mesh, emissivity, i);
+    const double both = own + grey_emissivity(scene, mesh, emissivity, twin);
     result.row(i) = (both > 0 ? own / both : 0.) * (given.row(i) + given.row(twin));
   }
   const PatchHeat heat = patch_heat(scene, mesh);
   for (Index i = 0; i < mesh.size() && !heat.empty(); ++i) {
     if (!std::isnan(heat.heat_flux[i])) result(i, 0) = heat.heat_flux[i];
     if (std::isnan(heat.temperature[i])) continue;
-    const auto& reflectance = scene.materials[material_of(scene, mesh, i)].reflectance.array();
-    result.row(i) =
-        (1 - reflectance).matrix().cwiseProduct(black_exitance(heat.temperature[i], scene.bands));
+    result.row(i) = emissivity_of(scene, mesh, emissivity, i)
+                        .cwiseProduct(black_exitance(heat.temperature[i], scene.bands));
   }
   return result;
 }
@@ -121,14 +130,16 @@ Eigen::MatrixXd initial_radiosity(const Eigen::MatrixXd& exitance,
   return exitance + reflectance.cwiseProduct(incident).replicate(1, n);
 }
 
-Eigen::MatrixXd reflectance(const Scene& scene, const PatchMesh& mesh) {
+Eigen::MatrixXd reflectance(const Scene& scene, const PatchMesh& mesh,
+                            const Eigen::VectorXd& emissivity) {
   Eigen::MatrixXd result(mesh.size(), scene.bands.count());
   for (Index i = 0; i < mesh.size(); ++i) {
     const Material& material = scene.materials[material_of(scene, mesh, i)];
     assert(material.reflectance.size() == result.cols());
     result.row(i) = material.reflectance.transpose();
+    if (emissivity.size() > 0) result(i, 0) = 1 - emissivity[i];
     if (is_shield(scene, mesh, i)) {
-      result.row(i).setConstant(1 - shield_share(scene, mesh, i));
+      result.row(i).setConstant(1 - shield_share(scene, mesh, emissivity, i));
     } else if (is_given_heat(material)) {
       result.row(i).setOnes();
     }
@@ -138,15 +149,17 @@ Eigen::MatrixXd reflectance(const Scene& scene, const PatchMesh& mesh) {
     if (!std::isnan(heat.heat_flux[i])) result.row(i).setOnes();
     if (std::isnan(heat.temperature[i])) continue;
     result.row(i) = scene.materials[material_of(scene, mesh, i)].reflectance.transpose();
+    if (emissivity.size() > 0) result(i, 0) = 1 - emissivity[i];
   }
   return result;
 }
 
-Eigen::SparseMatrix<double> transmission(const Scene& scene, const PatchMesh& mesh) {
+Eigen::SparseMatrix<double> transmission(const Scene& scene, const PatchMesh& mesh,
+                                         const Eigen::VectorXd& emissivity) {
   std::vector<Eigen::Triplet<double>> shares;
   for (Index i = 0; i < mesh.size(); ++i) {
     if (!is_shield(scene, mesh, i)) continue;
-    shares.emplace_back(i, mesh.twin[i], shield_share(scene, mesh, i));
+    shares.emplace_back(i, mesh.twin[i], shield_share(scene, mesh, emissivity, i));
   }
   if (shares.empty()) return {};
   Eigen::SparseMatrix<double> result(mesh.size(), mesh.size());

@@ -19,6 +19,7 @@ void paint(const Scenario& scenario, const Scenario::Paint& paint, Scene& scene)
                                     " reflectances of '" + paint.materials + "', expected 1 or " +
                                     std::to_string(scene.bands.count()));
     }
+    material.emissivity_table.clear();
     material.reflectance =
         paint.reflectance.size() == 1
             ? Eigen::VectorXd::Constant(scene.bands.count(), paint.reflectance[0]).eval()

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "radiosity/base/geometry.h"
@@ -72,6 +73,10 @@ struct Material {
   /// If it is a pane: what that lets through of the sun and the sky.
   std::optional<Glazing> glazing = {};
   double maintenance_factor = 1;  ///< of its lamps, (0, 1]: LightPlan
+  /// Pairs of a temperature, K, and the emissivity at it, increasing, of one grey band
+  /// (emissivity_at); `reflectance` is then that at the material's own temperature, or at 300 K.
+  /// Empty: constant.
+  std::vector<std::pair<double, double>> emissivity_table = {};
 };
 
 /// A named set of polygons that share a material.

@@ -57,12 +57,13 @@ void require_grey_where_heat_is_given(const Scene& scene, const PatchMesh& mesh)
 }  // namespace
 
 Conditions make_conditions(const Scene& scene, const PatchMesh& mesh, const Transport& transport,
-                           const Eigen::MatrixXd& sun, const Eigen::VectorXd& added) {
+                           const Eigen::MatrixXd& sun, const Eigen::VectorXd& added,
+                           const Eigen::VectorXd& given) {
   require_grey_where_heat_is_given(scene, mesh);
-  Conditions conditions{.exitance = exitance(scene, mesh),
-                        .reflectance = reflectance(scene, mesh),
+  Conditions conditions{.exitance = exitance(scene, mesh, given),
+                        .reflectance = reflectance(scene, mesh, given),
                         .incident = sun,
-                        .transmission = transmission(scene, mesh),
+                        .transmission = transmission(scene, mesh, given),
                         .emissivity = {}};
   const Eigen::VectorXd environment = environment_exitance(scene);
   if (environment.size() > 0 && !environment.isZero(0)) {
@@ -74,7 +75,9 @@ Conditions make_conditions(const Scene& scene, const PatchMesh& mesh, const Tran
     }
   }
   const bool is_grey_heat = scene.bands.kind == Bands::Kind::grey && is_thermal(scene);
-  if (is_grey_heat) conditions.emissivity = emissivity(scene, mesh).col(0);
+  if (is_grey_heat) {
+    conditions.emissivity = given.size() > 0 ? given : emissivity(scene, mesh).col(0).eval();
+  }
   if (added.size() > 0) add_heat(scene, mesh, added, conditions);
   return conditions;
 }

@@ -22,9 +22,11 @@ struct Conditions {
 /// What a scene says. `sun` is its sun's direct irradiance (incident_irradiance), W/m², n x b, or
 /// empty. `added` is heat that patches take up besides, W/m², n or empty: it counts where the net
 /// heat is given, and raises that; where a temperature is given it has to be carried off all the
-/// same. Throws SceneError where heat is given in a scene whose bands are not grey.
+/// same. `emissivity` is what each patch has at its temperature, n, or empty: as the materials say
+/// (emissivity_at). Throws SceneError where heat is given in a scene whose bands are not grey.
 Conditions make_conditions(const Scene& scene, const PatchMesh& mesh, const Transport& transport,
-                           const Eigen::MatrixXd& sun = {}, const Eigen::VectorXd& added = {});
+                           const Eigen::MatrixXd& sun = {}, const Eigen::VectorXd& added = {},
+                           const Eigen::VectorXd& emissivity = {});
 
 /// The options with what of the conditions they hold, for k columns of as many bands each.
 SolveOptions with_conditions(SolveOptions options, const Conditions& conditions, Index n_columns);

@@ -8,6 +8,7 @@ and nothing is eliminated from their equations:
 """
 
 import json
+import subprocess
 
 import numpy as np
 import pytest
@@ -54,8 +55,11 @@ def write_scene(folder, seed, surfaces, materials, **more):
     return path
 
 
-def dense_solution(study, text):
-    """σT⁴ and B of each patch by np.linalg.solve, from the scene's text and F."""
+def dense_solution(study, text, kelvin=None):
+    """σT⁴ and B of each patch by np.linalg.solve, from the scene's text and F.
+
+    Emissivities that are tables are those at the temperatures `kelvin`.
+    """
     patches = study.patches
     n = len(patches)
     f = np.asarray(study.transport @ np.eye(n))
@@ -82,6 +86,8 @@ def dense_solution(study, text):
     for i, name in enumerate(material_names):
         material = text["materials"][name]
         e = material["emissivity"]
+        if isinstance(e, list):
+            e = np.interp(kelvin[i], *np.array(e).T)
         given[i] = material.get("heat_flux", 0)
         if "heat_power" in material:
             given[i] = material["heat_power"] / areas[patches.surface[i], name]
@@ -346,3 +352,102 @@ def test_a_person_between_warm_and_cool_halves(enclosure):
         study.comfort(middle, facing=(0, 0, 1))
     with pytest.raises(rad.InputError, match="points"):
         study.comfort([1, 2])
+
+
+def test_emissivities_by_temperature_settle(tmp_path):
+    """What was found satisfies all equations with the emissivities at its own temperatures."""
+    materials = {
+        "oxide": {"emissivity": [[200, 0.2], [400, 0.5], [800, 0.9]], "heat_power": 900},
+        "foil": {"emissivity": [[100, 0.02], [900, 0.3]]},
+        "paint": {"emissivity": [[250, 0.9], [350, 0.6]]},
+        "cold": {"emissivity": [[100, 0.1], [300, 0.7]], "temperature": 200},
+    }
+    surfaces = [
+        {"name": "box", "material": "oxide", "polygons": box([0, 0, 0], [1, 1, 1])},
+        {"name": "shield", "material": "paint", "back": "foil", "two_sided": True, "shield": True,
+         "polygons": [square(-0.5, -0.5, 1.5, 1.5, 1.3)]},
+        {"name": "plate", "material": "cold", "two_sided": True,
+         "polygons": [square(-1, -1, 2, 2, 2.0)]},
+    ]
+    path = write_scene(tmp_path, 11, surfaces, materials, environment={"temperature": 80})
+    for tolerance in (1e-2, 1e-6):
+        study = rad.Study(path, patches=90, tolerance=tolerance)
+        light = study.solve()
+        text = json.loads(path.read_text())
+        black, radiosity = dense_solution(study, text, light.temperature)
+        # Temperatures change by less than a thousandth of the tolerance from solve to solve.
+        largest = np.abs(radiosity).max()
+        assert light.radiosity.ravel() == pytest.approx(radiosity, abs=10e-3 * tolerance * largest)
+        assert SIGMA * light.temperature**4 == pytest.approx(black, rel=10e-3 * tolerance)
+    # Not what the first solve took, that of the only temperature that is given, 200 K: 0.2.
+    assert np.interp(light.temperature.max(), [200, 400, 800], [0.2, 0.5, 0.9]) > 0.3
+
+
+def test_how_emissivities_settle_is_told(program, tmp_path):
+    materials = {"plate": {"emissivity": [[200, 0.1], [600, 0.9]], "heat_flux": 500}}
+    surfaces = [{"name": "plate", "material": "plate", "polygons": [square(0, 0, 1, 1, 0)]}]
+    path = write_scene(tmp_path, 3, surfaces, materials)
+    run = subprocess.run([program, "solve", path, "--as-is", "--json"], capture_output=True,
+                         text=True, check=True)
+    told = json.loads(run.stdout)
+    assert told["emissivity"]["settled"] and 1 < told["emissivity"]["solves"] <= 50
+    assert told["emissivity"]["temperature_change"] <= 1e-5
+    kelvin = told["surfaces"][0]["temperature"]
+    e = np.interp(kelvin, [200, 600], [0.1, 0.9])
+    assert e * SIGMA * kelvin**4 == pytest.approx(500, rel=1e-4)
+    scenarios = tmp_path / "scenarios.json"
+    scenarios.write_text(json.dumps({"scenarios": [{"name": "off", "lights": {"plate": "off"}}]}))
+    refused = subprocess.run([program, "solve", path, "--as-is", "--scenarios", scenarios],
+                             capture_output=True, text=True, check=False)
+    assert refused.returncode == 1 and "which scenarios do not settle" in refused.stderr
+
+
+def test_a_table_is_read_at_given_temperatures(enclosure, tmp_path):
+    text = json.loads(enclosure.read_text())
+    table = [[250, 0.2], [350, 0.8]]
+    for kelvin, expected in ((300, 0.5), (100, 0.2), (1000, 0.8)):
+        text["materials"]["wall"] = {"emissivity": table, "temperature": kelvin}
+        by_table = tmp_path / "table.json"
+        by_table.write_text(json.dumps(text))
+        text["materials"]["wall"] = {"emissivity": expected, "temperature": kelvin}
+        constant = tmp_path / "constant.json"
+        constant.write_text(json.dumps(text))
+        lights = [rad.Study(path, as_is=True, tolerance=1e-6).solve()
+                  for path in (by_table, constant)]
+        assert lights[0].radiosity == pytest.approx(lights[1].radiosity, rel=1e-7)
+        # Of single patches, too: those of the walls are given otherwise than their material.
+        others = [kelvin + 30.0] * 6 + [np.nan]
+        e = np.interp(kelvin + 30, *np.array(table).T)
+        study = rad.Study(rad.read_scene(by_table).with_heat(others), as_is=True, tolerance=1e-6)
+        text["materials"]["wall"] = {"emissivity": e, "temperature": kelvin + 30}
+        constant.write_text(json.dumps(text))
+        light = rad.Study(constant, as_is=True, tolerance=1e-6).solve()
+        assert study.solve().radiosity == pytest.approx(light.radiosity, rel=1e-7)
+    written = tmp_path / "written.json"
+    rad.read_scene(by_table).write(written)
+    assert json.loads(written.read_text())["materials"]["wall"]["emissivity"] == table
+
+
+@pytest.mark.parametrize("table, message", [
+    ([[300, 0.5]], "has one pair, expected at least two"),
+    ([[300, 0.5], [300, 0.6]], "does not follow 300 K"),
+    ([[400, 0.5], [300, 0.6]], "expected increasing ones"),
+    ([[300, 0.5], [400, 1.2]], "emissivity 1.2 is outside"),
+    ([[300, 0], [400, 0.2]], "emissivity 0 is outside"),
+    ([[-3, 0.5], [400, 0.2]], "below absolute zero"),
+    ([[300, 0.5, 1], [400, 0.2]], "expected a pair"),
+    ([[300, 0.5], 400], "expected a list"),
+    ([[300, 0.5], [400, "x"]], "expected a number"),
+])
+def test_bad_tables_are_refused(enclosure, tmp_path, table, message):
+    text = json.loads(enclosure.read_text())
+    text["materials"]["wall"]["emissivity"] = table
+    path = tmp_path / "bad.json"
+    path.write_text(json.dumps(text))
+    with pytest.raises(rad.SceneError, match=message):
+        rad.read_scene(path)
+    text["materials"]["wall"] = {"emissivity": [[300, 0.5], [400, 0.2]]}
+    text["bands"] = "rgb"
+    path.write_text(json.dumps(text))
+    with pytest.raises(rad.SceneError, match="by temperature needs"):
+        rad.read_scene(path)

@@ -209,6 +209,15 @@ std::vector<Seed> seeds(const std::string& format, const std::filesystem::path& 
   const std::pair<std::string, std::string> bin = {"data.bin", gltf_buffer()};
   if (format == "obj") return {{{{"a.obj", kObj}, mtl}}};
   if (format == "vs3") return {{{{"a.vs3", kVs3}}}, {{{"a.vs3", kVs3a}}}};
+  if (format == "idf") return {{{{"a.idf", kIdf}}}};
+  if (format == "epJSON") return {{{{"a.epJSON", kEpJson}}}};
+  if (format == "foam") {
+    std::filesystem::create_directories(folder / "constant/polyMesh");
+    return {{{{"a.foam", ""},
+              {"constant/polyMesh/boundary", kFoamBoundary},
+              {"constant/polyMesh/faces", kFoamFaces},
+              {"constant/polyMesh/points", kFoamPoints}}}};
+  }
   if (format == "off") return {{{{"a.off", kOff}}}};
   if (format == "msh") {
     return {{{{"a.msh", kMsh2}}},
@@ -283,9 +292,9 @@ std::string read_fault(const std::filesystem::path& path, bool& was_read) {
 }  // namespace
 
 const std::vector<std::string>& fuzz_formats() {
-  static const std::vector<std::string> formats = {"obj", "ply",  "stl", "off",  "msh",
-                                                   "vs3", "gltf", "glb", "json", "csv",
-                                                   "vtk", "vtu",  "vtp", "h5"};
+  static const std::vector<std::string> formats = {"obj",  "ply", "stl",  "off",    "msh", "vs3",
+                                                   "gltf", "glb", "json", "csv",    "vtk", "vtu",
+                                                   "vtp",  "h5",  "idf",  "epJSON", "foam"};
   return formats;
 }
 

@@ -277,6 +277,35 @@ inline const std::string kVs3 =
     "s 4 1 13 16 15 0 0 0.7 wall\nS 5 15 16 14 2 0 4 0.7 half\nO 6 17 18 19 0\nEnd of data\n"
     "what follows is no part of it\n";
 
+/// A wall with a window, and its like in JSON.
+inline const std::string kIdf =
+    "GlobalGeometryRules, UpperLeftCorner, Counterclockwise, Relative; ! rules\n"
+    "Zone, Office, 30, 1, 2, 3;\nMaterial, Plaster, Smooth, .02, .6, 1200, 1000, 0.8;\n"
+    "Construction, Wall, Brick, Plaster;\nBuildingSurface:Detailed, Front, Wall, Wall, Office, ,\n"
+    "Outdoors, , SunExposed, WindExposed, 0.5, 4, 0,0,3, 0,0,0, 4,0,0, 4,0,3;\n"
+    "FenestrationSurface:Detailed, W, Window, Glass, Front, , 0.5, , 1, 4,\n"
+    "1,0,2, 1,0,1, 2,0,1, 2,0,2;\n";
+inline const std::string kEpJson = R"({"GlobalGeometryRules": {"r": {"vertex_entry_direction":
+  "Counterclockwise", "coordinate_system": "World"}}, "Zone": {"Office": {"x_origin": 1}},
+  "Material": {"Plaster": {"thermal_absorptance": 0.8}},
+  "Construction": {"Wall": {"outside_layer": "Plaster"}},
+  "BuildingSurface:Detailed": {"Front": {"construction_name": "Wall", "zone_name": "Office",
+  "vertices": [{"vertex_x_coordinate": 0, "vertex_y_coordinate": 0, "vertex_z_coordinate": 3},
+  {"vertex_x_coordinate": 0, "vertex_y_coordinate": 0, "vertex_z_coordinate": 0},
+  {"vertex_x_coordinate": 4, "vertex_y_coordinate": 0, "vertex_z_coordinate": 0}]}}})";
+
+/// The boundary of a case of OpenFOAM: a square and a triangle that radiate.
+inline const std::string kFoamBoundary =
+    "FoamFile { version 2.0; format ascii; class polyBoundaryMesh; object boundary; }\n"
+    "2 ( wall { type wall; inGroups 2(viewFactorWall wall); nFaces 2; startFace 0; }\n"
+    "inlet { type patch; nFaces 1; startFace 2; } )\n";
+inline const std::string kFoamFaces =
+    "/* head */ FoamFile { format ascii; class faceList; }\n3(4(0 1 2 3) 3(0 1 4) // one\n3(1 2 "
+    "4))\n";
+inline const std::string kFoamPoints =
+    "FoamFile { format ascii; class vectorField; }\n5 ((0 0 0) (1 0 0) (1 1 0) (0 1 0) (0 0 "
+    "1e0))\n";
+
 /// Two squares of a box and a triangle, as planes.
 inline const std::string kVs3a =
     "F 3a\nS 1 R 0 0 0.90 south\n 3. 0. 0. 0 90  3. 3.\nS 2 Q 0 0 0.90 ceiling\n 3. 0. 3. 0 180\n"

@@ -12,6 +12,7 @@
 #include "radiosity/base/error.h"
 #include "radiosity/base/machine_memory.h"
 #include "radiosity/operator/transport.h"
+#include "radiosity/scene/emissivity_table.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/radiometry.h"
 #include "radiosity/solve/conditions.h"
@@ -171,6 +172,11 @@ OpenedFile open_scene(const std::string& path, std::shared_ptr<const Scene> scen
                       const study::StudyOptions& options, const Progress& progress) {
   OpenedFile file;
   file.warnings = scene->warnings;
+  if (has_emissivity_tables(*scene)) {
+    file.warnings.emplace_back(
+        "emissivities that depend on the temperature count here as at the materials' own, or at "
+        "300 K; radiosity solve finds both together");
+  }
   file.model.path = path;
   file.model.bands = scene->bands;
   file.model.camera = scene->camera;
