@@ -28,8 +28,8 @@ struct DaylightFactor {
   [[nodiscard]] double total() const { return sky + external + internal; }
 };
 
-/// The scene by daylight alone: its sky without the sun, and nothing that emits. Throws SceneError
-/// if it has no sky or if that is dark.
+/// The scene by daylight alone: its sky without sun and luminaires, and nothing that emits. Throws
+/// SceneError if it has no sky or if that is dark.
 radiosity::Scene daylight_scene(radiosity::Scene scene);
 
 /// Which of the surfaces a pattern (radiosity::matches) stands for. Throws SceneError for one that

@@ -34,18 +34,34 @@ std::vector<Occluder> in_quads(const Occluder& occluder) {
   return result;
 }
 
+/// Whether the side between two corners is long enough, its plane's normal being their product.
+bool tells_plane(const Vec3& product, const Vec3& start, const Vec3& end) {
+  return product.squaredNorm() > kShortSide * kShortSide * start.squaredNorm() * end.squaredNorm();
+}
+
 /// A convex polygon as the point sees it: the planes through its edges and the point, with the
 /// polygon in front of them.
 struct SeenSurface {
   std::vector<Vec3> corners;  // relative to the point, counter-clockwise from behind the polygon
   std::vector<Vec3> inwards;
+  std::vector<Vec3> sides;  // those of `inwards` that tell a plane
+  double size = 0;          // roughly its solid angle
 
   SeenSurface(const Occluder& occluder, const Vec3& point, bool from_front) {
     for (const Vec3& corner : occluder.corners) corners.push_back(corner - point);
     if (from_front) std::reverse(corners.begin(), corners.end());
+    Vec3 middle = Vec3::Zero();
     for (std::size_t k = 0; k < corners.size(); ++k) {
-      inwards.push_back(corners[k].cross(corners[k + 1 < corners.size() ? k + 1 : 0]));
+      const Vec3& end = corners[k + 1 < corners.size() ? k + 1 : 0];
+      inwards.push_back(corners[k].cross(end));
+      if (tells_plane(inwards.back(), corners[k], end)) sides.push_back(inwards.back());
+      middle += corners[k];
     }
+    middle /= static_cast<double>(corners.size());
+    const double distance = middle.norm();
+    size = distance > 0
+               ? std::abs(vector_area(corners).dot(middle)) / (distance * distance * distance)
+               : 0;
   }
 
   [[nodiscard]] bool holds(const Vec3& direction) const {
@@ -73,23 +89,25 @@ bool are_in_front(const Vec3& inwards, std::span<const Vec3> points) {
                      [&](const Vec3& x) { return inwards.dot(x) >= 0; });
 }
 
-/// Whether the surface is proved to be out of the cell. Of sides that cutting has left too short to
-/// tell a plane by nothing is concluded.
-bool misses_cell(const SeenSurface& surface, const ConvexPolygon& cell) {
-  for (std::size_t k = 0; k < surface.corners.size(); ++k) {
-    const Vec3& end = surface.corners[k + 1 < surface.corners.size() ? k + 1 : 0];
-    const double least = kShortSide * surface.corners[k].norm() * end.norm();
-    if (surface.inwards[k].norm() > least && are_behind(surface.inwards[k], cell.points())) {
-      return true;
-    }
-  }
+/// The normals, inwards, of a cell's sides but for those that cutting has left too short to tell a
+/// plane by.
+ConvexPolygon sides_of(const ConvexPolygon& cell) {
+  ConvexPolygon sides;
   for (std::size_t k = 0; k < cell.size(); ++k) {
     const Vec3& end = cell[k + 1 < cell.size() ? k + 1 : 0];
     const Vec3 inwards = cell[k].cross(end);
-    const double least = kShortSide * cell[k].norm() * end.norm();
-    if (inwards.norm() > least && are_behind(inwards, surface.corners)) return true;
+    if (tells_plane(inwards, cell[k], end)) sides.push_back(inwards);
   }
-  return false;
+  return sides;
+}
+
+/// Whether the surface is proved to be out of the cell with these sides.
+bool misses_cell(const SeenSurface& surface, const ConvexPolygon& cell,
+                 const ConvexPolygon& sides) {
+  return std::any_of(surface.sides.begin(), surface.sides.end(),
+                     [&](const Vec3& inwards) { return are_behind(inwards, cell.points()); }) ||
+         std::any_of(sides.begin(), sides.end(),
+                     [&](const Vec3& inwards) { return are_behind(inwards, surface.corners); });
 }
 
 bool fills_cell(const SeenSurface& surface, const ConvexPolygon& cell) {
@@ -146,6 +164,10 @@ class SkyView {
   void start(const ConvexPolygon& cell) {
     std::vector<std::int32_t> all(surfaces_.size());
     for (std::size_t k = 0; k < all.size(); ++k) all[k] = static_cast<std::int32_t>(k);
+    // Large ones first: one that fills a cell ends it.
+    std::stable_sort(all.begin(), all.end(), [&](std::int32_t i, std::int32_t k) {
+      return surfaces_[i].size > surfaces_[k].size;
+    });
     walk(cell, all, 0);
   }
 
@@ -164,8 +186,9 @@ class SkyView {
 
   void walk(const ConvexPolygon& cell, const std::vector<std::int32_t>& candidates, int halvings) {
     std::vector<std::int32_t> met;
+    const ConvexPolygon sides = sides_of(cell);
     for (const std::int32_t k : candidates) {
-      if (misses_cell(surfaces_[k], cell)) continue;
+      if (misses_cell(surfaces_[k], cell, sides)) continue;
       if (fills_cell(surfaces_[k], cell)) return;
       met.push_back(k);
     }
@@ -191,8 +214,9 @@ class SkyView {
 
   /// Divides a part at the borders of panes from the first on.
   void pass_panes(const ConvexPolygon& part, std::size_t first) {
+    const ConvexPolygon sides = sides_of(part);
     for (std::size_t k = first; k < panes_.size(); ++k) {
-      if (misses_cell(panes_[k], part)) continue;
+      if (misses_cell(panes_[k], part, sides)) continue;
       if (!fills_cell(panes_[k], part)) {
         const Shadow shadow = panes_[k].shadow();
         const auto seen = cutter_.visible_parts(Vec3::Zero(), part, std::span(&shadow, 1));

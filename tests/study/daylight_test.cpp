@@ -88,6 +88,18 @@ TEST(SkyParts, CoverTheSky) {
   }
 }
 
+TEST(DaylightFactors, KnowNoOtherLight) {
+  Scene scene = open_box(0.5, 0.2);
+  scene.sun = Sun{-Vec3::UnitZ(), one(800)};
+  scene.materials[0].emission = {Emission::Kind::exitance, one(50)};
+  scene.photometries.emplace_back();
+  scene.luminaires.emplace_back();
+  const Scene by_day = study::daylight_scene(scene);
+  EXPECT_FALSE(by_day.sun);
+  EXPECT_TRUE(by_day.luminaires.empty());
+  for (const Surface& surface : by_day.surfaces) EXPECT_EQ(surface.emission_factor, 0);
+}
+
 TEST(DaylightFactors, AddUpToOneInAWhiteFurnace) {
   Scene scene = open_box(1, 1);
   const study::Study box =
