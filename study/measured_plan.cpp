@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "radiosity/base/error.h"
+#include "radiosity/meter/luminaire_glare.h"
 #include "radiosity/picture/point_grid.h"
 #include "radiosity/solve/surface_flux.h"
 
@@ -23,8 +25,9 @@ std::vector<double> maintenance_factors(const Scene& scene, double factor) {
   return factors;
 }
 
-/// The scene as it is then.
-Scene maintained(Scene scene, const std::vector<double>& factors) {
+/// The scene as it is then. Luminaires have the factor of all lamps.
+Scene maintained(Scene scene, const std::vector<double>& factors, double factor) {
+  for (radiosity::Luminaire& luminaire : scene.luminaires) luminaire.dimming *= factor;
   for (std::size_t k = 0; k < factors.size(); ++k) scene.surfaces[k].emission_factor *= factors[k];
   return scene;
 }
@@ -66,6 +69,29 @@ void warn_of_sources(const MeasuredObserver& observer, const StudyEvents& events
                   radiosity::kSmallestGlareSource, radiosity::kLargestGlareSource));
 }
 
+/// Of new lamps.
+std::vector<MeasuredObserver> measured_observers(const Study& solved,
+                                                 const radiosity::LightPlan& plan,
+                                                 const radiosity::Photometer& photometer,
+                                                 const Eigen::VectorXd& weights,
+                                                 const StudyEvents& events) {
+  std::vector<MeasuredObserver> result;
+  if (plan.observers.empty()) return result;
+  const radiosity::LuminaireGlare luminaires(solved.scene, solved.mesh, weights);
+  if (const Index n = luminaires.n_without_opening(); n > 0) {
+    events.warn(fmt::format("{}: {} luminaires have no luminous opening, and UGR leaves them out",
+                            solved.scene.source, n));
+  }
+  for (const radiosity::Observer& observer : plan.observers) {
+    result.push_back({observer, radiosity::find_glare(observer, solved.mesh, photometer)});
+    for (radiosity::GlareSource& source : luminaires.sources(observer)) {
+      result.back().glare.sources.push_back(std::move(source));
+    }
+    warn_of_sources(result.back(), events);
+  }
+  return result;
+}
+
 }  // namespace
 
 std::optional<double> MeasuredPlan::largest_ugr() const {
@@ -82,19 +108,20 @@ MeasuredPlan measure_plan(const Study& solved, const radiosity::LightPlan& plan,
   const Scene& scene = solved.scene;
   check_light(scene, events);
   MeasuredPlan result;
+  result.maintenance_factor = plan.maintenance_factor;
   result.maintenance_factors = maintenance_factors(scene, plan.maintenance_factor);
   result.has_maintenance =
       std::any_of(result.maintenance_factors.begin(), result.maintenance_factors.end(),
                   [](double factor) { return factor != 1; });
-  const Scene later = maintained(scene, result.maintenance_factors);
+  const Scene later = maintained(scene, result.maintenance_factors, plan.maintenance_factor);
   radiosity::Solution later_solution;
   std::vector<radiosity::Lighting> lights = {{scene, solved.solution}};
   if (result.has_maintenance) {
     later_solution = solve_light(later, solved.mesh, *solved.transport, options, events).solution;
     lights.push_back({later, later_solution});
   }
-  const radiosity::Photometer photometer(solved.mesh, lights,
-                                         radiosity::luminous_weights(scene.bands, efficacy));
+  const Eigen::VectorXd weights = radiosity::luminous_weights(scene.bands, efficacy);
+  const radiosity::Photometer photometer(solved.mesh, lights, weights);
   for (const radiosity::GridPlan& grid : plan.grids) {
     const radiosity::Vec3 up = grid.up.value_or(radiosity::Vec3::UnitZ());
     const bool has_floor = grid.surface.empty() && radiosity::find_floor(solved.mesh, up).is_found;
@@ -102,11 +129,7 @@ MeasuredPlan measure_plan(const Study& solved, const radiosity::LightPlan& plan,
                                                           photometer, has_floor, events.progress)});
     warn_of_places(result.grids.back(), events);
   }
-  for (const radiosity::Observer& observer : plan.observers) {
-    result.observers.push_back(
-        {observer, radiosity::find_glare(observer, solved.mesh, photometer)});
-    warn_of_sources(result.observers.back(), events);
-  }
+  result.observers = measured_observers(solved, plan, photometer, weights, events);
   return result;
 }
 

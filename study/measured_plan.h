@@ -30,7 +30,8 @@ struct MeasuredObserver {
 
 /// All that a plan asks for.
 struct MeasuredPlan {
-  bool has_maintenance = false;  ///< whether maintained light differs from that of new lamps
+  bool has_maintenance = false;   ///< whether maintained light differs from that of new lamps
+  double maintenance_factor = 1;  ///< of all lamps, as the plan has it
   /// By surface: the share of its own light that is left.
   std::vector<double> maintenance_factors;
   std::vector<MeasuredPlanGrid> grids;

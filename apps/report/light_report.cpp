@@ -7,6 +7,8 @@
 #include <string_view>
 
 #include "io/base/printable.h"
+#include "io/light/polar_curve.h"
+#include "radiosity/scene/photometric_web.h"
 #include "radiosity/solve/quantity.h"
 
 namespace apps {
@@ -171,13 +173,36 @@ void add_lamps(Html& page, const LightSummary& summary) {
                     io::value_text(flux[k] / area[k] / radiosity::kPi),
                     fmt::format("{:g}", summary.measured.maintenance_factors[k])});
   }
+  if (rows.size() == 1) return;
   page.add("<h2>Lamps</h2>\n");
-  if (rows.size() == 1) {
-    page.add("<p>No surface emits.</p>\n");
-    return;
-  }
   page.add("<p>{} lm of surfaces that emit, when new.</p>\n", io::value_text(sum));
   page.table(rows);
+}
+
+/// Of photometric files, with a polar curve of each file.
+void add_luminaires(Html& page, const LightSummary& summary) {
+  const radiosity::Scene& scene = summary.solved.scene;
+  if (scene.luminaires.empty()) return;
+  page.add("<h2>Luminaires</h2>\n");
+  std::vector<std::vector<std::string>> rows = {
+      {"Luminaire", "File", "At, m", "Flux, lm", "Dimming"}};
+  double sum = 0;
+  for (const radiosity::Luminaire& luminaire : scene.luminaires) {
+    const radiosity::Photometry& photometry =
+        scene.photometries[static_cast<std::size_t>(luminaire.photometry)];
+    const double whole = luminaire.lumens > 0 ? luminaire.lumens : flux(photometry.web);
+    sum += luminaire.dimming * whole;
+    const radiosity::Vec3& x = luminaire.position;
+    rows.push_back({escaped(luminaire.name), escaped(photometry.file.filename().string()),
+                    fmt::format("{:.4g}, {:.4g}, {:.4g}", x[0], x[1], x[2]), io::value_text(whole),
+                    fmt::format("{:g}", luminaire.dimming)});
+  }
+  page.add("<p>{} lm, when new; maintenance factor {:g}.</p>\n", io::value_text(sum),
+           summary.measured.maintenance_factor);
+  page.table(rows, 2);
+  for (const radiosity::Photometry& photometry : scene.photometries) {
+    page.add("<figure>{}</figure>\n", io::polar_curve_svg(photometry));
+  }
 }
 
 std::string place(const study::MeasuredPlanGrid& grid, Index point) {
@@ -323,6 +348,7 @@ std::string light_report_html(const LightReport& report) {
   add_grids(page, report.summary);
   add_glare(page, report.summary);
   add_room(page, report.summary);
+  add_luminaires(page, report.summary);
   add_lamps(page, report.summary);
   add_energy(page, report.summary);
   add_accuracy(page, report);

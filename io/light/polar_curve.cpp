@@ -43,7 +43,7 @@ std::string svg_label(const PolarDrawing::Label& label) {
 
 }  // namespace
 
-void write_polar_curve(const std::filesystem::path& path, const radiosity::Photometry& photometry) {
+std::string polar_curve_svg(const radiosity::Photometry& photometry) {
   const PolarDrawing drawing = polar_drawing(photometry);
   std::string svg = fmt::format(
       R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {0} {0}" width="{0}" height="{0}" )"
@@ -52,7 +52,11 @@ void write_polar_curve(const std::filesystem::path& path, const radiosity::Photo
       drawing.size, escaped_text(drawing.title));
   for (const PolarDrawing::Line& line : drawing.lines) svg += svg_line(line);
   for (const PolarDrawing::Label& label : drawing.labels) svg += svg_label(label);
-  svg += "</svg>\n";
+  return svg + "</svg>\n";
+}
+
+void write_polar_curve(const std::filesystem::path& path, const radiosity::Photometry& photometry) {
+  const std::string svg = polar_curve_svg(photometry);
   write_stream_atomically(path, [&](std::ofstream& stream) { stream << svg; });
 }
 

@@ -162,6 +162,23 @@ TEST_F(Light, OfAFurnaceIsTheSameOfAllKinds) {
   EXPECT_EQ(json["grids"][0]["quantities"].size(), 4U);
 }
 
+// Luminaires of photometric files light, dazzle and age like lamps.
+TEST_F(Light, OfLuminairesIsToldAndAges) {
+  const Json json = light({RADIOSITY_SCENES "/office.json", "--patches", "300", "--grid",
+                           "floor:0.75", "--spacing", "1", "--observer", "0.3,3,1.2,1,0,0",
+                           "--maintenance-factor", "0.8", "-o", result("office")});
+  const Json& quantity = json["grids"][0]["quantities"][0];
+  const double fresh = quantity["new"]["Em"];
+  EXPECT_GT(quantity["new"]["Em_direct"].get<double>(), 0.5 * fresh);
+  EXPECT_NEAR(quantity["maintained"]["Em"].get<double>(), 0.8 * fresh, 1e-3 * fresh);
+  const Json& observer = json["observers"][0];
+  EXPECT_TRUE(observer["UGR"].is_number());
+  EXPECT_GT(observer["sources"].size(), 3U);
+  const std::string html = contents(result("office/report.html"));
+  EXPECT_NE(html.find("<h2>Luminaires</h2>"), std::string::npos);
+  EXPECT_NE(html.find("office-panel.ies"), std::string::npos);
+}
+
 TEST_F(Light, PrintsTables) {
   const Outcome outcome = run({"light", write_room(), "--patches", "60", "--quiet", "--grid",
                                "floor:0.75", "--observer", "0.5,2,1.2,1,0,0"});
