@@ -76,6 +76,7 @@ DaylightCommand::DaylightCommand(CLI::App& program, Interruption& interruption)
       ->allow_extra_args(false);
   add_compute_options(*command, compute_);
   add_transport_option(*command, compute_);
+  add_memory_option(*command, compute_);
   add_photometry_options(*command, photometry_);
   command->callback([this] { run(); });
 }

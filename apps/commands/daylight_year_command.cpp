@@ -109,6 +109,7 @@ DaylightYearCommand::DaylightYearCommand(CLI::App& program, Interruption& interr
       ->type_name("X,Y,Z");
   add_compute_options(*command, compute_);
   add_transport_option(*command, compute_);
+  add_memory_option(*command, compute_);
   command->callback([this] { run(); });
 }
 

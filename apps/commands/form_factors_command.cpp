@@ -103,11 +103,7 @@ FormFactorsCommand::FormFactorsCommand(CLI::App& program, Interruption& interrup
       ->add_option("--part", part_text_,
                    "Only the K-th of N parts, as F.K-of-N.h5: 'radiosity merge' makes one file of "
                    "them")
-      ->check([](const std::string& text) {
-        return parse_part(text)
-                   ? ""
-                   : fmt::format("found '{}', expected a part such as 3/16: the third of 16", text);
-      })
+      ->check(check_part)
       ->type_name("K/N")
       ->excludes(by)
       ->excludes("--from")

@@ -1,6 +1,7 @@
 #include "apps/run/batch_list.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -21,7 +22,8 @@ constexpr auto kListKeys =
 constexpr auto kEntryKeys =
     std::to_array<std::string_view>({"name", "scene", "command", "options", "output"});
 constexpr auto kBatchCommands =
-    std::to_array<std::string_view>({"solve", "render", "form-factors", "exchange", "inspect"});
+    std::to_array<std::string_view>({"solve", "render", "form-factors", "exchange", "comfort",
+                                     "daylight", "daylight-year", "inspect"});
 /// What the batch gives itself, or entries have keys for.
 constexpr auto kOwnOptions =
     std::to_array<std::string_view>({"json", "quiet", "output", "help", "version"});
@@ -40,8 +42,8 @@ struct Common {
 std::string read_command(const JsonItem& item) {
   const std::string command = item.text();
   if (std::find(kBatchCommands.begin(), kBatchCommands.end(), command) == kBatchCommands.end()) {
-    item.fail(fmt::format("found '{}', expected solve, render, form-factors, exchange or inspect",
-                          command));
+    item.fail(
+        fmt::format("found '{}', expected one of {}", command, fmt::join(kBatchCommands, ", ")));
   }
   return command;
 }

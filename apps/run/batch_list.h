@@ -9,7 +9,7 @@ namespace apps {
 /// A run of the program that a batch asks for.
 struct BatchEntry {
   std::string name;                  ///< of its own, or that of its scene's file
-  std::string command;               ///< "solve", "render", "form-factors", "exchange" or "inspect"
+  std::string command;               ///< "solve", "form-factors" or another of a scene
   std::string scene;                 ///< file, from the list's folder
   std::vector<std::string> outputs;  ///< likewise; what stands for {name} is put in
   std::vector<std::string> options;  ///< words of the command line, "--patches=500"

@@ -46,6 +46,11 @@ std::optional<radiosity::WorkPart> parse_part(const std::string& text) {
   return radiosity::WorkPart{*number - 1, *n_parts};
 }
 
+std::string check_part(const std::string& text) {
+  if (parse_part(text)) return "";
+  return fmt::format("found '{}', expected a part such as 3/16: the third of 16", text);
+}
+
 std::filesystem::path part_path(const std::filesystem::path& output, radiosity::WorkPart part) {
   std::filesystem::path path = output;
   path.replace_filename(fmt::format("{}.{}-of-{}{}", output.stem().string(), part.number + 1,

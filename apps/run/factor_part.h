@@ -15,6 +15,8 @@ namespace apps {
 /// The third of sixteen for "3/16"; nothing if the text is no part of at most
 /// radiosity::kMostParts.
 std::optional<radiosity::WorkPart> parse_part(const std::string& text);
+/// For the command line's check: empty if it is one, else what was found.
+std::string check_part(const std::string& text);
 
 /// Where a part of what goes to `output` is written: F.3-of-16.h5 for F.h5.
 std::filesystem::path part_path(const std::filesystem::path& output, radiosity::WorkPart part);

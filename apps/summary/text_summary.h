@@ -8,8 +8,6 @@
 #include "apps/summary/factor_summary.h"
 #include "apps/summary/scenario_summary.h"
 #include "apps/summary/solve_summary.h"
-#include "meshing/inspect/inspect.h"
-#include "radiosity/scene/scene.h"
 
 namespace apps {
 
@@ -27,9 +25,5 @@ std::string factors_from_text(const FactorsFrom& factors, const std::vector<std:
 
 /// The row that `form-factors --row` names, by surface.
 std::string factor_row_text(const FactorRow& row, const std::vector<std::string>& outputs);
-
-/// What `inspect` found: counts and measures, the surfaces, then each finding on one line.
-std::string inspect_text(const radiosity::Scene& scene, const meshing::Inspection& inspection,
-                         const std::vector<std::string>& outputs);
 
 }  // namespace apps

@@ -33,4 +33,15 @@ std::string table(const std::vector<Row>& rows) {
   return text;
 }
 
+std::string numbers(const Eigen::VectorXd& values) {
+  if (values.size() > 4) {
+    return fmt::format("{:.4g} .. {:.4g}", values.minCoeff(), values.maxCoeff());
+  }
+  std::string text;
+  for (const double value : values) {
+    text += fmt::format("{}{:.4g}", text.empty() ? "" : " ", value);
+  }
+  return text;
+}
+
 }  // namespace apps

@@ -312,15 +312,17 @@ double projected_solid_angle(const ConvexPolygon& directions, const Vec3& normal
 }
 
 std::vector<int> panes_of(const Scene& scene, const PatchMesh& mesh) {
+  const bool any =
+      std::any_of(scene.materials.begin(), scene.materials.end(),
+                  [](const Material& material) { return material.glazing.has_value(); });
+  if (!any) return {};
   std::vector<int> result(static_cast<std::size_t>(mesh.size()), -1);
-  bool any = false;
   for (Index i = 0; i < mesh.size(); ++i) {
     const int material = scene.surfaces[mesh.surface[i]].material;
     if (material < 0 || !scene.materials[material].glazing) continue;
     result[static_cast<std::size_t>(i)] = material;
-    any = true;
   }
-  return any ? result : std::vector<int>();
+  return result;
 }
 
 }  // namespace radiosity

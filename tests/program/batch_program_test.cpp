@@ -223,7 +223,8 @@ TEST_F(BatchProgram, BadListsAreOneLine) {
   expect_refused({{"entries", Json::array({1})}}, "entries[0]");
   expect_refused({{"entries", Json::array({{{"output", "x.csv"}}})}}, "scene");
   expect_refused({{"scenes", Json::array({entry})}}, "scenes");
-  expect_refused({{"command", "view"}, {"entries", Json::array({entry})}}, "command: found 'view'");
+  expect_refused({{"command", "view"}, {"entries", Json::array({entry})}},
+                 "command: found 'view', expected one of solve, render, ");
   expect_refused({{"options", {{"json", true}}}, {"entries", Json::array({entry})}},
                  "options.json: is not");
   expect_refused({{"options", {{"--as-is", true}}}, {"entries", Json::array({entry})}},
