@@ -16,11 +16,29 @@ namespace {
 using radiosity::Index;
 using radiosity::Scene;
 
+bool emits(const radiosity::Material& material) {
+  return material.emission.kind != radiosity::Emission::Kind::none;
+}
+
+/// That of the material that emits; throws if both sides do, and age otherwise.
+double maintenance_factor(const Scene& scene, const radiosity::Surface& surface) {
+  const radiosity::Material& front = scene.materials[surface.material];
+  if (!surface.two_sided || surface.back_material < 0) return front.maintenance_factor;
+  const radiosity::Material& back = scene.materials[surface.back_material];
+  if (!emits(back)) return front.maintenance_factor;
+  if (emits(front) && front.maintenance_factor != back.maintenance_factor) {
+    throw radiosity::SceneError(fmt::format(
+        "surface '{}': its sides emit with the maintenance factors {} and {}, expected one",
+        surface.name, front.maintenance_factor, back.maintenance_factor));
+  }
+  return back.maintenance_factor;
+}
+
 /// What is left of the light that each surface emits by itself.
 std::vector<double> maintenance_factors(const Scene& scene, double factor) {
   std::vector<double> factors;
   for (const radiosity::Surface& surface : scene.surfaces) {
-    factors.push_back(factor * scene.materials[surface.material].maintenance_factor);
+    factors.push_back(factor * maintenance_factor(scene, surface));
   }
   return factors;
 }

@@ -210,7 +210,9 @@ Photometry read_ies(const std::filesystem::path& path, const radiosity::Progress
   const long units = numbers.next_count("the type of units", 1, 2);
   read_opening(numbers, units == 1 ? kFoot : 1, photometry);
   const double ballast = more_than_zero(numbers, "the ballast factor");
-  const double ballast_lamp = more_than_zero(numbers, "the ballast-lamp factor");
+  const double second = more_than_zero(numbers, "the ballast-lamp factor");
+  // Of the ballast with the lamp; since 2019 a code that tells where the file comes from.
+  const double ballast_lamp = photometry.format.ends_with("2019") ? 1 : second;
   photometry.power = numbers.next("the input power");
   if (!(photometry.power >= 0)) {
     numbers.fail(fmt::format("the input power is {} W, expected no less than 0", photometry.power));

@@ -28,6 +28,7 @@ using radiosity::Vec3;
 constexpr double kSameDirection = 1e-6;
 /// More luminaires than that are a mistake of an array.
 constexpr double kMostLuminaires = 10000;
+constexpr double kMostDistance = 1e9;  // m
 
 double radians(const JsonItem& item) { return item.number() * kPi / 180; }
 
@@ -197,6 +198,10 @@ void read_luminaire(const JsonItem& item, const std::filesystem::path& folder, d
     for (long column = 0; column < array.n_columns; ++column) {
       luminaire.position = first + static_cast<double>(row) * array.row_step +
                            static_cast<double>(column) * array.column_step;
+      if (!(luminaire.position.lpNorm<Eigen::Infinity>() <= kMostDistance)) {
+        item.at("position")
+            .fail(fmt::format("is more than {:g} m away, expected metres", kMostDistance));
+      }
       luminaire.axes = read_axes(item, luminaire.position, unit);
       if (array_item) luminaire.name = fmt::format("{}-{}-{}", name, row + 1, column + 1);
       add_luminaire(luminaire, item, scene);

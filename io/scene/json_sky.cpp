@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <optional>
@@ -44,6 +45,12 @@ double between(const JsonItem& item, double least, double most) {
     item.fail(fmt::format("{} is outside [{}, {}]", value, least, most));
   }
   return value;
+}
+
+int whole_between(const JsonItem& item, int least, int most) {
+  const double value = between(item, least, most);
+  if (value != std::floor(value)) item.fail(fmt::format("{} is no whole number", value));
+  return static_cast<int>(value);
 }
 
 /// W per lm of light that is given in photometric units: white light's.
@@ -87,9 +94,11 @@ void read_time(const JsonItem& item, PlaceAndTime& when) {
        static_cast<std::size_t>(end) != zone.size() || (sign != '+' && sign != '-'))) {
     fail();
   }
-  if (when.year < 1901 || when.year > 2099 || when.month < 1 || when.month > 12 || when.day < 1 ||
-      when.day > 31 || hour < 0 || hour > 24 || minute < 0 || minute > 59 || second < 0 ||
-      second > 60) {
+  const std::chrono::year_month_day date(std::chrono::year(when.year),
+                                         std::chrono::month(static_cast<unsigned>(when.month)),
+                                         std::chrono::day(static_cast<unsigned>(when.day)));
+  if (when.year < 1901 || when.year > 2099 || !date.ok() || hour < 0 || hour > 24 || minute < 0 ||
+      minute > 59 || second < 0 || second > 60) {
     fail();
   }
   const double ahead = (sign == '-' ? -1 : 1) * (zone_hours + zone_minutes / 60.);
@@ -250,9 +259,9 @@ void read_weather(const JsonItem& item, const std::filesystem::path& folder, con
                   Scene& scene, Sky& sky) {
   item.check_keys(keys::kWeather);
   const std::filesystem::path path = folder / item.at("file").text();
-  const int month = static_cast<int>(between(item.at("month"), 1, 12));
-  const int day = static_cast<int>(between(item.at("day"), 1, 31));
-  const int hour = static_cast<int>(between(item.at("hour"), 1, 24));
+  const int month = whole_between(item.at("month"), 1, 12);
+  const int day = whole_between(item.at("day"), 1, 31);
+  const int hour = whole_between(item.at("hour"), 1, 24);
   const WeatherYear year = read_epw(path);
   scene.files.push_back(path);
   scene.warnings.insert(scene.warnings.end(), year.warnings.begin(), year.warnings.end());

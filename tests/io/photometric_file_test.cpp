@@ -257,6 +257,9 @@ TEST_F(PhotometricFiles, AreReadAsTheyAreFound) {
   ies.lamps = "2 900 0.5";
   ies.ballast = "0.8 0.5 40";
   ies.opening = "1 -1 -1 0";
+  // In the edition of 2019 the second number of the ballast is a code of the file's origin.
+  EXPECT_NEAR(flux(read("d.ies", ies.text()).web), 0.4 * flux(web), 1e-12 * flux(web));
+  ies.head = "IESNA:LM-63-2002\n";
   const Photometry scaled = read("d.ies", ies.text());
   EXPECT_NEAR(flux(scaled.web), 0.2 * flux(web), 1e-12 * flux(web));
   EXPECT_EQ(scaled.lamp_flux, 1800);

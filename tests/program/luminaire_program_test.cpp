@@ -135,6 +135,8 @@ TEST_F(Luminaires, TellWhatIsWrong) {
   };
   expect_contains(error(R"({"name": "a", "file": "no.ies", "position": [1, 1, 1]})", grey),
                   "no.ies: no such file");
+  expect_contains(error(R"({"name": "a", "file": "half.ies", "position": [1, 1e20, 1]})", grey),
+                  "luminaires[0].position: is more than 1e+09 m away");
   expect_contains(error(R"({"name": "a", "file": "half.ies"})", grey),
                   "luminaires[0]: has no \"position\"");
   expect_contains(error(lamp(R"(, "dimmed": 1)"), grey), "luminaires[0]");
