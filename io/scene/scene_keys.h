@@ -51,8 +51,8 @@ inline constexpr auto kEnvironment =
 /// An emission may stand in the material itself or in its "emission".
 inline constexpr auto kMaterial = std::to_array<std::string_view>(
     {"name", "description", "reflectance", "emissivity", "emission", "radiance", "exitance",
-     "power", "temperature", "heat_flux", "heat_power", "adiabatic", "solar", "infrared",
-     "glazing", "maintenance_factor"});
+     "power", "temperature", "heat_flux", "heat_power", "adiabatic", "solar", "infrared", "glazing",
+     "maintenance_factor"});
 
 /// What a material is to the sun's light.
 inline constexpr auto kSolar = std::to_array<std::string_view>({"absorptivity"});

@@ -171,7 +171,7 @@ class View {
 
   /// The candidates' parts in the cell but for those behind the first patch that fills it.
   [[nodiscard]] std::vector<Piece> visible_parts(const Cell& cell,
-                                                  const std::vector<Piece>& candidates) const {
+                                                 const std::vector<Piece>& candidates) const {
     const Vec3 middle = cell[0] + cell[1] + cell[2];
     std::vector<Piece> pieces;
     std::int32_t filler = -1;

@@ -32,7 +32,8 @@ struct Scenario {
 bool matches(std::string_view pattern, std::string_view name);
 
 /// The scene with the light and materials of a scenario. Throws SceneError if a pattern stands for
-/// no surface that emits and no luminaire, or for no material, or if reflectances are not one per band.
+/// no surface that emits and no luminaire, or for no material, or if reflectances are not one per
+/// band.
 Scene scene_of(const Scene& scene, const Scenario& scenario);
 
 }  // namespace radiosity

@@ -10,11 +10,11 @@
 
 #include "radiosity/base/geometry.h"
 #include "radiosity/scene/given_heat.h"
+#include "radiosity/scene/glazing.h"
+#include "radiosity/scene/light_plan.h"
 #include "radiosity/scene/luminaire.h"
 #include "radiosity/scene/photometry.h"
-#include "radiosity/scene/glazing.h"
 #include "radiosity/scene/sky.h"
-#include "radiosity/scene/light_plan.h"
 #include "radiosity/scene/sun.h"
 #include "radiosity/scene/symmetry.h"
 
