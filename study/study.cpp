@@ -155,9 +155,14 @@ FormFactors make_form_factors(const Scene& scene, const PatchMesh& mesh,
   if (options.patches.adaptive) {
     result = make_adaptive(scene, options, events);
   } else {
-    result.transport = make_transport(mesh, visibility, transport_options(scene, options, events),
-                                      transport_choice(scene, options),
-                                      expected_light(scene, mesh, events.progress));
+    const TransportOptions made = transport_options(scene, options, events);
+    const TransportChoice choice = transport_choice(scene, options);
+    // Dense ones are the same for any light, which may take long to find.
+    const bool is_dense =
+        chosen_kind(choice, mesh.size(), made.tolerance, made.memory) == TransportKind::dense;
+    result.transport =
+        make_transport(mesh, visibility, made, choice,
+                       is_dense ? ExpectedLight() : expected_light(scene, mesh, events.progress));
   }
   warn_of_unverified(result.transport->report(), factor_tolerance(options), events);
   const PatchMesh& made = result.refined ? result.refined->mesh : mesh;
