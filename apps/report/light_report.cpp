@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "io/base/printable.h"
+#include "io/base/xml_escaped.h"
 #include "io/light/polar_curve.h"
 #include "radiosity/scene/photometric_web.h"
 #include "radiosity/solve/quantity.h"
@@ -43,28 +44,7 @@ svg { max-width: 100%; height: auto; display: block; }
   * { -webkit-print-color-adjust: exact; print-color-adjust: exact; } }
 )";
 
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : io::printable(text)) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
+std::string escaped(std::string_view text) { return io::xml_escaped(io::printable(text)); }
 
 /// Text put together piece by piece.
 struct Html {

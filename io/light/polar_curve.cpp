@@ -6,18 +6,11 @@
 #include <string>
 
 #include "io/base/atomic_file.h"
+#include "io/base/xml_escaped.h"
 #include "io/light/polar_drawing.h"
 
 namespace io {
 namespace {
-
-std::string escaped_text(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
-  }
-  return result;
-}
 
 std::string svg_color(const Rgb& color) {
   return fmt::format("#{:02x}{:02x}{:02x}", color[0], color[1], color[2]);
@@ -38,7 +31,7 @@ std::string svg_label(const PolarDrawing::Label& label) {
   return fmt::format(
       "<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"{}\" fill=\"{}\" text-anchor=\"{}\">{}</text>",
       label.place.x(), label.place.y(), label.size, svg_color(label.color), anchor,
-      escaped_text(label.text));
+      xml_escaped(label.text));
 }
 
 }  // namespace
@@ -49,7 +42,7 @@ std::string polar_curve_svg(const radiosity::Photometry& photometry) {
       R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {0} {0}" width="{0}" height="{0}" )"
       R"(role="img" font-family="Helvetica,Arial,sans-serif">)"
       R"(<rect width="{0}" height="{0}" fill="#fff"/><title>{1}</title>)",
-      drawing.size, escaped_text(drawing.title));
+      drawing.size, xml_escaped(drawing.title));
   for (const PolarDrawing::Line& line : drawing.lines) svg += svg_line(line);
   for (const PolarDrawing::Label& label : drawing.labels) svg += svg_label(label);
   return svg + "</svg>\n";

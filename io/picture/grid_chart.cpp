@@ -9,6 +9,8 @@
 #include <string_view>
 #include <utility>
 
+#include "io/base/xml_escaped.h"
+
 namespace io {
 namespace {
 
@@ -27,18 +29,6 @@ constexpr const char* kMasked = "#bbb";
 
 bool is_open(const GridChart& chart, Index k) {
   return chart.places[static_cast<std::size_t>(k)] == PointPlace::open;
-}
-
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&' || c == '<' || c == '>') {
-      result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : "&gt;";
-    } else {
-      result += c;
-    }
-  }
-  return result;
 }
 
 std::string color_text(double position, ColorMap map) {
@@ -86,7 +76,7 @@ class Drawing {
         "font-size=\"{2}\" fill=\"#222\"><title>{3}</title>\n"
         "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n"
         "<text x=\"{4}\" y=\"18\" font-size=\"13\" font-weight=\"bold\">{3}</text>\n",
-        total_width, total_height, kFont, escaped(chart_.title), kMargin);
+        total_width, total_height, kFont, xml_escaped(chart_.title), kMargin);
     add_cells();
     const std::string below = std::exchange(svg_, "");
     add_marks();  // before the lines' numbers, so that there is room for them

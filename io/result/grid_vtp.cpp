@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "io/base/atomic_file.h"
+#include "io/base/xml_escaped.h"
 
 namespace io {
 namespace {
@@ -51,18 +52,6 @@ Cells cells_of(const GridLight& light) {
   return cells;
 }
 
-std::string as_attribute(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&' || c == '<' || c == '"') {
-      result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : "&quot;";
-    } else {
-      result += c;
-    }
-  }
-  return result;
-}
-
 class Writer {
  public:
   explicit Writer(std::ofstream& stream) : stream_(stream) {}
@@ -72,7 +61,7 @@ class Writer {
              const Value& value) {
     stream_ << fmt::format(
         "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"ascii\">\n", type,
-        as_attribute(name), n_components);
+        xml_escaped(name), n_components);
     for (Index k = 0; k < n; ++k) stream_ << fmt::format("{}\n", value(k));
     stream_ << "</DataArray>\n";
   }

@@ -14,6 +14,7 @@
 
 #include "io/base/atomic_file.h"
 #include "io/base/printable.h"
+#include "io/base/xml_escaped.h"
 #include "radiosity/base/error.h"
 #include "radiosity/scene/radiometry.h"
 
@@ -105,25 +106,7 @@ std::string identifier(std::size_t surface, const std::string& name) {
 }
 
 /// `text` between quotes of XML.
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char letter : printable(text)) {
-    switch (letter) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += letter;
-    }
-  }
-  return result;
-}
+std::string escaped(const std::string& text) { return xml_escaped(printable(text)); }
 
 std::string point(const char* name, const Vec3& value) {
   return fmt::format("{}=\"{}, {}, {}\"", name, value.x(), value.y(), value.z());

@@ -9,6 +9,7 @@
 #include <iterator>
 
 #include "apps/validation/plot/svg_text.h"
+#include "io/base/xml_escaped.h"
 
 namespace apps::validation {
 namespace {
@@ -48,7 +49,7 @@ void draw_panel(std::string& svg, const MapPanel& panel, double limit, double sc
   const Eigen::AlignedBox2d box = bounds(panel);
   const auto out = std::back_inserter(svg);
   fmt::format_to(out, R"(<text x="{:.1f}" y="{:.1f}">{}</text>)", left, top + 12,
-                 escaped(panel.label));
+                 io::xml_escaped(panel.label));
   for (const MapPolygon& polygon : panel.polygons) {
     svg += R"(<polygon points=")";
     for (const Eigen::Vector2d& corner : polygon.corners) {
@@ -70,7 +71,7 @@ void draw_legend(std::string& svg, const SurfaceMap& map, double top) {
                    kGap + kBar * k / kSteps, top + 20, kBar / kSteps + 0.3, fill(value, map.limit));
   }
   fmt::format_to(out, R"(<text x="{}" y="{:.1f}">{}</text>)", kGap, top + 12,
-                 escaped(map.value_label));
+                 io::xml_escaped(map.value_label));
   for (const double share : {-1., -0.5, 0., 0.5, 1.}) {
     const char* anchor = share == -1 ? "start" : "middle";
     fmt::format_to(out, R"(<text x="{:.1f}" y="{:.1f}" text-anchor="{}">{:+.2g}</text>)",

@@ -10,6 +10,7 @@
 
 #include "apps/validation/plot/axis_ticks.h"
 #include "apps/validation/plot/svg_text.h"
+#include "io/base/xml_escaped.h"
 
 namespace apps::validation {
 namespace {
@@ -109,7 +110,8 @@ void draw_legend(Canvas& canvas, const Legend& legend, const std::vector<Series>
       canvas.add(R"(<path d="M{:.1f} {:.1f}h22" {}/>)", x, y, stroke(s, style));
     }
     if (has_markers(style)) add_marker(canvas, s, x + 11, y);
-    canvas.add(R"(<text x="{:.1f}" y="{:.1f}">{}</text>)", x + 28, y + 4, escaped(series[s].label));
+    canvas.add(R"(<text x="{:.1f}" y="{:.1f}">{}</text>)", x + 28, y + 4,
+               io::xml_escaped(series[s].label));
   }
 }
 
@@ -159,10 +161,10 @@ void draw_axes(Canvas& canvas, const Frame& frame, const Plot& plot) {
   canvas.add(R"(<rect x="{}" y="{}" width="{}" height="{}" fill="none" stroke="#777"/>)", kLeft,
              frame.top, right - kLeft, kPlotHeight);
   canvas.add(R"(<text x="{:.1f}" y="{:.1f}" text-anchor="middle">{}</text>)", (kLeft + right) / 2,
-             bottom + 38, escaped(plot.x.label));
+             bottom + 38, io::xml_escaped(plot.x.label));
   canvas.add(
       R"svg(<text transform="translate(14 {:.1f}) rotate(-90)" text-anchor="middle">{}</text>)svg",
-      frame.top + kPlotHeight / 2, escaped(plot.y.label));
+      frame.top + kPlotHeight / 2, io::xml_escaped(plot.y.label));
 }
 
 void draw_bars(Canvas& canvas, const Frame& frame, const Series& series, std::size_t s) {

@@ -4,30 +4,9 @@
 
 #include <algorithm>
 
-namespace apps::validation {
+#include "io/base/xml_escaped.h"
 
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
+namespace apps::validation {
 
 double text_width(std::string_view text) {
   constexpr double kMeanAdvance = 0.54;  // of Helvetica, Arial, Liberation Sans, relative to size
@@ -43,7 +22,7 @@ std::string svg_picture(std::string_view title, double height, std::string_view 
       R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {} {:.0f}" role="img" )"
       R"(font-family="Helvetica,Arial,sans-serif" font-size="{}" fill="#222">)"
       "<title>{}</title>{}</svg>",
-      kSvgWidth, height, kSvgFont, escaped(title), content);
+      kSvgWidth, height, kSvgFont, io::xml_escaped(title), content);
 }
 
 }  // namespace apps::validation

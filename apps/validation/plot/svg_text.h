@@ -5,9 +5,6 @@
 
 namespace apps::validation {
 
-/// The text with & < > " as entities, fit for HTML and SVG.
-std::string escaped(std::string_view text);
-
 /// How wide plots and maps are, and the size of their sans-serif font.
 inline constexpr double kSvgWidth = 480;
 inline constexpr double kSvgFont = 12;

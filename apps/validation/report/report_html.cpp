@@ -6,6 +6,7 @@
 #include "apps/validation/plot/svg_plot.h"
 #include "apps/validation/plot/svg_text.h"
 #include "apps/validation/report/report.h"
+#include "io/base/xml_escaped.h"
 
 namespace apps::validation {
 namespace {
@@ -64,7 +65,7 @@ std::string mark(const Check& check) {
 }
 
 std::string with_unit(double value, const std::string& unit) {
-  return fmt::format("{:.3g}{}{}", value, unit.empty() ? "" : " ", escaped(unit));
+  return fmt::format("{:.3g}{}{}", value, unit.empty() ? "" : " ", io::xml_escaped(unit));
 }
 
 std::string asked(const Check& check) {
@@ -96,15 +97,16 @@ void add_summary(Page& page, const Report& report) {
     const std::vector<Check>& checks = outcome.result.checks;
     const auto n = std::count_if(checks.begin(), checks.end(),
                                  [](const Check& check) { return check.passed(); });
-    std::string last = escaped(outcome.message);
+    std::string last = io::xml_escaped(outcome.message);
     if (const Check* check = tightest(checks)) {
-      last = fmt::format("{}: {} ({})", escaped(check->what), with_unit(check->value, check->unit),
-                         asked(*check));
+      last = fmt::format("{}: {} ({})", io::xml_escaped(check->what),
+                         with_unit(check->value, check->unit), asked(*check));
     }
     page.add(
         "<tr><td><a href=\"#{0}\">{0}</a></td><td>{1}</td><td class=\"number minor\">{2} / {3}</td>"
         "<td class=\"number minor\">{4:.1f}</td><td>{5}</td></tr>\n",
-        escaped(outcome.name), mark(outcome.status), n, checks.size(), outcome.seconds, last);
+        io::xml_escaped(outcome.name), mark(outcome.status), n, checks.size(), outcome.seconds,
+        last);
   }
   page.add("</tbody></table></div>\n");
 }
@@ -115,12 +117,14 @@ void add_checks(Page& page, const std::vector<Check>& checks) {
       "<th class=\"number\">Asked</th><th>Verdict</th></tr></thead><tbody>\n");
   std::string last;  // a derivation is told once for a run of checks that share it
   for (const Check& check : checks) {
-    const std::string why = check.derivation == last ? "As above." : escaped(check.derivation);
+    const std::string why =
+        check.derivation == last ? "As above." : io::xml_escaped(check.derivation);
     last = check.derivation;
     page.add(
         "<tr><td>{}<div class=\"why\">{}</div></td><td class=\"number\">{}</td>"
         "<td class=\"number\">{}</td><td>{}</td></tr>\n",
-        escaped(check.what), why, with_unit(check.value, check.unit), asked(check), mark(check));
+        io::xml_escaped(check.what), why, with_unit(check.value, check.unit), asked(check),
+        mark(check));
   }
   page.add("</tbody></table></div>\n");
 }
@@ -128,7 +132,7 @@ void add_checks(Page& page, const std::vector<Check>& checks) {
 void add_row(Page& page, const std::vector<std::string>& cells, const char* tag) {
   page.add("<tr>");
   for (std::size_t k = 0; k < cells.size(); ++k) {
-    page.add("<{0}{1}>{2}</{0}>", tag, k > 0 ? " class=\"number\"" : "", escaped(cells[k]));
+    page.add("<{0}{1}>{2}</{0}>", tag, k > 0 ? " class=\"number\"" : "", io::xml_escaped(cells[k]));
   }
   page.add("</tr>\n");
 }
@@ -137,7 +141,8 @@ struct FigureWriter {
   Page& page;
 
   void operator()(const Table& table) const {
-    page.add("<div class=\"wide\"><table><caption>{}</caption><thead>", escaped(table.title));
+    page.add("<div class=\"wide\"><table><caption>{}</caption><thead>",
+             io::xml_escaped(table.title));
     add_row(page, table.header, "th");
     page.add("</thead><tbody>\n");
     for (const auto& row : table.rows) add_row(page, row, "td");
@@ -146,7 +151,7 @@ struct FigureWriter {
 
   template <typename Drawing>
   void operator()(const Drawing& drawing) const {
-    page.add("<figure><figcaption>{}</figcaption>{}</figure>\n", escaped(drawing.title),
+    page.add("<figure><figcaption>{}</figcaption>{}</figure>\n", io::xml_escaped(drawing.title),
              svg(drawing));
   }
 };
@@ -154,7 +159,7 @@ struct FigureWriter {
 void add_notes(Page& page, const std::vector<std::string>& notes) {
   if (notes.empty()) return;
   page.add("<ul class=\"note\">");
-  for (const std::string& note : notes) page.add("<li>{}</li>\n", escaped(note));
+  for (const std::string& note : notes) page.add("<li>{}</li>\n", io::xml_escaped(note));
   page.add("</ul>\n");
 }
 
@@ -162,15 +167,16 @@ void add_case(Page& page, const CaseOutcome& outcome) {
   page.add(
       "<section><h2 id=\"{0}\">{1}</h2>\n<p class=\"facts\"><code>{0}</code> · {2} · {3:.1f} s"
       "</p>\n",
-      escaped(outcome.name), escaped(outcome.title), mark(outcome.status), outcome.seconds);
+      io::xml_escaped(outcome.name), io::xml_escaped(outcome.title), mark(outcome.status),
+      outcome.seconds);
   if (!outcome.message.empty()) {
     page.add("<p class=\"{}\">{}</p>\n", outcome.status == Status::skipped ? "note" : "message",
-             escaped(outcome.message));
+             io::xml_escaped(outcome.message));
   }
   const CaseResult& result = outcome.result;
   if (!result.compared.empty()) {
     page.add("<p><strong>Compared:</strong> {}</p>\n<p><strong>With:</strong> {}</p>\n",
-             escaped(result.compared), escaped(result.reference));
+             io::xml_escaped(result.compared), io::xml_escaped(result.reference));
   }
   if (!result.checks.empty()) add_checks(page, result.checks);
   add_notes(page, result.notes);
@@ -199,11 +205,12 @@ std::string report_html(const Report& report) {
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"
       "<title>Validation of radiosity {}</title><style>{}</style></head><body>\n",
-      escaped(report.version), kStyle);
+      io::xml_escaped(report.version), kStyle);
   page.add("<h1>Validation of radiosity {}</h1>\n<p><strong>{}.</strong></p>\n",
-           escaped(report.version), verdict(report.outcomes));
+           io::xml_escaped(report.version), verdict(report.outcomes));
   page.add("<p class=\"facts\">{} · {} · threads: {} · seed {} · {:.0f} s in all</p>\n",
-           escaped(report.date), escaped(report.machine), report.n_threads, report.seed, seconds);
+           io::xml_escaped(report.date), io::xml_escaped(report.machine), report.n_threads,
+           report.seed, seconds);
   page.add(
       "<p>Every case compares what the program computes with something that is known without "
       "it. Under each figure stands what its limit is derived from.</p>\n");
