@@ -48,26 +48,7 @@ DaylightCommand::DaylightCommand(CLI::App& program, Interruption& interruption)
       ->check([](const std::string& path) { return check_extension(path, {".csv"}); })
       ->type_name("FILE")
       ->allow_extra_args(false);
-  auto* points = command
-                     ->add_option("--points", points_,
-                                  "Points (.csv of lines x,y,z or x,y,z,nx,ny,nz, metres) instead "
-                                  "of a work plane")
-                     ->type_name("FILE");
-  command->add_option("--height", height_, "Of the work plane above the floor, metres")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str()
-      ->excludes(points)
-      ->type_name("H");
-  command->add_option("--spacing", spacing_, "Of its points at most, metres; 0: by its size")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str()
-      ->excludes(points)
-      ->type_name("S");
-  command->add_option("--border", border_, "Left out along the floor's edges, metres")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str()
-      ->excludes(points)
-      ->type_name("B");
+  add_daylight_place(*command, place_);
   command
       ->add_option("--outdoors", outdoors_,
                    "Surfaces that stand outdoors (* and ? as in file names): what they reflect is "
@@ -92,22 +73,18 @@ study::Study DaylightCommand::make_light(const study::StudyEvents& events) const
 std::vector<study::DaylightPoint> DaylightCommand::make_points(
     const study::Study& study, const radiosity::Progress& progress) const {
   const radiosity::Vec3& up = study.scene.sky->up;
-  if (points_) return read_points(*points_, up, progress);
-  const radiosity::PointGrid grid = radiosity::make_work_plane(
-      study.mesh, up, {.height = height_, .border = border_, .spacing = spacing_});
-  std::vector<study::DaylightPoint> points;
-  for (Index k = 0; k < grid.size(); ++k) points.push_back({grid.point(k), grid.normal()});
-  return points;
+  if (place_.file) return read_points(*place_.file, up, progress);
+  return plane_points(study, place_.plane);
 }
 
 void DaylightCommand::run() const {
   keep_freed_memory();
   check_outputs(common_.outputs, common_.scene);
-  if (points_) check_against_inputs(common_.outputs, {*points_});
+  if (place_.file) check_against_inputs(common_.outputs, {*place_.file});
   TerminalProgress terminal(terminal_style(common_));
   const radiosity::ThreadLimit threads(common_.n_threads);
   const study::StudyEvents events = shown_events(terminal, interruption_);
-  if (points_) (void)read_points(*points_, radiosity::Vec3::UnitZ(), events.progress);
+  if (place_.file) (void)read_points(*place_.file, radiosity::Vec3::UnitZ(), events.progress);
   const study::Study study = make_light(events);
   const std::vector<study::DaylightPoint> points = make_points(study, events.progress);
   const std::vector<PointPlace> places = study::daylight_places(study, points);

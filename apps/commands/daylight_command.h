@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "apps/options/common_options.h"
+#include "apps/options/daylight_place.h"
 #include "apps/options/quantity_options.h"
 #include "apps/terminal/interruption.h"
 #include "study/daylight.h"
@@ -33,11 +34,8 @@ class DaylightCommand {
   CommonOptions common_;
   study::StudyOptions compute_;
   PhotometryOptions photometry_;
-  std::optional<std::string> points_;  // file
+  DaylightPlace place_;
   std::vector<std::string> outdoors_;  // names of surfaces
-  double height_ = 0.85;               // m
-  double spacing_ = 0;                 // m; 0: by the room's size
-  double border_ = 0.5;                // m
 };
 
 }  // namespace apps

@@ -43,15 +43,6 @@ radiosity::Scene year_scene(radiosity::Scene scene) {
   return study::daylight_scene(std::move(scene));
 }
 
-std::vector<study::DaylightPoint> plane_points(const study::Study& study,
-                                               const radiosity::WorkPlaneOptions& options) {
-  const radiosity::PointGrid grid =
-      radiosity::make_work_plane(study.mesh, study.scene.sky->up, options);
-  std::vector<study::DaylightPoint> points;
-  for (Index k = 0; k < grid.size(); ++k) points.push_back({grid.point(k), grid.normal()});
-  return points;
-}
-
 }  // namespace
 
 DaylightYearCommand::DaylightYearCommand(CLI::App& program, Interruption& interruption)
@@ -70,26 +61,7 @@ DaylightYearCommand::DaylightYearCommand(CLI::App& program, Interruption& interr
       ->check([](const std::string& path) { return check_extension(path, {".csv"}); })
       ->type_name("FILE")
       ->allow_extra_args(false);
-  auto* points = command
-                     ->add_option("--points", points_,
-                                  "Points (.csv of lines x,y,z or x,y,z,nx,ny,nz, metres) instead "
-                                  "of a work plane")
-                     ->type_name("FILE");
-  command->add_option("--height", height_, "Of the work plane above the floor, metres")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str()
-      ->excludes(points)
-      ->type_name("H");
-  command->add_option("--spacing", spacing_, "Of its points at most, metres; 0: by its size")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str()
-      ->excludes(points)
-      ->type_name("S");
-  command->add_option("--border", border_, "Left out along the floor's edges, metres")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str()
-      ->excludes(points)
-      ->type_name("B");
+  add_daylight_place(*command, place_);
   command->add_option("--from", from_, "First hour of the day that counts begins then, o'clock")
       ->check(CLI::Range(0, 23))
       ->capture_default_str();
@@ -117,7 +89,7 @@ void DaylightYearCommand::run() const {
   keep_freed_memory();
   check_outputs(common_.outputs, common_.scene);
   check_against_inputs(common_.outputs, {weather_});
-  if (points_) check_against_inputs(common_.outputs, {*points_});
+  if (place_.file) check_against_inputs(common_.outputs, {*place_.file});
   if (from_ >= to_) throw radiosity::SceneError("--from is not before --to");
   TerminalProgress terminal(terminal_style(common_));
   const radiosity::ThreadLimit threads(common_.n_threads);
@@ -134,10 +106,10 @@ void DaylightYearCommand::run() const {
   const WeatherHours weather = weather_hours(year, weather_, compass, is_photometric, from_, to_);
   for (const std::string& warning : weather.warnings) events.warn(warning);
   std::vector<study::DaylightPoint> points;
-  if (points_) points = read_points(*points_, up, events.progress);
+  if (place_.file) points = read_points(*place_.file, up, events.progress);
   const study::Study study = study::assemble(std::move(scene), compute_, events);
-  if (!points_) {
-    points = plane_points(study, {.height = height_, .border = border_, .spacing = spacing_});
+  if (!place_.file) {
+    points = plane_points(study, place_.plane);
   }
   const Eigen::VectorXd weights = shares_of_bands(study.scene);
   const study::DaylightCoefficients coefficients =

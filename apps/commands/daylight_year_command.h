@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "apps/options/common_options.h"
+#include "apps/options/daylight_place.h"
 #include "apps/options/quantity_options.h"
 #include "apps/terminal/interruption.h"
 #include "study/daylight_year.h"
@@ -30,12 +31,9 @@ class DaylightYearCommand {
   CommonOptions common_;
   study::StudyOptions compute_;
   study::YearOptions year_;
-  std::string weather_;                // file
-  std::optional<std::string> points_;  // file
+  std::string weather_;  // file
+  DaylightPlace place_;
   std::optional<std::vector<double>> north_;
-  double height_ = 0.85;    // m
-  double spacing_ = 0;      // m; 0: by the room's size
-  double border_ = 0.5;     // m
   double threshold_ = 300;  // lx
   int from_ = 8;            // o'clock
   int to_ = 18;             // o'clock

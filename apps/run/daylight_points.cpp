@@ -62,6 +62,15 @@ std::vector<study::DaylightPoint> read_points(const std::filesystem::path& path,
   return points;
 }
 
+std::vector<study::DaylightPoint> plane_points(const study::Study& study,
+                                               const radiosity::WorkPlaneOptions& options) {
+  const radiosity::PointGrid grid =
+      radiosity::make_work_plane(study.mesh, study.scene.sky->up, options);
+  std::vector<study::DaylightPoint> points;
+  for (Index k = 0; k < grid.size(); ++k) points.push_back({grid.point(k), grid.normal()});
+  return points;
+}
+
 void write_daylight_csv(const std::filesystem::path& path,
                         std::span<const study::DaylightPoint> points,
                         std::span<const radiosity::PointPlace> places,

@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "radiosity/base/progress.h"
+#include "radiosity/picture/point_grid.h"
 #include "study/daylight.h"
+#include "study/study.h"
 
 namespace apps {
 
@@ -16,6 +18,10 @@ namespace apps {
 std::vector<study::DaylightPoint> read_points(const std::filesystem::path& path,
                                               const radiosity::Vec3& up,
                                               const radiosity::Progress& progress);
+
+/// The points of a work plane of the study's room; its sky tells what is up.
+std::vector<study::DaylightPoint> plane_points(const study::Study& study,
+                                               const radiosity::WorkPlaneOptions& options);
 
 /// Writes a line for each point under the header
 /// x,y,z,normal_x,normal_y,normal_z,place,daylight_factor,sky,external,internal,error: m and shares
