@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "radiosity/base/parallel.h"
 #include "radiosity/compressed/block_product.h"
@@ -156,7 +157,7 @@ void CompressedMatrix::add_far(std::ptrdiff_t node, const double* moments, doubl
       const int n_rows = counts_a[degree] - first;
       const SmallMatrix m{coefficients, n_rows, counts_b[use.degrees.of_b(degree)]};
       if (use.is_a) {
-        radiosity::add_product<kColumns>(m, of_other, sum + first * kColumns);
+        add_product<kColumns>(m, of_other, sum + first * kColumns);
       } else {
         add_transposed_product<kColumns>(m, of_other + first * kColumns, sum);
       }
@@ -177,7 +178,7 @@ void CompressedMatrix::add_near(std::ptrdiff_t node, const double* x, double* su
     const float* densities = &blocks_.densities[use.first];
     const double* of_other = x + other.begin * std::ptrdiff_t{kColumns};
     if (use.is_a) {
-      radiosity::add_product<kColumns>({densities, n_rows, n_other}, of_other, sum);
+      add_product<kColumns>({densities, n_rows, n_other}, of_other, sum);
     } else {
       add_transposed_product<kColumns>({densities, n_other, n_rows}, of_other, sum);
     }
@@ -185,37 +186,47 @@ void CompressedMatrix::add_near(std::ptrdiff_t node, const double* x, double* su
 }
 
 template <int kColumns>
-void CompressedMatrix::add_product(const double* x, double* result) const {
+void CompressedMatrix::multiply(const double* x, double* result) const {
   const auto& nodes = blocks_.basis.nodes;
   const float* numbers = blocks_.basis.numbers.data();
-  std::vector<double> moments(blocks_.basis.n_functions * kColumns);
-  std::vector<double> gathered(blocks_.basis.n_functions * kColumns);
+  // Each thread clears what it is the first to use: new memory is slow.
+  const auto moments =
+      std::make_unique_for_overwrite<double[]>(blocks_.basis.n_functions * kColumns);
+  const auto gathered =
+      std::make_unique_for_overwrite<double[]>(blocks_.basis.n_functions * kColumns);
   const auto values = [&](const NestedBasis::Node& leaf) {
     return SmallMatrix{numbers + leaf.values, leaf.end - leaf.begin, leaf.used};
   };
   const auto transfer = [&](const NestedBasis::Node& node, std::int32_t child) {
     return SmallMatrix{numbers + nodes[child].transfer, node.used, nodes[child].used};
   };
-  const auto at = [](std::vector<double>& field, std::uint64_t first) {
-    return field.data() + first * kColumns;
+  const auto at = [](const std::unique_ptr<double[]>& field, std::uint64_t first) {
+    return field.get() + first * kColumns;
   };
 
   visit_upward([&](std::int32_t k) {
     const NestedBasis::Node& node = nodes[k];
     double* own = at(moments, node.first);
+    std::fill_n(own, node.used * kColumns, 0.0);
     if (node.is_leaf()) {
       add_transposed_product<kColumns>(values(node), x + node.begin * std::ptrdiff_t{kColumns},
                                        own);
       return;
     }
     for (const std::int32_t child : {node.left, node.right}) {
-      radiosity::add_product<kColumns>(transfer(node, child), at(moments, nodes[child].first), own);
+      add_product<kColumns>(transfer(node, child), at(moments, nodes[child].first), own);
     }
   });
 
   const auto exchange = [&](std::ptrdiff_t k) {
-    add_far<kColumns>(k, moments.data(), at(gathered, nodes[k].first));
-    add_near<kColumns>(k, x, result + nodes[k].begin * std::ptrdiff_t{kColumns});
+    const NestedBasis::Node& node = nodes[k];
+    double* functions = at(gathered, node.first);
+    std::fill_n(functions, node.used * kColumns, 0.0);
+    add_far<kColumns>(k, moments.get(), functions);
+    if (!node.is_leaf()) return;
+    double* rows = result + node.begin * std::ptrdiff_t{kColumns};
+    std::fill_n(rows, (node.end - node.begin) * std::ptrdiff_t{kColumns}, 0.0);
+    add_near<kColumns>(k, x, rows);
   };
   parallel_for(static_cast<std::ptrdiff_t>(nodes.size()), exchange, kNodeGrain);
 
@@ -223,8 +234,7 @@ void CompressedMatrix::add_product(const double* x, double* result) const {
     const NestedBasis::Node& node = nodes[k];
     const double* own = at(gathered, node.first);
     if (node.is_leaf()) {
-      radiosity::add_product<kColumns>(values(node), own,
-                                       result + node.begin * std::ptrdiff_t{kColumns});
+      add_product<kColumns>(values(node), own, result + node.begin * std::ptrdiff_t{kColumns});
       return;
     }
     for (const std::int32_t child : {node.left, node.right}) {
@@ -240,19 +250,22 @@ Eigen::MatrixXd CompressedMatrix::product(const Eigen::MatrixXd& x) const {
   Eigen::MatrixXd result(n, x.cols());
   for (Index first = 0; first < x.cols();) {
     const Index left = x.cols() - first;
-    const Index width = left > kFewColumns ? kManyColumns : left > 1 ? kFewColumns : 1;
+    if (left == 1) {
+      multiply<1>(x.col(first).data(), result.col(first).data());
+      break;
+    }
+    const Index width = left > kFewColumns ? kManyColumns : kFewColumns;
     const Index n_columns = std::min(width, left);
-    Rows in = Rows::Zero(n, width);
-    Rows out = Rows::Zero(n, width);
+    Rows in(n, width);
+    Rows out(n, width);
     parallel_ranges(n, kRowGrain, [&](Index begin, Index end) {
       in.block(begin, 0, end - begin, n_columns) = x.block(begin, first, end - begin, n_columns);
+      in.block(begin, n_columns, end - begin, width - n_columns).setZero();
     });
     if (width == kManyColumns) {
-      add_product<kManyColumns>(in.data(), out.data());
-    } else if (width == kFewColumns) {
-      add_product<kFewColumns>(in.data(), out.data());
+      multiply<kManyColumns>(in.data(), out.data());
     } else {
-      add_product<1>(in.data(), out.data());
+      multiply<kFewColumns>(in.data(), out.data());
     }
     parallel_ranges(n, kRowGrain, [&](Index begin, Index end) {
       result.block(begin, first, end - begin, n_columns) =

@@ -150,7 +150,7 @@ class CompressedMatrix {
   template <typename Add>
   [[nodiscard]] Eigen::MatrixXd sum_over_blocks(const Eigen::MatrixXd& x, const Add& add) const;
   template <int kColumns>
-  void add_product(const double* x, double* result) const;
+  void multiply(const double* x, double* result) const;
 
   CompressedBlocks blocks_;
   std::vector<Functions> functions_;  // per node

@@ -25,9 +25,7 @@ void CompressedTransport::add_source(Parts::Source source) {
 }
 
 Eigen::MatrixXd CompressedTransport::apply(const Eigen::MatrixXd& radiosity) const {
-  Eigen::MatrixXd power = radiosity;
-  power.array().colwise() *= parts_.area.array();
-  power = order_.to_rows(power);
+  Eigen::MatrixXd power = order_.to_rows(radiosity, parts_.area);
   Eigen::MatrixXd gathered = matrix_.product(power);
   if (parts_.multipliers.size() > 0) {
     const auto& mu = parts_.multipliers.array();

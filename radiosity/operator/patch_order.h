@@ -29,6 +29,15 @@ class PatchOrder {
     for_rows(x, [&](Index row, Index c) { result(row, c) = x(patches_[row], c); });
     return result;
   }
+  /// The same of weight[patch] times the values.
+  [[nodiscard]] Eigen::MatrixXd to_rows(const Eigen::MatrixXd& x,
+                                        const Eigen::VectorXd& weight) const {
+    Eigen::MatrixXd result(x.rows(), x.cols());
+    for_rows(x, [&](Index row, Index c) {
+      result(row, c) = weight[patches_[row]] * x(patches_[row], c);
+    });
+    return result;
+  }
   /// Values of rows, n x k, in the order of the patches.
   [[nodiscard]] Eigen::MatrixXd to_patches(const Eigen::MatrixXd& x) const {
     Eigen::MatrixXd result(x.rows(), x.cols());
