@@ -62,14 +62,21 @@ class IncidentLights {
 /// Indices of scenarios that share a solve.
 using Group = std::vector<std::size_t>;
 
+/// Emissivities that depend on the temperature, which other light makes another, are settled for
+/// each by itself.
 std::vector<Group> make_groups(const Scene& scene, const std::vector<Scenario>& scenarios) {
   std::map<std::vector<double>, Group> by_reflectance;
+  std::vector<Group> groups;
   for (std::size_t k = 0; k < scenarios.size(); ++k) {
-    by_reflectance[surface_reflectances(scene_of(scene, scenarios[k]))].push_back(k);
+    const Scene painted = scene_of(scene, scenarios[k]);
+    if (has_emissivity_tables(painted)) {
+      groups.push_back({k});
+    } else {
+      by_reflectance[surface_reflectances(painted)].push_back(k);
+    }
   }
   const auto most =
       static_cast<std::size_t>(std::max<Index>(1, kMostColumns / scene.bands.count()));
-  std::vector<Group> groups;
   for (const auto& [reflectance, all] : by_reflectance) {
     for (std::size_t first = 0; first < all.size(); first += most) {
       const auto begin = all.begin() + static_cast<std::ptrdiff_t>(first);
@@ -113,11 +120,6 @@ Study solve_scenarios(Study study, const std::vector<Scenario>& scenarios,
                       const StudyOptions& options, const StudyEvents& events,
                       const ScenarioVisitor& visit) {
   const Scene scene = study.scene;
-  if (has_emissivity_tables(scene)) {
-    throw SolveError(scene.source +
-                     ": has emissivities that depend on the temperature, which scenarios do not "
-                     "settle; expected constant ones");
-  }
   const std::vector<Group> groups = make_groups(scene, scenarios);
   add_missing_light(
       *study.transport, study.mesh, study.visibility,
@@ -126,6 +128,17 @@ Study solve_scenarios(Study study, const std::vector<Scenario>& scenarios,
   const Index n_bands = scene.bands.count();
   IncidentLights incident(study.mesh, events.progress);
   for (const Group& group : groups) {
+    study.scene = scene_of(scene, scenarios[group.front()]);
+    if (has_emissivity_tables(study.scene)) {
+      Light light = solve_light(study.scene, study.mesh, *study.transport, incident.of(study.scene),
+                                options, events);
+      study.solution = std::move(light.solution);
+      study.discretisation = std::move(light.discretisation);
+      study.emissivity = light.emissivity;
+      visit(group.front(), study);
+      study.emissivity = {};
+      continue;
+    }
     Eigen::MatrixXd emitted(study.mesh.size(), n_bands * static_cast<Index>(group.size()));
     Eigen::MatrixXd from_without;  // in columns like those
     for (std::size_t k = 0; k < group.size(); ++k) {

@@ -7,7 +7,7 @@
 #include "radiosity/scene/emissivity_table.h"
 #include "radiosity/scene/radiometry.h"
 #include "radiosity/solve/conditions.h"
-#include "radiosity/solve/solve.h"
+#include "radiosity/solve/solve_conditions.h"
 
 namespace study {
 namespace {
@@ -64,8 +64,7 @@ SettledEmissivity settle_emissivity(const Scene& scene, const PatchMesh& mesh,
                                             .progress = events.progress},
                                            conditions, 1);
     solving.start = start;
-    const Solution solution =
-        solve(transport, conditions.exitance, conditions.reflectance, solving);
+    const Solution solution = solve(mesh, transport, conditions, solving);
     start = solution.irradiance;
     const Eigen::VectorXd found = found_temperatures(solution, result.emissivity);
     iteration.change =

@@ -1,9 +1,7 @@
 #include "study/study.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <set>
 #include <string>
 #include <utility>
 
@@ -14,7 +12,7 @@
 #include "radiosity/scene/radiometry.h"
 #include "radiosity/solve/conditions.h"
 #include "radiosity/solve/solve.h"
-#include "radiosity/solve/trapped_light.h"
+#include "radiosity/solve/solve_conditions.h"
 #include "radiosity/stream/streaming_memory.h"
 #include "radiosity/visibility/incident_light.h"
 #include "study/luminaire_warnings.h"
@@ -26,8 +24,20 @@ namespace {
 
 using namespace radiosity;
 
+/// Throws SolveError where the method cannot pass heat through the scene's shields.
+void check_method(const Scene& scene, const StudyOptions& options) {
+  if (options.method != Method::gauss_seidel && options.method != Method::southwell) return;
+  for (const Surface& surface : scene.surfaces) {
+    if (!surface.is_shield) continue;
+    throw SolveError(fmt::format(
+        "surface '{}' is a shield, which {} cannot solve for; expected cg, jacobi or chebyshev",
+        surface.name, method_name(options.method)));
+  }
+}
+
 /// Throws SolveError if so many patches will not do, of which there may be more in the end.
 void check_expected(const Scene& scene, Index n_patches, const StudyOptions& options) {
+  check_method(scene, options);
   const Index n_polygons = scene.n_polygons();
   if (options.storage == Storage::memory) {
     check_choice(transport_choice(scene, options), n_patches, n_polygons, factor_tolerance(options),
@@ -81,27 +91,6 @@ DiscretisationError estimate_discretisation(const PatchMesh& mesh, const Transpo
         "known and not in the errors given; --patches N makes more");
   }
   return result;
-}
-
-/// `solve`, but of a group that keeps its light it tells the surfaces.
-Solution solve_named(const PatchMesh& mesh, const Transport& transport,
-                     const Conditions& conditions, const SolveOptions& options) {
-  try {
-    return solve(transport, conditions.exitance, conditions.reflectance, options);
-  } catch (const TrappedLight& trapped) {
-    std::set<std::string> names;
-    double heat = 0;
-    for (const std::int32_t patch : trapped.patches) {
-      names.insert(mesh.surface_names[mesh.surface[patch]]);
-      heat += mesh.area[patch] * conditions.exitance.row(patch).sum();
-    }
-    if (conditions.emissivity.size() == 0) throw;
-    throw SolveError(fmt::format(
-        "no surface of a floating group has a temperature and nothing leaves it: {}; {:.6g} W are "
-        "given to it in all, which nothing can take up; expected a temperature of one of them, or "
-        "an opening",
-        fmt::join(names, ", "), heat));
-  }
 }
 
 }  // namespace
@@ -177,7 +166,13 @@ FormFactors make_form_factors(const Scene& scene, const PatchMesh& mesh,
 
 Light solve_light(const Scene& scene, const PatchMesh& mesh, const Transport& transport,
                   const StudyOptions& options, const StudyEvents& events) {
-  const Eigen::MatrixXd sun = incident_irradiance(scene, mesh, events.progress);
+  return solve_light(scene, mesh, transport, incident_irradiance(scene, mesh, events.progress),
+                     options, events);
+}
+
+Light solve_light(const Scene& scene, const PatchMesh& mesh, const Transport& transport,
+                  const Eigen::MatrixXd& sun, const StudyOptions& options,
+                  const StudyEvents& events) {
   if (!has_emissivity_tables(scene)) {
     return solve_light(mesh, transport, make_conditions(scene, mesh, transport, sun), options,
                        events);
@@ -197,7 +192,7 @@ Light solve_light(const PatchMesh& mesh, const Transport& transport, const Condi
                                                 .tolerance = iteration_tolerance(options.tolerance),
                                                 .progress = events.progress},
                                                conditions, conditions.exitance.cols());
-  Solution solution = solve_named(mesh, transport, conditions, solving);
+  Solution solution = solve(mesh, transport, conditions, solving);
   warn_of_unconverged(solution, solving, events);
   DiscretisationError discretisation = estimate_discretisation(mesh, transport, solution, events);
   solution = with_discretisation_error(std::move(solution), discretisation);
@@ -221,7 +216,9 @@ Study assemble(Scene scene, const StudyOptions& options, const StudyEvents& even
 
 Study assemble(Scene scene, KnownFactors known, const StudyOptions& options,
                const StudyEvents& events) {
+  check_method(scene, options);
   check_known(scene, known, options, events);
+  warn_of_partly_given_heat(scene, known.mesh, events);
   Visibility visibility(known.mesh);
   Patches patches{std::move(known.mesh), std::move(visibility)};
   if (events.divided) events.divided(scene, patches);

@@ -86,6 +86,11 @@ Light solve_light(const radiosity::Scene& scene, const radiosity::PatchMesh& mes
                   const radiosity::Transport& transport, const StudyOptions& options = {},
                   const StudyEvents& events = {});
 
+/// The same with the direct irradiance of the sun and luminaires at hand (incident_irradiance).
+Light solve_light(const radiosity::Scene& scene, const radiosity::PatchMesh& mesh,
+                  const radiosity::Transport& transport, const Eigen::MatrixXd& sun,
+                  const StudyOptions& options, const StudyEvents& events);
+
 /// The same of any conditions, n x k emitted of n x b; tells temperatures if they are of heat.
 /// Throws SolveError where heat is given to surfaces that nothing takes it from, with their names,
 /// and where a temperature would be below absolute zero.

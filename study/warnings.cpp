@@ -3,14 +3,28 @@
 #include <fmt/format.h>
 
 #include <string>
+#include <vector>
 
 #include "meshing/inspect/inspect.h"
 #include "radiosity/exchange/cut_off.h"
+#include "radiosity/scene/celsius.h"
 #include "radiosity/scene/patch_heat.h"
 
 namespace study {
 
 using namespace radiosity;
+
+namespace {
+
+void warn_of_celsius(const GivenHeat& given, const StudyEvents& events) {
+  std::vector<double> kelvins;
+  for (const auto& [number, kelvin] : given.values) kelvins.push_back(kelvin);
+  if (const auto warning = celsius_warning(kelvins)) {
+    events.warn(given.source + ": " + *warning);
+  }
+}
+
+}  // namespace
 
 void warn_of_findings(const Scene& scene, const StudyEvents& events) {
   if (!events.warned) return;
@@ -32,6 +46,7 @@ void warn_of_partly_given_heat(const Scene& scene, const PatchMesh& mesh,
                                const StudyEvents& events) {
   (void)patch_heat(scene, mesh);
   for (const GivenHeat& given : scene.given_heat) {
+    if (given.kind == GivenHeat::Kind::temperature) warn_of_celsius(given, events);
     const auto n = static_cast<Index>(given.values.size());
     if (given.of != GivenHeat::Of::patches || n == mesh.size()) continue;
     events.warn(fmt::format(

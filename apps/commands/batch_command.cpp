@@ -29,7 +29,7 @@ BatchCommand::BatchCommand(CLI::App& program, Interruption& interruption)
     : interruption_(interruption) {
   CLI::App* command = program.add_subcommand(
       "batch", "Run all entries of a list, some at a time, and make one table of the results");
-  command->add_option("list", list_, "List of runs (.json)")->type_name("LIST")->required();
+  command->add_option("LIST", list_, "List of runs (.json)")->required();
   command
       ->add_option("-o,--output", common_.outputs,
                    "Table of the results, .csv or .json; may be repeated")

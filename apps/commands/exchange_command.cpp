@@ -17,6 +17,7 @@
 #include "radiosity/base/error.h"
 #include "radiosity/base/machine_memory.h"
 #include "radiosity/base/parallel.h"
+#include "radiosity/scene/emissivity_table.h"
 #include "radiosity/scene/radiometry.h"
 
 namespace apps {
@@ -138,6 +139,11 @@ void ExchangeCommand::run() const {
   std::optional<std::vector<std::int64_t>> numbers;
   events.divided = [&](const radiosity::Scene& scene, const study::Patches& patches) {
     (void)emissivities(scene, patches.mesh);
+    if (radiosity::has_emissivity_tables(scene)) {
+      events.warn(
+          "emissivities that depend on the temperature count as at the materials' own "
+          "temperatures, or at 300 K where these have none");
+    }
     if (nodes_) {
       numbers = io::read_node_numbers(*nodes_, patches.mesh.surface_names, events.progress);
     }

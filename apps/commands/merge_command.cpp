@@ -55,8 +55,7 @@ MergeCommand::MergeCommand(CLI::App& program, Interruption& interruption)
     : interruption_(interruption) {
   CLI::App* command = program.add_subcommand(
       "merge", "Put the parts together that 'form-factors --part' has written, to one file");
-  command->add_option("parts", parts_, "All parts of one computation (.h5), in any order")
-      ->type_name("PART")
+  command->add_option("PART", parts_, "All parts of one computation (.h5), in any order")
       ->required();
   command
       ->add_option("-o,--output", common_.outputs,

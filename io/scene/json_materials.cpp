@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -14,6 +13,7 @@
 #include "io/scene/json_light_plan.h"
 #include "io/scene/scene_keys.h"
 #include "io/scene/spectrum.h"
+#include "radiosity/scene/celsius.h"
 #include "radiosity/scene/emissivity_table.h"
 
 namespace io {
@@ -24,10 +24,6 @@ using radiosity::Emission;
 using radiosity::Material;
 
 constexpr double kCelsius = 273.15;  // 0 °C, K
-/// Scenes all of whose temperatures lie here are taken for scenes in degrees Celsius: rooms and
-/// machines; what is kept that cold is not kept by walls of 10 K and more alone.
-constexpr double kLeastCelsius = 10;
-constexpr double kMostCelsius = 60;
 
 /// What is wrong with values, if anything.
 using ValueCheck = std::function<std::optional<std::string>(const Eigen::VectorXd&)>;
@@ -187,12 +183,6 @@ bool is_heat(const Emission& emission) {
   return emission.kind == Emission::Kind::heat_flux || emission.kind == Emission::Kind::heat_power;
 }
 
-/// Whether nothing of that can come from a surface that emits nothing at any temperature.
-bool needs_emissivity(const Emission& emission) {
-  return (emission.kind == Emission::Kind::temperature || is_heat(emission)) &&
-         !emission.value.isZero(0);
-}
-
 Emission read_emission_value(const JsonItem& item, std::string_view key, const Bands& bands,
                              const std::filesystem::path& folder) {
   const ValueCheck check = [&](const Eigen::VectorXd& value) {
@@ -278,17 +268,11 @@ Emission read_environment(const JsonItem& item, const Bands& bands,
 std::optional<std::string> temperature_warning(const radiosity::Scene& scene) {
   std::vector<const Emission*> emissions = {&scene.environment};
   for (const Material& material : scene.materials) emissions.push_back(&material.emission);
-  double low = std::numeric_limits<double>::infinity();
-  double high = 0;
+  std::vector<double> kelvins;
   for (const Emission* emission : emissions) {
-    if (emission->kind != Emission::Kind::temperature || emission->value[0] == 0) continue;
-    low = std::min(low, emission->value[0]);
-    high = std::max(high, emission->value[0]);
+    if (emission->kind == Emission::Kind::temperature) kelvins.push_back(emission->value[0]);
   }
-  if (!(high > 0 && low >= kLeastCelsius && high <= kMostCelsius)) return std::nullopt;
-  return fmt::format(
-      "all temperatures lie from {} to {} K: are they degrees Celsius? Kelvin is expected, {} more",
-      low, high, kCelsius);
+  return radiosity::celsius_warning(kelvins);
 }
 
 Eigen::VectorXd read_band_values(const JsonItem& item, const std::string& name, const Bands& bands,

@@ -15,6 +15,7 @@
 #include "radiosity/solve/discretisation_error.h"
 #include "radiosity/solve/refinement.h"
 #include "radiosity/solve/solution.h"
+#include "radiosity/solve/solve_conditions.h"
 #include "radiosity/visibility/incident_light.h"
 
 namespace meshing {
@@ -138,7 +139,7 @@ class Refiner {
     solving.progress = options_.progress;
     const Conditions conditions = make_conditions(scene_, mesh, *stage.transport, incident);
     solving = with_conditions(std::move(solving), conditions, conditions.exitance.cols());
-    stage.solution = solve(*stage.transport, conditions.exitance, conditions.reflectance, solving);
+    stage.solution = solve(mesh, *stage.transport, conditions, solving);
     return stage;
   }
 

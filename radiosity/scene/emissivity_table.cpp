@@ -9,6 +9,13 @@
 
 namespace radiosity {
 
+bool needs_emissivity(const Emission& emission) {
+  const bool is_heat = emission.kind == Emission::Kind::temperature ||
+                       emission.kind == Emission::Kind::heat_flux ||
+                       emission.kind == Emission::Kind::heat_power;
+  return is_heat && !emission.value.isZero(0);
+}
+
 double emissivity_at(const Material& material, double kelvin) {
   const auto& table = material.emissivity_table;
   const auto above = std::find_if(table.begin(), table.end(),

@@ -10,6 +10,9 @@ namespace radiosity {
 /// What a material with a table is taken to be at where its temperature is not known, K.
 inline constexpr double kUsualTemperature = 300;
 
+/// Whether it is a heat other than 0 or a temperature above 0 K, which needs an emissivity above 0.
+bool needs_emissivity(const Emission& emission);
+
 /// Emissivity of a material with a table at a temperature, K: linear between its pairs, and beyond
 /// them what it is at the nearest.
 double emissivity_at(const Material& material, double kelvin);

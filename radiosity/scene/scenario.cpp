@@ -1,6 +1,7 @@
 #include "radiosity/scene/scenario.h"
 
 #include "radiosity/base/error.h"
+#include "radiosity/scene/emissivity_table.h"
 
 namespace radiosity {
 namespace {
@@ -15,9 +16,16 @@ void paint(const Scenario& scenario, const Scenario::Paint& paint, Scene& scene)
     if (!matches(paint.materials, material.name)) continue;
     is_found = true;
     if (paint.reflectance.size() != 1 && paint.reflectance.size() != scene.bands.count()) {
-      refuse_scenario(scenario, "found " + std::to_string(paint.reflectance.size()) +
-                                    " reflectances of '" + paint.materials + "', expected 1 or " +
-                                    std::to_string(scene.bands.count()));
+      refuse_scenario(scenario,
+                      "found " + std::to_string(paint.reflectance.size()) + " reflectances of '" +
+                          paint.materials + "', expected 1" +
+                          (scene.bands.count() > 1 ? " or " + std::to_string(scene.bands.count())
+                                                   : std::string()));
+    }
+    if (needs_emissivity(material.emission) && paint.reflectance.minCoeff() == 1) {
+      refuse_scenario(scenario, "the reflectance 1 of '" + material.name +
+                                    "', which has a temperature or heat that it cannot give off "
+                                    "then; expected less");
     }
     material.emissivity_table.clear();
     material.reflectance =
@@ -28,10 +36,15 @@ void paint(const Scenario& scenario, const Scenario::Paint& paint, Scene& scene)
   if (!is_found) refuse_scenario(scenario, "there is no material '" + paint.materials + "'");
 }
 
+bool is_emitting(const Scene& scene, int material) {
+  return material >= 0 && scene.materials[material].emission.kind != Emission::Kind::none;
+}
+
 void light(const Scenario& scenario, const Scenario::Light& light, Scene& scene) {
   bool is_found = false;
   for (Surface& surface : scene.surfaces) {
-    const bool emits = scene.materials[surface.material].emission.kind != Emission::Kind::none;
+    const bool emits =
+        is_emitting(scene, surface.material) || is_emitting(scene, surface.back_material);
     if (!emits || !matches(light.surfaces, surface.name)) continue;
     is_found = true;
     surface.emission_factor = light.factor;

@@ -31,9 +31,10 @@ struct Scenario {
 /// Whether the name is one that the pattern stands for.
 bool matches(std::string_view pattern, std::string_view name);
 
-/// The scene with the light and materials of a scenario. Throws SceneError if a pattern stands for
-/// no surface that emits and no luminaire, or for no material, or if reflectances are not one per
-/// band.
+/// The scene with the light and materials of a scenario; constant emissivities in place of tables
+/// where it paints. Throws SceneError if a pattern stands for no surface that emits and no
+/// luminaire, or for no material, if reflectances are not one per band, or 1 where heat is to be
+/// given off.
 Scene scene_of(const Scene& scene, const Scenario& scenario);
 
 }  // namespace radiosity

@@ -15,6 +15,28 @@ namespace {
 /// σ T⁴ below 0 by less than this share of B and H is rounding, or what the iteration leaves.
 constexpr double kColdRounding = 1e-6;
 
+/// Shares of light that differ by no more are one, of which others are made.
+constexpr double kSameShare = 1e-15;
+
+/// Whether patch i emits what it does whatever it receives, so that this is known without the
+/// rounding of B and H; else its heat tells.
+bool emits_by_itself(const Solution& solution, Index i, double emissivity) {
+  const double reflectance = solution.reflectance(i, 0);
+  const bool is_sheet =
+      solution.transmission.size() > 0 && solution.transmission.innerVector(i).nonZeros() > 0;
+  return !is_sheet && reflectance < 1 && std::abs(reflectance - (1 - emissivity)) <= kSameShare;
+}
+
+/// Of patch i that takes up `net` of the irradiance h, W/m².
+[[noreturn]] void refuse_cold(const PatchMesh& mesh, Index i, double net, double h) {
+  const std::string received = h >= 0 ? "; it receives " + std::to_string(h) +
+                                            " W/m² and can take up no more than it absorbs"
+                                      : ", more than all others can give it";
+  throw SolveError("surface '" + mesh.surface_names[mesh.surface[i]] + "': patch " +
+                   std::to_string(i) + " would have to be below absolute zero to take up " +
+                   std::to_string(net) + " W/m²" + received);
+}
+
 /// `single` is what is given to patches by themselves.
 bool is_given_heat(const Scene& scene, const PatchMesh& mesh, const PatchHeat& single,
                    Index patch) {
@@ -110,13 +132,10 @@ Eigen::VectorXd temperatures(const PatchMesh& mesh, const Solution& solution,
     const double b = solution.radiosity(i, 0);
     const double h = solution.irradiance(i, 0);
     const double e = emissivity[i];
-    const double emitted = e > 0 ? b - (1 - e) * h : b;
-    if (!(emitted >= -kColdRounding * (std::abs(b) + std::abs(h)))) {
-      throw SolveError("surface '" + mesh.surface_names[mesh.surface[i]] + "': patch " +
-                       std::to_string(i) + " would have to be below absolute zero to take up " +
-                       std::to_string(h - b) + " W/m²; it receives " + std::to_string(h) +
-                       " W/m² and can take up no more than it absorbs");
-    }
+    const double emitted = emits_by_itself(solution, i, e) ? solution.exitance(i, 0)
+                           : e > 0                         ? b - (1 - e) * h
+                                                           : b;
+    if (!(emitted >= -kColdRounding * (std::abs(b) + std::abs(h)))) refuse_cold(mesh, i, h - b, h);
     result[i] = std::pow(std::max(emitted, 0.) / ((e > 0 ? e : 1) * kStefanBoltzmann), 0.25);
   }
   return result;

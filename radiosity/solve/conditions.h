@@ -35,8 +35,9 @@ SolveOptions with_conditions(SolveOptions options, const Conditions& conditions,
 /// meets neither fronts nor backs: (1 - Σ_j F_ij - covered - backs) M_e, n x b, not below 0.
 Eigen::MatrixXd environment_irradiance(const Transport& transport, const Eigen::VectorXd& exitance);
 
-/// What patches would have to be at, K, n: σ T⁴ = (B - (1 - ε) H) / ε, of patches that emit nothing
-/// = B, as of an adiabatic one. Of one grey band and `emissivity`, n. Throws SolveError where no
+/// What patches would have to be at, K, n: σ T⁴ = (B - (1 - ε) H) / ε, M_e / ε where they reflect 1
+/// - ε (temperatures that were given come out as they were), of patches with ε = 0 B, as of an
+/// adiabatic one. Of one grey band and `emissivity`, n. Throws SolveError where no
 /// temperature gives off so little, with the patch and its surface.
 Eigen::VectorXd temperatures(const PatchMesh& mesh, const Solution& solution,
                              const Eigen::VectorXd& emissivity);

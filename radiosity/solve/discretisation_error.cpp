@@ -36,7 +36,7 @@ Solution solve_coarser(const AggregatedTransport& coarser, const Solution& solut
   options.start = coarser.means(solution.irradiance);
   if (solution.incident.size() > 0) options.incident = coarser.means(solution.incident);
   if (solution.transmission.size() > 0) options.transmission = coarser.means(solution.transmission);
-  options.has_sinks = true;  // checked in the finer one
+  options.has_sinks = (solution.exitance.array() < 0).any();
   options.progress.stop = progress.stop;
   return solve(coarser, coarser.means(solution.exitance), coarser.means(solution.reflectance),
                options);

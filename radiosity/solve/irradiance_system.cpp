@@ -51,7 +51,8 @@ void require_no_trapped_light(const IrradianceSystem& system, Index band, SolveM
   for (Index c = band; c < system.n_columns(); c += system.reflectance.cols()) {
     const Eigen::VectorXd light =
         system.exitance.col(c).cwiseAbs() + system.direct.col(c).cwiseAbs();
-    if (trapping.dot(light) == 0) continue;
+    // Of heat nothing fixes the temperatures of such patches.
+    if (trapping.dot(light) == 0 && !monitor.has_sinks()) continue;
     std::vector<std::int32_t> patches;
     for (Index i = 0; i < trapping.size(); ++i) {
       if (trapping[i] > 0) patches.push_back(static_cast<std::int32_t>(i));

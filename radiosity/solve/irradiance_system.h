@@ -82,7 +82,7 @@ struct IrradianceSystem {
 
 /// Prepares the system of what the monitor's options say beside; one product with 1, ρ, M_e and the
 /// start together, more only if some ρ = 1. Throws SolveError if light is emitted among patches
-/// with ρ = 1 that let none escape.
+/// with ρ = 1 that let none escape, of heat (sinks) even if none is.
 IrradianceSystem make_irradiance_system(const Transport& transport, const Eigen::MatrixXd& exitance,
                                         const Eigen::MatrixXd& reflectance, SolveMonitor& monitor);
 

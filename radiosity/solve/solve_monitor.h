@@ -41,6 +41,7 @@ class SolveMonitor {
   [[nodiscard]] const Eigen::SparseMatrix<double>& transmission() const {
     return options_.transmission;
   }
+  [[nodiscard]] bool has_sinks() const { return options_.has_sinks; }
   [[nodiscard]] double tolerance() const { return options_.tolerance; }
   [[nodiscard]] double products() const { return products_; }
   [[nodiscard]] int iterations() const { return iterations_; }

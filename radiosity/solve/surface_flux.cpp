@@ -14,7 +14,7 @@ bool is_thermal(const Scene& scene) {
   };
   return is_hot(scene.environment) ||
          std::any_of(scene.surfaces.begin(), scene.surfaces.end(), [&](const auto& surface) {
-           return is_hot(scene.materials[surface.material].emission) ||
+           return surface.is_shield || is_hot(scene.materials[surface.material].emission) ||
                   (surface.back_material >= 0 &&
                    is_hot(scene.materials[surface.back_material].emission));
          });

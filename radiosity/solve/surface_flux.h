@@ -22,9 +22,9 @@ struct SurfaceFlux {
   std::optional<double> temperature = {};
 };
 
-/// Whether the light is heat: a surface emits by its temperature or gives off a given heat, what
-/// surrounds them has a temperature, or the bands are the sun's and the infrared one, or thermal
-/// ones.
+/// Whether the light is heat: a surface emits by its temperature, gives off a given heat or is a
+/// shield, what surrounds them has a temperature, or the bands are the sun's and the infrared one,
+/// or thermal ones.
 bool is_thermal(const Scene& scene);
 
 /// One entry per surface, in the scene's order; bands are added up.

@@ -243,7 +243,7 @@ TEST_F(BatchProgram, BadListsAreOneLine) {
   expect_error(run({"batch", list, "-o", list}), 1, "list.json");
   expect_error(run({"batch", list, "--jobs", "0"}), 2, "--jobs");
   expect_error(run({"batch", list, "-o", result("t.txt")}), 2, "--output");
-  expect_error(run({"batch"}), 2, "list is required");
+  expect_error(run({"batch"}), 2, "LIST is required");
   write_file("list.json.journal", "somebody's notes\n");
   expect_error(run({"batch", list, "--quiet"}), 1, "list.json.journal: is no journal");
   EXPECT_TRUE(results().empty());

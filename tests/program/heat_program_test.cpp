@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 
 #include "tests/support/program.h"
 
@@ -158,6 +159,65 @@ TEST_F(Heat, TemperaturesOfAResultAreTaken) {
       // The iterations add up to 1e-8 of B, of which heats are a part.
       EXPECT_NEAR(again["surfaces"][s]["net_heat"], first["surfaces"][s]["net_heat"], 0.1) << file;
     }
+  }
+}
+
+// Before the long work, by the shield's name, and from form factors at hand as well.
+TEST_F(Heat, ShieldsAreRefusedWhereTheMethodCannotPassHeat) {
+  const std::string path =
+      write_file("shield.json",
+                 scene(R"("environment": {"radiance": 9}, )", R"("sheet": {"emissivity": 0.05})",
+                       surface("sheet", R"("two_sided": true, "shield": true,
+                              "polygons": [[[0,0,1], [1,0,1], [1,1,1], [0,1,1]]])")));
+  const Outcome made = run({"solve", path, "-o", result("f.h5"), "--json"});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_TRUE(Json::parse(made.out).contains("surfaces"));
+  for (const char* method : {"gauss-seidel", "southwell"}) {
+    for (const char* how : {"--as-is", "--adaptive", "--operator"}) {
+      Arguments arguments = {"solve", path, "--method", method, how};
+      if (std::string(how) == "--operator") arguments.push_back(result("f.h5"));
+      expect_error(run(arguments), 1, std::string("surface 'sheet' is a shield, which ") + method);
+    }
+  }
+}
+
+TEST_F(Heat, FilesInDegreesCelsiusAreTold) {
+  const std::string path = RADIOSITY_SCENES "/furnace-walls.json";
+  ASSERT_EQ(run({"solve", path, "--patches", "60", "-o", result("f.h5")}).exit_code, 0);
+  const std::string cold = write_file("cold.csv", "polygon,T\n0,20.5\n1,\n2,45\n");
+  const std::string mixed = write_file("mixed.csv", "polygon,T\n0,20.5\n2,345\n");
+  for (const char* how : {"--as-is", "--operator"}) {
+    Arguments arguments = {"solve", path, how};
+    if (std::string(how) == "--operator") arguments.push_back(result("f.h5"));
+    for (const auto& [file, is_told] : {std::pair(cold, true), std::pair(mixed, false)}) {
+      Arguments with_file = arguments;
+      with_file.insert(with_file.end(), {"--temperatures", file});
+      const Outcome outcome = run(with_file);
+      EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+      EXPECT_EQ(
+          outcome.err.find("cold.csv: all temperatures lie from 20.5 to 45 K") != std::string::npos,
+          is_told)
+          << outcome.err;
+    }
+  }
+}
+
+TEST_F(Heat, TablesOfEmissivityAreChecked) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"[[200, 0.3]]", "materials.m.emissivity: has one pair"},
+      {"[[200, 0.3], [100, 0.4]]", "temperature 100 K does not follow 200 K"},
+      {"[[200, 0.3], [200, 0.4]]", "temperature 200 K does not follow 200 K"},
+      {"[[-5, 0.3], [200, 0.4]]", "emissivity[0]: temperature is -5 K, below absolute zero"},
+      {"[[5, 0], [200, 0.4]]", "emissivity 0 is outside (0, 1]"},
+      {"[[5, 0.2], [200, 1.4]]", "emissivity[1]: emissivity 1.4 is outside"},
+      {"[[5, 0.1, 3], [200, 0.4]]", "expected a pair of a temperature, K, and an emissivity"},
+      {"[[5, \"a\"], [200, 0.4]]", "emissivity[0][1]: expected a number"},
+      {"[[5, 0.1], 0.4]", "emissivity[1]: expected a list"}};
+  for (const auto& [table, message] : cases) {
+    const std::string text =
+        scene("", std::string(R"("m": {"adiabatic": true, "emissivity": )") + table + "}",
+              surface("m", R"("polygons": [[[0,0,0], [1,0,0], [1,1,0], [0,1,0]]])"));
+    EXPECT_NE(error_of(text).find(message), std::string::npos) << table << ": " << error_of(text);
   }
 }
 

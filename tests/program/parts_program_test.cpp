@@ -254,7 +254,7 @@ TEST_F(PartsProgram, BadUsageIsOneLine) {
   }
   expect_error(run(job(cube, {"--part", "1/2", "--by", "surface"})), 2, "--part");
   expect_error(run(job(cube, {"--part", "1/2"}, "f.csv")), 2, "--part");
-  expect_error(run({"merge", "-o", result("f.h5")}), 2, "parts is required");
+  expect_error(run({"merge", "-o", result("f.h5")}), 2, "PART is required");
   expect_error(run({"merge", result("f.1-of-1.h5")}), 2, "--output");
   make_parts(cube, {"--as-is"}, 1);
   expect_error(run({"merge", result("f.1-of-1.h5"), "-o", result("f.csv")}), 2, "--output");

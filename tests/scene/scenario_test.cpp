@@ -103,8 +103,29 @@ TEST(Scenario, NamesThatStandForNothingAreErrors) {
             std::string::npos);
   EXPECT_NE(refusal({"a", {{"wall", 1}}, {}}).find("that emits"), std::string::npos);
   EXPECT_NE(refusal({"b", {}, {{"wood", list_of({1})}}}).find("scenario 'b'"), std::string::npos);
-  EXPECT_NE(refusal({"b", {}, {{"iron", list_of({1, 0})}}}).find("expected 1 or 1"),
-            std::string::npos);
+  EXPECT_NE(refusal({"b", {}, {{"iron", list_of({1, 0})}}}).find("expected 1"), std::string::npos);
+}
+
+TEST(Scenario, SwitchesWhatOnlyBacksEmit) {
+  Scene scene = lit_room();
+  scene.surfaces[3].two_sided = true;
+  scene.surfaces[3].back_material = 1;
+  EXPECT_EQ(scene_of(scene, {"off", {{"wall", 0}}, {}}).surfaces[3].emission_factor, 0);
+}
+
+// Of emissivity 0 no heat is given off: iron at 400 K, or of a given heat, but not at 0 K and not
+// what emits light.
+TEST(Scenario, DoesNotTakeTheEmissivityOfHeat) {
+  const Scenario white{"white", {}, {{"*", list_of({1})}}};
+  EXPECT_NE(refusal(white).find("the reflectance 1 of 'iron'"), std::string::npos)
+      << refusal(white);
+  for (const Emission::Kind kind : {Emission::Kind::heat_flux, Emission::Kind::heat_power}) {
+    Scene scene = lit_room();
+    scene.materials[1].emission = {kind, list_of({-3})};
+    EXPECT_THROW((void)scene_of(scene, white), SceneError);
+    scene.materials[1].emission.value[0] = 0;
+    EXPECT_EQ(scene_of(scene, white).materials[1].reflectance, list_of({1}));
+  }
 }
 
 }  // namespace

@@ -10,6 +10,8 @@
 #include "radiosity/base/error.h"
 #include "radiosity/scene/radiometry.h"
 #include "radiosity/solve/solve.h"
+#include "radiosity/solve/solve_conditions.h"
+#include "radiosity/solve/surface_flux.h"
 #include "tests/support/matrix_transport.h"
 #include "tests/support/messages.h"
 
@@ -250,6 +252,66 @@ TEST(Conditions, ColderThanAbsoluteZeroIsRefused) {
     ADD_FAILURE() << "accepted";
   } catch (const SolveError& error) {
     test::expect_contains(error.what(), "surface 's1': patch 1 would have to be below absolute");
+  }
+}
+
+// Temperatures that are given are told as they were, 0 K among them, however the iteration ends;
+// of what emits otherwise that which would give off as much.
+TEST(Conditions, GivenTemperaturesComeOutAsTheyWere) {
+  const Emission::Kind kinds[] = {Emission::Kind::temperature, Emission::Kind::temperature,
+                                  Emission::Kind::exitance};
+  const double given[] = {0, 377, 250};
+  const double emissivities[] = {0.3, 0.05, 0.8};
+  for (int k = 0; k < 3; ++k) {
+    Patches patches;
+    patches.add(2, material(0.6, emission(Emission::Kind::temperature, 500)));
+    patches.add(2, material(emissivities[k], emission(kinds[k], given[k])));
+    const DenseTestTransport transport = facing(2);
+    const Conditions conditions = make_conditions(patches.scene, patches.mesh, transport);
+    const Solution rough = solve(patches.mesh, transport, conditions,
+                                 with_conditions({.tolerance = 1e-3}, conditions, 1));
+    const double expected = kinds[k] == Emission::Kind::temperature
+                                ? given[k]
+                                : std::pow(given[k] / (emissivities[k] * kStefanBoltzmann), 0.25);
+    EXPECT_NEAR(temperatures(patches.mesh, rough, conditions.emissivity)[1], expected,
+                1e-14 * expected);
+  }
+}
+
+// A shield between lamps is at the mean of what both sides absorb, though nothing has a
+// temperature: σ T⁴ = (ε H + ε' H') / (ε + ε'), H = M_1 + ρ_1 B where plates face each other.
+TEST(Conditions, ShieldsAloneMakeLightHeat) {
+  Patches patches;
+  patches.add(1, material(1, emission(Emission::Kind::exitance, 300)));
+  patches.add(1, material(1, emission(Emission::Kind::exitance, 900)));
+  patches.add_shield(1, material(0.2, {}), material(0.5, {}));
+  EXPECT_TRUE(is_thermal(patches.scene));
+  Eigen::MatrixXd exchange = Eigen::MatrixXd::Zero(4, 4);
+  exchange(0, 2) = exchange(2, 0) = exchange(1, 3) = exchange(3, 1) = 1;
+  const Solution solution =
+      solve_heat(patches, DenseTestTransport(exchange, Eigen::VectorXd::Ones(4)));
+  EXPECT_NEAR(black(solution.temperature[2]), (0.2 * 300 + 0.5 * 900) / 0.7, 1e-9 * 900);
+  EXPECT_NEAR(solution.temperature[3], solution.temperature[2], 1e-9 * 300);
+}
+
+// Nothing fixes the temperatures of patches that see only each other, whatever heat is given.
+TEST(Conditions, FloatingGroupsAreRefusedByName) {
+  const double fluxes[][2] = {{0, 0}, {3, -3}, {3, 4}};
+  const char* expected[] = {"adds up to 0", "adds up to 0", "14 W are given to it"};
+  for (int k = 0; k < 3; ++k) {
+    Patches patches;
+    for (const double q : fluxes[k]) {
+      patches.add(2, material(0.4, emission(Emission::Kind::heat_flux, q)));
+    }
+    const DenseTestTransport transport = facing(2);
+    const Conditions conditions = make_conditions(patches.scene, patches.mesh, transport);
+    try {
+      (void)solve(patches.mesh, transport, conditions, with_conditions({}, conditions, 1));
+      ADD_FAILURE() << "accepted " << k;
+    } catch (const SolveError& error) {
+      test::expect_contains(error.what(), "leaves it: s0, s1");
+      test::expect_contains(error.what(), expected[k]);
+    }
   }
 }
 

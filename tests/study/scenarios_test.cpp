@@ -56,6 +56,31 @@ TEST(Scenarios, DimmedLightIsThatMuchLess) {
   EXPECT_LE((4 * found[2].radiosity - found[0].radiosity).norm(), 1e-7 * found[0].radiosity.norm());
 }
 
+// Emissivities by temperature are settled for each, a shield's too; paint makes them constant.
+TEST(Scenarios, SettleEmissivitiesByTemperature) {
+  Scene scene = io::read_scene(RADIOSITY_SCENES "/furnace-walls.json");
+  for (Material& material : scene.materials) {
+    if (material.name != "load") material.emissivity_table = {{300, 0.2}, {1200, 0.9}};
+  }
+  const std::vector<Scenario> list = {{"as is"},
+                                      {"half", {{"heater", 0.5}}, {}},
+                                      {"painted", {}, {{"*", Eigen::VectorXd::Constant(1, 0.4)}}}};
+  std::size_t n_visited = 0;
+  study::solve_scenarios(
+      study::assemble(scene, kScenarioOptions), list, kScenarioOptions, {},
+      [&](std::size_t k, const study::Study& solved) {
+        ++n_visited;
+        const study::Study alone = study::run(scene_of(scene, list[k]), kScenarioOptions);
+        const Eigen::VectorXd& expected = alone.solution.temperature;
+        ASSERT_EQ(solved.solution.temperature.size(), expected.size());
+        // Of the same solves; those of many columns end otherwise, within the iteration's error.
+        EXPECT_LE((solved.solution.temperature - expected).norm(), 1e-6 * expected.norm())
+            << list[k].name;
+        EXPECT_EQ(solved.emissivity.has_value(), list[k].paints.empty());
+      });
+  EXPECT_EQ(n_visited, list.size());
+}
+
 TEST(Scenarios, LeaveTheStudyAsItWas) {
   const study::Study study =
       study::solve_scenarios(study::assemble(scenario_room(), kScenarioOptions), scenarios(),
