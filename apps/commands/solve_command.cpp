@@ -115,7 +115,7 @@ void SolveCommand::run() const {
   }
   if (scenarios_) return solve_all(std::move(assembled), scenarios, events, terminal);
   const study::Study solved = study::with_light(std::move(assembled), compute_, events);
-  const io::ResultOptions options = {.wavelengths = solved.scene.bands.wavelengths,
+  const io::ResultOptions options = {.bands = solved.scene.bands,
                                      .quantities = fields(solved, quantities),
                                      .camera = solved.scene.camera};
   SolveSummary summary = {.solved = solved, .outputs = common.outputs, .operator_file = operator_};
@@ -204,7 +204,7 @@ void SolveCommand::solve_all(study::Study assembled, const std::vector<Scenario>
       rows[k].quantities.push_back(radiosity::summarize(field, solved.mesh));
     }
     write_results(solved, outputs_of(scenarios[k]),
-                  {.wavelengths = solved.scene.bands.wavelengths,
+                  {.bands = solved.scene.bands,
                    .quantities = fields(solved, asked),
                    .camera = solved.scene.camera},
                   events.progress);

@@ -4,6 +4,7 @@
 
 #include <cassert>
 #include <string>
+#include <vector>
 
 #include "io/base/extension.h"
 #include "io/result/color_glb.h"
@@ -17,9 +18,11 @@ namespace {
 
 CornerColors shown_colors(const radiosity::PatchMesh& mesh, const radiosity::Solution& solution,
                           const ResultOptions& options) {
+  const std::vector<double> wavelengths =
+      options.bands ? options.bands->wavelengths : std::vector<double>();
   return options.quantities.empty()
-             ? radiosity_colors(mesh, solution, options.wavelengths)
-             : quantity_colors(mesh, options.quantities.front(), options.wavelengths);
+             ? radiosity_colors(mesh, solution, wavelengths)
+             : quantity_colors(mesh, options.quantities.front(), wavelengths);
 }
 
 }  // namespace
@@ -35,8 +38,7 @@ void write(const std::filesystem::path& path, const radiosity::PatchMesh& mesh,
           ".glb",
           path.string()));
     }
-    radiosity_io_write_vtp(path, mesh, solution, options.quantities, options.wavelengths,
-                           options.camera);
+    radiosity_io_write_vtp(path, mesh, solution, options.quantities, options.bands, options.camera);
   } else if (extension == ".csv") {
     write_patch_csv(path, mesh, solution, options.quantities);
   } else if (extension == ".ply") {

@@ -13,9 +13,9 @@ namespace io {
 
 /// What a result file needs to know beyond the solution.
 struct ResultOptions {
-  /// Wavelengths of the bands, nm, increasing, for the colours of a .ply or .glb and for who reads
-  /// a .vtp; empty: three bands are linear RGB, any other number shows as grey.
-  std::vector<double> wavelengths = {};
+  /// What the bands are, for the colours of a .ply or .glb and for who reads a .vtp; absent: one is
+  /// grey, three are linear RGB, any other number shows as grey.
+  std::optional<radiosity::Bands> bands = {};
   /// Added to every file: after the columns of a .csv (`name`, per band `name_0`..), as arrays of a
   /// .vtp. The first one, its mean over the bands, colours a .ply or .glb through `fitting_scale`
   /// and `map_color` instead of the radiosity.

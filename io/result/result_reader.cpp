@@ -5,12 +5,14 @@
 #include <vtkPolyData.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <utility>
 
 #include "io/base/line_reader.h"
+#include "io/result/bands_name.h"
 #include "io/result/polydata_arrays.h"
 #include "io/result/vtk_polydata.h"
 #include "io/result/vtk_polydata_reader.h"
@@ -112,20 +114,19 @@ PatchMesh read_mesh(const PolydataArrays& arrays, const std::filesystem::path& p
   return mesh;
 }
 
-void check_wavelengths(const std::vector<double>& wavelengths, Index n_bands,
-                       const std::filesystem::path& path) {
-  if (static_cast<Index>(wavelengths.size()) != n_bands) {
-    fail(path, fmt::format("array \"wavelengths\" has {} values, but there are {} bands",
-                           wavelengths.size(), n_bands));
-  }
+/// Wavelengths of an array, in its unit, increasing; none if there is no array.
+std::vector<double> read_wavelengths(const PolydataArrays& arrays, const char* name,
+                                     const std::filesystem::path& path) {
+  std::vector<double> wavelengths = arrays.field_values(name).value_or(std::vector<double>());
   double before = 0;
   for (const double wavelength : wavelengths) {
     if (!(wavelength > before && std::isfinite(wavelength))) {
-      fail(path, fmt::format("array \"wavelengths\" has {} after {}, expected increasing ones",
+      fail(path, fmt::format("array \"{}\" has {} after {}, expected increasing ones", name,
                              wavelength, before));
     }
     before = wavelength;
   }
+  return wavelengths;
 }
 
 /// Bands of a file that does not tell them.
@@ -145,20 +146,31 @@ Bands read_bands(const PolydataArrays& arrays, Index n_bands, const std::filesys
                  std::vector<std::string>& warnings) {
   const auto texts = arrays.field_texts("bands");
   if (!texts) return guess_bands(n_bands, warnings);
-  const std::string kind = texts->size() == 1 ? texts->front() : "";
-  Bands bands;
-  if (kind == "wavelengths") {
-    bands.kind = Bands::Kind::wavelengths;
-    bands.wavelengths = arrays.field_values("wavelengths").value_or(std::vector<double>());
-    check_wavelengths(bands.wavelengths, n_bands, path);
-  } else if (kind == "grey" || kind == "rgb") {
-    bands.kind = kind == "grey" ? Bands::Kind::grey : Bands::Kind::rgb;
+  const std::string name = texts->size() == 1 ? texts->front() : "";
+  constexpr std::array kKinds = {Bands::Kind::grey, Bands::Kind::rgb, Bands::Kind::wavelengths,
+                                 Bands::Kind::solar_infrared, Bands::Kind::thermal};
+  const auto* const kind = std::find_if(kKinds.begin(), kKinds.end(),
+                                        [&](Bands::Kind each) { return bands_name(each) == name; });
+  if (kind == kKinds.end()) {
+    fail(path, fmt::format("array \"bands\" has \"{}\", expected grey, rgb, wavelengths, "
+                           "solar-infrared or thermal",
+                           name));
+  }
+  Bands bands{.kind = *kind, .wavelengths = {}};
+  if (*kind == Bands::Kind::wavelengths) {
+    bands.wavelengths = read_wavelengths(arrays, "wavelengths", path);
     if (bands.count() != n_bands) {
-      fail(path, fmt::format("has {} values per patch, expected {} for {} bands", n_bands,
-                             bands.count(), kind));
+      fail(path, fmt::format("array \"wavelengths\" has {} values, but there are {} bands",
+                             bands.count(), n_bands));
     }
-  } else {
-    fail(path, fmt::format("array \"bands\" has \"{}\", expected grey, rgb or wavelengths", kind));
+    return bands;
+  }
+  if (bands.hold_heat() && *kind != Bands::Kind::grey) {
+    bands.edges = read_wavelengths(arrays, "band_edges", path);
+  }
+  if (bands.count() != n_bands) {
+    fail(path, fmt::format("has {} values per patch, expected {} for {} bands", n_bands,
+                           bands.count(), name));
   }
   return bands;
 }

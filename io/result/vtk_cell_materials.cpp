@@ -4,15 +4,53 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "io/base/input_checks.h"
 #include "io/base/line_reader.h"
+#include "io/result/bands_name.h"
 #include "io/result/vtp_values.h"
 
 namespace io {
 
 using radiosity::Bands;
 using radiosity::Emission;
+
+namespace {
+
+/// Increasing wavelengths in the field data of the name; none if there are no numbers.
+std::vector<double> field_wavelengths(const VtpFile& file, const char* name,
+                                      const std::filesystem::path& path) {
+  const auto found = file.fields.find(name);
+  if (found == file.fields.end() || found->second.type == "String") return {};
+  std::vector<double> result;
+  for (std::size_t k = 0; k < n_values(found->second); ++k) {
+    const double before = result.empty() ? 0 : result.back();
+    result.push_back(number<double>(found->second, k));
+    if (!(std::isfinite(result.back()) && result.back() > before)) {
+      fail(path, fmt::format("its {} do not increase", name));
+    }
+  }
+  return result;
+}
+
+/// The bands of heat that a result tells, if it does.
+std::optional<Bands> heat_bands(const VtpFile& file, const std::filesystem::path& path) {
+  const auto found = file.fields.find("bands");
+  if (found == file.fields.end() || found->second.type != "String") return std::nullopt;
+  const std::string_view name = found->second.bytes.c_str();
+  for (const Bands::Kind kind : {Bands::Kind::solar_infrared, Bands::Kind::thermal}) {
+    if (name != bands_name(kind)) continue;
+    return Bands{
+        .kind = kind, .wavelengths = {}, .edges = field_wavelengths(file, "band_edges", path)};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
 
 VtkCellMaterials::VtkCellMaterials(const VtpFile& file, const std::filesystem::path& path)
     : file_(file), path_(path) {
@@ -61,16 +99,15 @@ void VtkCellMaterials::find_bands() {
                             "temperature",
                             n));
   }
-  const auto waves = file_.fields.find("wavelengths");
-  if (waves != file_.fields.end() && waves->second.type != "String" &&
-      n_values(waves->second) == n) {
+  if (const auto heat = heat_bands(file_, path_);
+      heat && heat->count() == static_cast<radiosity::Index>(n)) {
+    bands_ = *heat;
+    return;
+  }
+  std::vector<double> wavelengths = field_wavelengths(file_, "wavelengths", path_);
+  if (wavelengths.size() == n) {
     bands_.kind = Bands::Kind::wavelengths;
-    for (std::size_t k = 0; k < n; ++k) {
-      bands_.wavelengths.push_back(number<double>(waves->second, k));
-      const bool is_good = std::isfinite(bands_.wavelengths[k]) && bands_.wavelengths[k] > 0 &&
-                           (k == 0 || bands_.wavelengths[k] > bands_.wavelengths[k - 1]);
-      if (!is_good) fail(path_, "its wavelengths do not increase");
-    }
+    bands_.wavelengths = std::move(wavelengths);
   } else if (n == 1) {
     bands_.kind = Bands::Kind::grey;
   } else if (n != 3) {

@@ -21,11 +21,13 @@
 #include <vector>
 
 #include "io/base/atomic_file.h"
+#include "io/result/bands_name.h"
 #include "radiosity/base/error.h"
 
 namespace io {
 namespace {
 
+using radiosity::Bands;
 using radiosity::Index;
 using radiosity::PatchMesh;
 using radiosity::Solution;
@@ -91,14 +93,18 @@ void add_field(vtkPolyData& polydata, const char* name, std::span<const double> 
   polydata.GetFieldData()->AddArray(array);
 }
 
-void add_bands(vtkPolyData& polydata, Index n_bands, const std::vector<double>& wavelengths) {
-  if (!wavelengths.empty()) {
-    assert(static_cast<Index>(wavelengths.size()) == n_bands);
-    add_field(polydata, "bands", {"wavelengths"});
-    add_field(polydata, "wavelengths", std::span(wavelengths));
-  } else if (n_bands == 1 || n_bands == 3) {
-    add_field(polydata, "bands", {n_bands == 1 ? "grey" : "rgb"});
+void add_bands(vtkPolyData& polydata, Index n_bands, const std::optional<Bands>& bands) {
+  if (!bands) {
+    if (n_bands == 1) add_field(polydata, "bands", {"grey"});
+    if (n_bands == 3) add_field(polydata, "bands", {"rgb"});
+    return;
   }
+  assert(bands->count() == n_bands);
+  add_field(polydata, "bands", {std::string(bands_name(bands->kind))});
+  if (!bands->wavelengths.empty()) {
+    add_field(polydata, "wavelengths", std::span(bands->wavelengths));
+  }
+  if (!bands->edges.empty()) add_field(polydata, "band_edges", std::span(bands->edges));
 }
 
 void add_camera(vtkPolyData& polydata, const radiosity::Camera& camera) {
@@ -135,7 +141,7 @@ void add_solve_report(vtkPolyData& polydata, const Solution& solution) {
 
 vtkSmartPointer<vtkPolyData> make_polydata(const PatchMesh& mesh, const Solution& solution,
                                            const std::vector<radiosity::QuantityField>& quantities,
-                                           const std::vector<double>& wavelengths,
+                                           const std::optional<Bands>& bands,
                                            const std::optional<radiosity::Camera>& camera) {
   auto polydata = vtkSmartPointer<vtkPolyData>::New();
   polydata->SetPoints(make_points(mesh));
@@ -162,7 +168,7 @@ vtkSmartPointer<vtkPolyData> make_polydata(const PatchMesh& mesh, const Solution
   add_field(*polydata, "surface_two_sided",
             std::vector<int>(mesh.surface_two_sided.begin(), mesh.surface_two_sided.end()));
   add_field(*polydata, "radiosity_version", std::vector{kResultVersion});
-  add_bands(*polydata, solution.radiosity.cols(), wavelengths);
+  add_bands(*polydata, solution.radiosity.cols(), bands);
   add_solve_report(*polydata, solution);
   if (camera) add_camera(*polydata, *camera);
   polydata->GetCellData()->SetActiveScalars("radiosity");

@@ -7,7 +7,7 @@
 void radiosity_io_write_vtp(const std::filesystem::path& path, const radiosity::PatchMesh& mesh,
                             const radiosity::Solution& solution,
                             const std::vector<radiosity::QuantityField>& quantities,
-                            const std::vector<double>& wavelengths,
+                            const std::optional<radiosity::Bands>& bands,
                             const std::optional<radiosity::Camera>& camera) {
-  io::write_polydata(path, *io::make_polydata(mesh, solution, quantities, wavelengths, camera));
+  io::write_polydata(path, *io::make_polydata(mesh, solution, quantities, bands, camera));
 }

@@ -15,4 +15,4 @@
 extern "C" [[gnu::weak]] void radiosity_io_write_vtp(
     const std::filesystem::path& path, const radiosity::PatchMesh& mesh,
     const radiosity::Solution& solution, const std::vector<radiosity::QuantityField>& quantities,
-    const std::vector<double>& wavelengths, const std::optional<radiosity::Camera>& camera);
+    const std::optional<radiosity::Bands>& bands, const std::optional<radiosity::Camera>& camera);

@@ -179,8 +179,7 @@ void write(const KeptStudy& kept, const std::filesystem::path& path,
            const std::vector<std::string>& quantities, double efficacy,
            const PictureOptions& picture, const py::object& report, std::size_t n_threads) {
   const study::Study& study = *kept.study;
-  io::ResultOptions options{.wavelengths = study.scene.bands.wavelengths,
-                            .camera = study.scene.camera};
+  io::ResultOptions options{.bands = study.scene.bands, .camera = study.scene.camera};
   for (const std::string& name : quantities) {
     options.quantities.push_back(field_of(study, name, efficacy));
   }

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -18,54 +17,21 @@
 #include "radiosity/solve/solve.h"
 #include "radiosity/visibility/visibility.h"
 #include "tests/support/shapes.h"
+#include "tests/support/symmetric_parts.h"
 
 namespace radiosity {
 namespace {
 
 using test::add_grid;
-
-/// Turns and moves everything, so that no plane or axis is along the coordinates.
-struct Placement {
-  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
-  Vec3 shift = Vec3::Zero();
-  double scale = 1;
-  [[nodiscard]] Vec3 operator()(const Vec3& x) const { return scale * (turn * x) + shift; }
-};
-
-std::vector<Placement> placements() {
-  return {
-      {},
-      {Eigen::AngleAxisd(0.7, Vec3(1, 2, -3).normalized()).toRotationMatrix(), Vec3(5, -3, 2), 1},
-      {Eigen::AngleAxisd(2.1, Vec3(-2, 1, 4).normalized()).toRotationMatrix(), Vec3(100, 0, -7),
-       0.02},
-  };
-}
-
-Symmetry placed(Symmetry symmetry, const Placement& placement) {
-  for (Symmetry::Mirror& mirror : symmetry.mirrors) {
-    mirror = {placement(mirror.point), placement.turn * mirror.normal};
-  }
-  if (symmetry.rotation) {
-    symmetry.rotation->point = placement(symmetry.rotation->point);
-    symmetry.rotation->axis = placement.turn * symmetry.rotation->axis;
-  }
-  for (Symmetry::Translation& translation : symmetry.translations) {
-    translation.step = placement.scale * (placement.turn * translation.step);
-  }
-  return symmetry;
-}
-
-PatchMesh part_of(const PatchMesh& mesh, const Symmetry& symmetry, const Placement& placement) {
-  PatchMesh part;
-  for (const Vec3& vertex : mesh.vertices) part.vertices.push_back(placement(vertex));
-  for (Index i = 0; i < mesh.size(); ++i) {
-    part.add_patch(mesh.corners[i], mesh.surface[i], mesh.polygon[i], mesh.twin[i]);
-  }
-  part.surface_names = mesh.surface_names;
-  part.surface_two_sided = mesh.surface_two_sided;
-  part.images = image_motions(placed(symmetry, placement));
-  return part;
-}
+using test::cube_corner;
+using test::folds_about_z;
+using test::mirror;
+using test::part_of;
+using test::placed;
+using test::Placement;
+using test::placements;
+using test::prism_sector;
+using test::three_mirrors;
 
 /// As evaluated: rows are not closed.
 std::unique_ptr<Transport> raw_transport(const PatchMesh& mesh, double tolerance) {
@@ -100,21 +66,6 @@ void expect_symmetric(const PatchMesh& part, const Eigen::MatrixXd& rows) {
                   4e-16 * part.area[i] * rows(i, j));
     }
   }
-}
-
-Symmetry::Mirror mirror(const Vec3& normal) { return {Vec3::Zero(), normal.normalized()}; }
-
-/// The corner of a cube of side 2 about the origin that has all coordinates above 0.
-PatchMesh cube_corner(int n) {
-  PatchMesh mesh;
-  add_grid(mesh, Vec3(1, 0, 0), Vec3(0, 0, 1), Vec3(0, 1, 0), n, n);
-  add_grid(mesh, Vec3(0, 1, 0), Vec3(1, 0, 0), Vec3(0, 0, 1), n, n);
-  add_grid(mesh, Vec3(0, 0, 1), Vec3(0, 1, 0), Vec3(1, 0, 0), n, n);
-  return mesh;
-}
-
-Symmetry three_mirrors() {
-  return {{mirror(Vec3::UnitX()), mirror(Vec3::UnitY()), mirror(Vec3::UnitZ())}, {}, {}};
 }
 
 TEST(Symmetry, EighthOfACubeIsTheCube) {
@@ -158,26 +109,33 @@ PatchMesh blocked_corner() {
   return mesh;
 }
 
+/// Each row of the part is that of the whole, images added up, within six standard errors of both
+/// and `exact`.
+void expect_part_of_whole(const Transport& made, const Transport& all, double exact) {
+  const Index n = made.size();
+  for (Index i = 0; i < n; ++i) {
+    const Eigen::VectorXd row = rows_of(made).row(i);
+    const Eigen::VectorXd error = rows_of(made).row_error(i);
+    const Eigen::VectorXd of_whole = rows_of(all).row(i);
+    const Eigen::VectorXd its_error = rows_of(all).row_error(i);
+    for (Index j = 0; j < n; ++j) {
+      double expected = 0;
+      double sigma = error[j];
+      for (Index k = j; k < of_whole.size(); k += n) {
+        expected += of_whole[k];
+        sigma += its_error[k];
+      }
+      EXPECT_NEAR(row[j], expected, 6 * sigma + exact) << i << " " << j;
+    }
+  }
+}
+
 TEST(Symmetry, ShadowsCrossTheMirrors) {
   for (const Placement& placement : placements()) {
     const PatchMesh part = part_of(blocked_corner(), three_mirrors(), placement);
     const auto made = raw_transport(part, 1e-3);
     const auto all = raw_transport(make_whole(part), 1e-3);
-    for (Index i = 0; i < part.size(); ++i) {
-      const Eigen::VectorXd row = rows_of(*made).row(i);
-      const Eigen::VectorXd error = rows_of(*made).row_error(i);
-      const Eigen::VectorXd of_whole = rows_of(*all).row(i);
-      const Eigen::VectorXd its_error = rows_of(*all).row_error(i);
-      for (Index j = 0; j < part.size(); ++j) {
-        double expected = 0;
-        double sigma = error[j];
-        for (Index g = 0; g < 8; ++g) {
-          expected += of_whole[j + g * part.size()];
-          sigma += its_error[j + g * part.size()];
-        }
-        EXPECT_NEAR(row[j], expected, 6 * sigma + kExact) << i << " " << j;
-      }
-    }
+    expect_part_of_whole(*made, *all, kExact);
   }
 }
 
@@ -204,65 +162,50 @@ TEST(Symmetry, BoxesGoOnBeyondTheMirrors) {
   }
 }
 
-/// A sector of two concentric prisms of `folds` sides, the outer one facing inwards, with ends.
-PatchMesh sector(int folds, double inner, double outer, double height) {
-  const double half = kPi / folds;
-  const auto rim = [&](double radius, double angle, double z) {
-    return Vec3(radius * std::cos(angle), radius * std::sin(angle), z);
-  };
-  PatchMesh mesh;
-  const Vec3 up(0, 0, height);
-  const auto chord = [&](double radius) {
-    return Vec3(rim(radius, half, 0) - rim(radius, -half, 0));
-  };
-  add_grid(mesh, rim(inner, -half, 0), chord(inner), up, 1, 2);
-  add_grid(mesh, rim(outer, half, 0), -chord(outer), up, 1, 2);
-  const auto add_end = [&](double z, bool is_top) {
-    const auto first = static_cast<std::int32_t>(mesh.vertices.size());
-    const std::vector<Vec3> corners{rim(inner, -half, z), rim(outer, -half, z), rim(outer, half, z),
-                                    rim(inner, half, z)};
-    mesh.vertices.insert(mesh.vertices.end(), corners.begin(), corners.end());
-    const auto name = static_cast<std::int32_t>(mesh.surface_names.size());
-    mesh.surface_names.emplace_back("end");
-    mesh.surface_two_sided.push_back(false);
-    mesh.add_patch(is_top ? std::array{first, first + 3, first + 2, first + 1}
-                          : std::array{first, first + 1, first + 2, first + 3},
-                   name, name);
-  };
-  add_end(0, false);
-  add_end(height, true);
-  return mesh;
-}
-
-Symmetry folds_about_z(int folds) {
-  return {{}, Symmetry::Rotation{Vec3::Zero(), Vec3::UnitZ(), folds}, {}};
-}
-
 TEST(Symmetry, SectorsOfConcentricBodiesAreTheWhole) {
   for (const int folds : {3, 5, 12}) {
     for (const Placement& placement : placements()) {
-      const PatchMesh part = part_of(sector(folds, 0.4, 1, 0.8), folds_about_z(folds), placement);
+      const PatchMesh part =
+          part_of(prism_sector(folds, 0.4, 1, 0.8), folds_about_z(folds), placement);
       ASSERT_EQ(part.images.size(), static_cast<std::size_t>(folds - 1));
       const auto made = make_dense_transport(part, Visibility(part), {.tolerance = 1e-3});
       const PatchMesh whole = make_whole(part);
       const auto all = make_dense_transport(whole, Visibility(whole), {.tolerance = 1e-3});
       EXPECT_TRUE(made->report().closed) << folds;
+      const Eigen::VectorXd sums = made->apply(Eigen::VectorXd::Ones(part.size()));
+      EXPECT_LT((sums.array() - 1).abs().maxCoeff(), kExact);
+      expect_part_of_whole(*made, *all, kExact);
+    }
+  }
+}
+
+/// Of concentric spheres, and of polyhedra that are each other's images, F21 = A1 / A2 = (r1 /
+/// r2)²: all that leaves the inner one meets the outer one, and all those pairs are exact.
+TEST(Symmetry, SectorsOfConcentricSpheresAreTheWhole) {
+  const double inner = 0.35;
+  const double outer = 0.9;
+  for (const int folds : {4, 9}) {
+    Symmetry symmetry = folds_about_z(folds);
+    symmetry.mirrors = {mirror(Vec3::UnitZ())};
+    for (const Placement& placement : placements()) {
+      const PatchMesh part =
+          part_of(test::sphere_sector(folds, 3, inner, outer), symmetry, placement);
+      ASSERT_EQ(part.images.size(), static_cast<std::size_t>(2 * folds - 1));
+      const auto made = raw_transport(part, 1e-3);
+      expect_part_of_whole(*made, *raw_transport(make_whole(part), 1e-3), kExact);
+      double returned = 0;
+      double area = 0;
       for (Index i = 0; i < part.size(); ++i) {
         const Eigen::VectorXd row = rows_of(*made).row(i);
-        EXPECT_NEAR(row.sum(), 1, kExact);
-        const Eigen::VectorXd of_whole = rows_of(*all).row(i);
-        const Eigen::VectorXd error = rows_of(*made).row_error(i);
-        const Eigen::VectorXd its_error = rows_of(*all).row_error(i);
-        for (Index j = 0; j < part.size(); ++j) {
-          double expected = 0;
-          double sigma = error[j];
-          for (Index k = j; k < whole.size(); k += part.size()) {
-            expected += of_whole[k];
-            sigma += its_error[k];
-          }
-          EXPECT_NEAR(row[j], expected, 6 * sigma + kExact) << folds << ": " << i << " " << j;
+        if (part.surface[i] == 0) {
+          EXPECT_NEAR(row.sum(), 1, kExact);
+          continue;
         }
+        EXPECT_NEAR(row.sum(), 1, 6 * rows_of(*made).row_error(i).sum() + kExact);
+        returned += part.area[i] * row.head(3).sum();
+        area += part.area[i];
       }
+      EXPECT_NEAR(returned / area, inner * inner / (outer * outer), kExact);
     }
   }
 }
@@ -271,7 +214,7 @@ TEST(Symmetry, SectorsOfConcentricBodiesAreTheWhole) {
 /// inner one sees itself; here by translation along the axis, off by no more than the bound tells.
 TEST(Symmetry, LongConcentricPrismsHaveThePerimetersRatio) {
   const int folds = 6;
-  PatchMesh mesh = sector(folds, 0.4, 1, 0.8);
+  PatchMesh mesh = prism_sector(folds, 0.4, 1, 0.8);
   PatchMesh open;  // without its ends
   open.vertices = mesh.vertices;
   open.surface_names = mesh.surface_names;
@@ -303,10 +246,7 @@ TEST(Symmetry, LongConcentricPrismsHaveThePerimetersRatio) {
 
 /// A street between two walls: rows converge to Hottel's crossed strings.
 TEST(Symmetry, CanyonByTranslationIsTheLongCanyon) {
-  PatchMesh mesh;
-  add_grid(mesh, Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 0.5, 0), 2, 1);     // road, up
-  add_grid(mesh, Vec3(0, 0, 0), Vec3(0, 0.5, 0), Vec3(0, 0, 1), 1, 2);     // wall, +x
-  add_grid(mesh, Vec3(1, 0.5, 0), Vec3(0, -0.5, 0), Vec3(0, 0, 1), 1, 2);  // wall, -x
+  const PatchMesh mesh = test::canyon_period(2, 0.5);
   const Symmetry symmetry{{}, {}, {{Vec3(0, 0.5, 0), 10}}};
   for (const Placement& placement : placements()) {
     const PatchMesh part = part_of(mesh, symmetry, placement);

@@ -131,24 +131,28 @@ class ResultReader : public OutputFolder {
 
 TEST_F(ResultReader, GivesBackWhatWasWritten) {
   const PatchMesh mesh = odd_box();
-  const std::vector<std::pair<Bands::Kind, std::vector<double>>> bands = {
-      {Bands::Kind::grey, {}},
-      {Bands::Kind::rgb, {}},
-      {Bands::Kind::wavelengths, {500}},
-      {Bands::Kind::wavelengths, {400, 500. + 1. / 3, 600}},
-      {Bands::Kind::wavelengths, {400, 500, 600, 700, 1e4}}};
-  for (const auto& [kind, wavelengths] : bands) {
-    const Bands written{kind, wavelengths};
+  const Bands bands[] = {{Bands::Kind::grey, {}},
+                         {Bands::Kind::rgb, {}},
+                         {Bands::Kind::wavelengths, {500}},
+                         {Bands::Kind::wavelengths, {400, 500. + 1. / 3, 600}},
+                         {Bands::Kind::wavelengths, {400, 500, 600, 700, 1e4}},
+                         {Bands::Kind::solar_infrared, {}},
+                         {Bands::Kind::solar_infrared, {}, {3}},
+                         {Bands::Kind::thermal, {}, {4, 8. + 1. / 3}},
+                         {Bands::Kind::thermal, {}, {2}}};
+  for (const Bands& written : bands) {
     const Solution solution = make_solution(mesh, written.count());
-    io::ResultOptions options{.wavelengths = wavelengths};
-    if (kind == Bands::Kind::rgb) options.camera = radiosity::Camera{.position = {1. / 3, 2, -5}};
+    io::ResultOptions options{.bands = written};
+    if (written.kind == Bands::Kind::rgb)
+      options.camera = radiosity::Camera{.position = {1. / 3, 2, -5}};
     io::write(folder() / "out.vtp", mesh, solution, options);
     const io::StoredResult read = io::read_result(folder() / "out.vtp");
     ASSERT_EQ(read.camera.has_value(), options.camera.has_value());
     EXPECT_TRUE(!read.camera || read.camera->position == options.camera->position);
     expect_equal(read.mesh, mesh);
-    EXPECT_EQ(read.bands.kind, kind);
-    EXPECT_EQ(read.bands.wavelengths, wavelengths);
+    EXPECT_EQ(read.bands.kind, written.kind);
+    EXPECT_EQ(read.bands.wavelengths, written.wavelengths);
+    EXPECT_EQ(read.bands.edges, written.edges);
     EXPECT_EQ(read.solution.radiosity, solution.radiosity);
     EXPECT_EQ(read.solution.irradiance, solution.irradiance);
     EXPECT_EQ(read.solution.exitance, solution.exitance);

@@ -150,6 +150,30 @@ TEST_F(VtkMeshReader, ReadsWhatIsWrittenAsAResult) {
   EXPECT_EQ(scene.materials[scene.surfaces[1].material].emission.value, Eigen::VectorXd::Ones(1));
 }
 
+// Bands of heat stay what they are, also three of them, which are no colours.
+TEST_F(VtkMeshReader, ReadsResultsInBandsOfHeat) {
+  using radiosity::Bands;
+  radiosity::PatchMesh mesh;
+  mesh.surface_names = {"plate"};
+  mesh.surface_two_sided = {false};
+  mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  mesh.add_patch({0, 1, 2, 3}, 0, 0);
+  for (const Bands& bands :
+       {Bands{Bands::Kind::thermal, {}, {4, 8}}, Bands{Bands::Kind::thermal, {}, {5}},
+        Bands{Bands::Kind::solar_infrared, {}, {}},
+        Bands{Bands::Kind::solar_infrared, {}, {2.5}}}) {
+    const Eigen::MatrixXd values = Eigen::RowVectorXd::LinSpaced(bands.count(), 0.1, 0.7);
+    radiosity::Solution solution;
+    solution.radiosity = solution.irradiance = solution.exitance = values;
+    solution.reflectance = solution.radiosity_error = values;
+    io::write(folder() / "a.vtp", mesh, solution, {.bands = bands});
+    const Scene scene = io::read_scene(folder() / "a.vtp");
+    EXPECT_EQ(scene.bands.kind, bands.kind);
+    EXPECT_EQ(scene.bands.edges, bands.edges);
+    EXPECT_EQ(scene.materials[scene.surfaces[0].material].reflectance, values.transpose());
+  }
+}
+
 TEST_F(VtkMeshReader, ExplainsBadFiles) {
   EXPECT_CONTAINS(error_with("0 1 2 0 1 3 4 5 6 7 8 9", "0 1 2 0 1 3 4 5 6 7 8 10"),
                   "cell 3 uses point 10, but there are 10");

@@ -300,7 +300,7 @@ void check_result(const Desk& desk, const std::string& path) {
 
 void write_result(const Known& known, const radiosity::Camera& camera, const std::string& path) {
   io::write(path, *known.model.mesh, known.light->solution,
-            {.wavelengths = known.model.bands.wavelengths, .quantities = {}, .camera = camera});
+            {.bands = known.model.bands, .quantities = {}, .camera = camera});
 }
 
 }  // namespace
