@@ -20,6 +20,7 @@ void paint(const Scenario& scenario, const Scenario::Paint& paint, Scene& scene)
                                     std::to_string(scene.bands.count()));
     }
     material.emissivity_table.clear();
+    material.texture.reset();
     material.reflectance =
         paint.reflectance.size() == 1
             ? Eigen::VectorXd::Constant(scene.bands.count(), paint.reflectance[0]).eval()
