@@ -89,6 +89,11 @@ std::string photometry_text(const Photometry& photometry, const std::vector<std:
   text += line("field angle", angles_text(spread(web, 0, 0.1), spread(web, kPi / 2, 0.1)));
   text += line("opening", opening_text(photometry));
   text += line("angles", fmt::format("{} x {}", web.polar.size(), web.azimuth.size()));
+  if (!photometry.tilt.angles.empty()) {
+    text += line("tilt", fmt::format("{:.4g} to {:.4g} of it, by how it hangs",
+                                     std::ranges::min(photometry.tilt.factors),
+                                     std::ranges::max(photometry.tilt.factors)));
+  }
   for (const std::string& output : outputs) text += line("written", one_line(output));
   return text;
 }
@@ -128,6 +133,13 @@ std::string photometry_json(const Photometry& photometry, const std::vector<std:
       {"warnings", warnings}};
   if (photometry.lamp_flux > 0) json["lamp_flux"] = photometry.lamp_flux;
   if (web.type == PhotometricWeb::Type::c) json["downward_flux"] = downward_flux(web);
+  if (!photometry.tilt.angles.empty()) {
+    std::vector<double> degrees;
+    for (const double angle : photometry.tilt.angles) degrees.push_back(in_degrees(angle));
+    json["tilt"] = {{"position", photometry.tilt.position},
+                    {"angles", degrees},
+                    {"factors", photometry.tilt.factors}};
+  }
   return io::printable_json(
       json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }

@@ -268,10 +268,19 @@ TEST_F(PhotometricFiles, AreReadAsTheyAreFound) {
   const std::string table = "1\n3\n0 45 90\n1 .9 .8\n";
   ies.tilt = "TILT=INCLUDE\n" + table;
   const Photometry tilted = read("e.ies", ies.text());
-  EXPECT_CONTAINS(tilted.warnings.at(0), "TILT table is not applied");
+  EXPECT_TRUE(tilted.warnings.empty());
+  EXPECT_EQ(tilted.tilt.position, 1);
+  EXPECT_EQ(tilted.tilt.factors, (std::vector<double>{1, .9, .8}));
+  EXPECT_NEAR(tilted.tilt.angles[2], kPi / 2, 1e-15);
   (void)file("lamp.tlt", table);
   ies.tilt = "TILT=lamp.tlt\n";
   EXPECT_NEAR(flux(read("f.ies", ies.text()).web), 0.2 * flux(web), 1e-12 * flux(web));
+  // In any case of letters.
+  EXPECT_EQ(read("f.ies", ies.text()).tilt.factors, tilted.tilt.factors);
+  ies.tilt = "Tilt=include\n" + table;
+  EXPECT_EQ(read("f.ies", ies.text()).tilt.factors, tilted.tilt.factors);
+  ies.tilt = "tilt=None\n";
+  EXPECT_TRUE(read("f.ies", ies.text()).tilt.factors.empty());
   // Commas are separators.
   Ies commas;
   std::string listed = commas.text();
