@@ -64,6 +64,7 @@
 #include "radiosity/scene/light_plan.h"
 #include "radiosity/scene/patch_heat.h"
 #include "radiosity/scene/patch_mesh.h"
+#include "radiosity/scene/patch_texture.h"
 #include "radiosity/scene/radiometry.h"
 #include "radiosity/scene/scenario.h"
 #include "radiosity/scene/scene.h"

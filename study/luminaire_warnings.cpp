@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdint>
 #include <string>
 
 #include "radiosity/base/geometry.h"
+#include "radiosity/visibility/coverage.h"
 
 namespace study {
 namespace {
@@ -23,9 +25,10 @@ Vec3 spiral_direction(int k) {
   return {across * std::cos(angle), across * std::sin(angle), z};
 }
 
-/// What is said of a luminaire; "" if it lights something.
+/// What is said of a luminaire; "" if it lights something. What a solid covers, as the floor below
+/// a cupboard that stands on it, is nothing.
 std::string problem_of(const Luminaire& luminaire, const PhotometricWeb& web, const PatchMesh& mesh,
-                       const Visibility& visibility) {
+                       const Visibility& visibility, const Coverage& coverage) {
   // Off what it is mounted on.
   const Vec3 origin = luminaire.position - 2 * visibility.end_gap() * luminaire.axes.col(2);
   std::string behind;
@@ -34,8 +37,9 @@ std::string problem_of(const Luminaire& luminaire, const PhotometricWeb& web, co
     if (intensity(web, luminaire.axes.transpose() * direction) == 0) continue;
     const std::optional<Hit> hit = visibility.first_hit(origin, direction);
     if (!hit) continue;
-    if (hit->front) return "";
-    behind = mesh.surface_names[mesh.surface[hit->patch % mesh.size()]];
+    const auto patch = static_cast<std::int32_t>(hit->patch % mesh.size());
+    if (hit->front && !coverage.is_covered(patch)) return "";
+    if (!hit->front) behind = mesh.surface_names[mesh.surface[patch]];
   }
   if (behind.empty()) return "its light meets no surface";
   return fmt::format(
@@ -48,10 +52,11 @@ std::string problem_of(const Luminaire& luminaire, const PhotometricWeb& web, co
 
 void warn_of_luminaires(const Scene& scene, const PatchMesh& mesh, const Visibility& visibility,
                         const StudyEvents& events) {
-  if (!events.warned) return;
+  if (!events.warned || scene.luminaires.empty()) return;
+  const Coverage coverage = find_coverage(mesh, plane_thickness(mesh));
   for (const Luminaire& luminaire : scene.luminaires) {
-    const std::string problem =
-        problem_of(luminaire, scene.photometries[luminaire.photometry].web, mesh, visibility);
+    const std::string problem = problem_of(luminaire, scene.photometries[luminaire.photometry].web,
+                                           mesh, visibility, coverage);
     if (!problem.empty()) {
       events.warn(fmt::format("luminaire '{}' lights nothing: {}", luminaire.name, problem));
     }

@@ -43,10 +43,14 @@ std::vector<double> maintenance_factors(const Scene& scene, double factor) {
   return factors;
 }
 
-/// The scene as it is then. Luminaires have the factor of all lamps.
-Scene maintained(Scene scene, const std::vector<double>& factors, double factor) {
-  for (radiosity::Luminaire& luminaire : scene.luminaires) luminaire.dimming *= factor;
-  for (std::size_t k = 0; k < factors.size(); ++k) scene.surfaces[k].emission_factor *= factors[k];
+/// The scene as it is then.
+Scene maintained(Scene scene, const MeasuredPlan& plan) {
+  for (std::size_t k = 0; k < scene.luminaires.size(); ++k) {
+    scene.luminaires[k].dimming *= plan.luminaire_factors[k];
+  }
+  for (std::size_t k = 0; k < scene.surfaces.size(); ++k) {
+    scene.surfaces[k].emission_factor *= plan.maintenance_factors[k];
+  }
   return scene;
 }
 
@@ -128,10 +132,15 @@ MeasuredPlan measure_plan(const Study& solved, const radiosity::LightPlan& plan,
   MeasuredPlan result;
   result.maintenance_factor = plan.maintenance_factor;
   result.maintenance_factors = maintenance_factors(scene, plan.maintenance_factor);
+  for (const radiosity::Luminaire& luminaire : scene.luminaires) {
+    result.luminaire_factors.push_back(plan.maintenance_factor * luminaire.maintenance_factor);
+  }
+  const auto is_below_one = [](double factor) { return factor != 1; };
   result.has_maintenance =
       std::any_of(result.maintenance_factors.begin(), result.maintenance_factors.end(),
-                  [](double factor) { return factor != 1; });
-  const Scene later = maintained(scene, result.maintenance_factors, plan.maintenance_factor);
+                  is_below_one) ||
+      std::any_of(result.luminaire_factors.begin(), result.luminaire_factors.end(), is_below_one);
+  const Scene later = maintained(scene, result);
   radiosity::Solution later_solution;
   std::vector<radiosity::Lighting> lights = {{scene, solved.solution}};
   if (result.has_maintenance) {

@@ -34,6 +34,7 @@ struct MeasuredPlan {
   double maintenance_factor = 1;  ///< of all lamps, as the plan has it
   /// By surface: the share of its own light that is left.
   std::vector<double> maintenance_factors;
+  std::vector<double> luminaire_factors;  ///< the same of each luminaire
   std::vector<MeasuredPlanGrid> grids;
   std::vector<MeasuredObserver> observers;
 

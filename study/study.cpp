@@ -158,6 +158,7 @@ FormFactors make_form_factors(const Scene& scene, const PatchMesh& mesh,
   refuse_excess(scene, made, result.transport->report(), factor_tolerance(options),
                 [&](Index row) { return rows_of(*result.transport).row_error(row); });
   warn_of_open_rows(result.transport->report(), events);
+  warn_of_textures(scene, made, events);
   if (result.refinement) {
     warn_of_spent_patches(*result.refinement, made.size(), options.tolerance, events);
   }
@@ -229,6 +230,7 @@ Study assemble(Scene scene, KnownFactors known, const StudyOptions& options,
   refuse_excess(scene, patches.mesh, known.transport->report(), known.tolerance,
                 [&](Index row) { return rows_of(*known.transport).row_error(row); });
   warn_of_open_rows(known.transport->report(), events);
+  warn_of_textures(scene, patches.mesh, events);
   return {.scene = std::move(scene),
           .mesh = std::move(patches.mesh),
           .visibility = std::move(patches.visibility),

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,8 @@
 #include "radiosity/exchange/cut_off.h"
 #include "radiosity/scene/celsius.h"
 #include "radiosity/scene/patch_heat.h"
+#include "radiosity/scene/patch_material.h"
+#include "radiosity/scene/patch_texture.h"
 
 namespace study {
 
@@ -66,6 +69,27 @@ std::optional<std::string> open_rows_warning(const AssemblyReport& report) {
 
 void warn_of_open_rows(const AssemblyReport& report, const StudyEvents& events) {
   if (const auto warning = open_rows_warning(report)) events.warn(*warning);
+}
+
+void warn_of_textures(const Scene& scene, const PatchMesh& mesh, const StudyEvents& events) {
+  constexpr double kStrong = 0.1;  // of the deviation, over all patches with textures
+  if (!events.warned) return;
+  const Eigen::VectorXd deviation = radiosity::texture_deviation(scene, mesh);
+  double area = 0;
+  double square = 0;
+  Index worst = 0;
+  for (Index i = 0; i < deviation.size(); ++i) {
+    if (!scene.materials[material_of(scene, mesh, i)].texture) continue;
+    area += mesh.area[i];
+    square += mesh.area[i] * deviation[i] * deviation[i];
+    if (deviation[i] > deviation[worst]) worst = i;
+  }
+  const double strength = area > 0 ? std::sqrt(square / area) : 0;
+  if (!(strength > kStrong)) return;
+  events.warn(fmt::format(
+      "textures vary within patches, which have their means: the reflectance by {:.2f} (standard "
+      "deviation), {:.2f} in patch {} of '{}'; more patches follow them (--patches N, --adaptive)",
+      strength, deviation[worst], worst, mesh.surface_names[mesh.surface[worst]]));
 }
 
 void warn_of_darkness(const Eigen::MatrixXd& exitance, const Eigen::MatrixXd& incident,

@@ -29,6 +29,10 @@ std::optional<std::string> open_rows_warning(const radiosity::AssemblyReport& re
 /// Says it.
 void warn_of_open_rows(const radiosity::AssemblyReport& report, const StudyEvents& events);
 
+/// If the reflectance of a texture varies strongly within patches, which have its mean.
+void warn_of_textures(const radiosity::Scene& scene, const radiosity::PatchMesh& mesh,
+                      const StudyEvents& events);
+
 /// If nothing emits and no sun or luminaire shines, and if these (direct irradiance `incident`,
 /// empty without any) reach nothing.
 void warn_of_darkness(const Eigen::MatrixXd& exitance, const Eigen::MatrixXd& incident,

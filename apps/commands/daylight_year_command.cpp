@@ -75,7 +75,10 @@ DaylightYearCommand::DaylightYearCommand(CLI::App& program, Interruption& interr
       ->check(CLI::Range(4, 5000))
       ->capture_default_str()
       ->type_name("N");
-  command->add_option("--north", north_, "Where north is: X,Y,Z; default: +y, or -z where y is up")
+  command
+      ->add_option(
+          "--north", north_,
+          "Where north is: X,Y,Z; default: that of the scene's sky, or +y, or -z where y is up")
       ->delimiter(',')
       ->expected(3)
       ->type_name("X,Y,Z");
@@ -97,8 +100,8 @@ void DaylightYearCommand::run() const {
   const io::WeatherYear year = io::read_epw(weather_, events.progress);
   radiosity::Scene scene = year_scene(read_checked_scene(common_, events));
   const Vec3 up = scene.sky->up;
-  const Compass compass{
-      up, north_ ? Vec3((*north_)[0], (*north_)[1], (*north_)[2]) : radiosity::usual_north(up)};
+  const Vec3 north = scene.sky->north.value_or(radiosity::usual_north(up));
+  const Compass compass{up, north_ ? Vec3((*north_)[0], (*north_)[1], (*north_)[2]) : north};
   if (!(up.cross(compass.north).norm() > 1e-6 * compass.north.norm())) {
     throw radiosity::SceneError("--north points up or down, or nowhere");
   }

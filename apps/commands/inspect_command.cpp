@@ -54,6 +54,8 @@ InspectCommand::InspectCommand(CLI::App& program, Interruption& interruption)
       })
       ->type_name("FILE")
       ->allow_extra_args(false);
+  command->add_flag("--ugr-table", has_ugr_table_,
+                    "Of a luminaire: also its UGR in the rooms of CIE 117, by radiosity");
   command->callback([this] { run(); });
 }
 
@@ -81,8 +83,12 @@ std::vector<std::string> InspectCommand::write(const radiosity::Scene& scene,
 
 void InspectCommand::run() const {
   if (io::is_photometric_file(common_.scene)) {
-    inspect_photometry(common_, interruption_);
+    inspect_photometry(common_, has_ugr_table_ ? WantsUgr::yes : WantsUgr::no, interruption_);
     return;
+  }
+  if (has_ugr_table_) {
+    throw radiosity::SceneError(common_.scene +
+                                ": is a scene; --ugr-table is for a luminaire, .ies or .ldt");
   }
   for (const std::string& output : common_.outputs) {
     const std::string extension = io::lower_case_extension(output);

@@ -31,6 +31,7 @@ class InspectCommand {
 
   Interruption& interruption_;
   CommonOptions common_;
+  bool has_ugr_table_ = false;
 };
 
 }  // namespace apps

@@ -2,19 +2,27 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+#include <string>
+
 #include "apps/run/shown_events.h"
 #include "apps/summary/photometry_summary.h"
 #include "apps/summary/summary.h"
+#include "apps/summary/ugr_summary.h"
 #include "apps/terminal/output_files.h"
 #include "io/base/extension.h"
 #include "io/light/photometric_file.h"
 #include "io/light/polar_curve.h"
 #include "io/light/polar_picture.h"
 #include "radiosity/base/error.h"
+#include "radiosity/base/parallel.h"
+#include "radiosity/scene/photometric_web.h"
+#include "study/ugr_table.h"
 
 namespace apps {
 
-void inspect_photometry(const CommonOptions& common, Interruption& interruption) {
+void inspect_photometry(const CommonOptions& common, WantsUgr wants_ugr,
+                        Interruption& interruption) {
   for (const std::string& output : common.outputs) {
     const std::string extension = io::lower_case_extension(output);
     if (extension != ".svg" && extension != ".png") {
@@ -35,8 +43,15 @@ void inspect_photometry(const CommonOptions& common, Interruption& interruption)
       io::write_polar_curve(output, photometry);
     }
   }
-  print(common.json ? photometry_json(photometry, common.outputs, terminal.warnings())
-                    : photometry_text(photometry, common.outputs));
+  std::optional<study::UgrTable> ugr;
+  if (wants_ugr == WantsUgr::yes) {
+    const radiosity::ThreadLimit threads(common.n_threads);
+    ugr = study::make_ugr_table(photometry, {}, events);
+  }
+  print(common.json ? photometry_json(photometry, ugr ? &*ugr : nullptr, common.outputs,
+                                      terminal.warnings())
+                    : photometry_text(photometry, common.outputs) +
+                          (ugr ? ugr_text(*ugr, radiosity::flux(photometry.web)) : std::string()));
 }
 
 }  // namespace apps

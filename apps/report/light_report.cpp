@@ -9,7 +9,7 @@
 #include "io/base/printable.h"
 #include "io/base/xml_escaped.h"
 #include "io/light/polar_curve.h"
-#include "radiosity/scene/photometric_web.h"
+#include "radiosity/scene/luminaire_flux.h"
 #include "radiosity/solve/quantity.h"
 
 namespace apps {
@@ -165,20 +165,21 @@ void add_luminaires(Html& page, const LightSummary& summary) {
   if (scene.luminaires.empty()) return;
   page.add("<h2>Luminaires</h2>\n");
   std::vector<std::vector<std::string>> rows = {
-      {"Luminaire", "File", "At, m", "Flux, lm", "Dimming"}};
+      {"Luminaire", "File", "At, m", "Flux, lm", "Dimming", "Maintenance factor"}};
   double sum = 0;
-  for (const radiosity::Luminaire& luminaire : scene.luminaires) {
+  for (std::size_t k = 0; k < scene.luminaires.size(); ++k) {
+    const radiosity::Luminaire& luminaire = scene.luminaires[k];
     const radiosity::Photometry& photometry =
         scene.photometries[static_cast<std::size_t>(luminaire.photometry)];
-    const double whole = luminaire.lumens > 0 ? luminaire.lumens : flux(photometry.web);
+    const double whole = undimmed_flux(luminaire, photometry);
     sum += luminaire.dimming * whole;
     const radiosity::Vec3& x = luminaire.position;
     rows.push_back({escaped(luminaire.name), escaped(photometry.file.filename().string()),
                     fmt::format("{:.4g}, {:.4g}, {:.4g}", x[0], x[1], x[2]), io::value_text(whole),
-                    fmt::format("{:g}", luminaire.dimming)});
+                    fmt::format("{:g}", luminaire.dimming),
+                    fmt::format("{:g}", summary.measured.luminaire_factors[k])});
   }
-  page.add("<p>{} lm, when new; maintenance factor {:g}.</p>\n", io::value_text(sum),
-           summary.measured.maintenance_factor);
+  page.add("<p>{} lm, when new.</p>\n", io::value_text(sum));
   page.table(rows, 2);
   for (const radiosity::Photometry& photometry : scene.photometries) {
     page.add("<figure>{}</figure>\n", io::polar_curve_svg(photometry));

@@ -8,6 +8,7 @@
 #include "apps/summary/scene_text.h"
 #include "apps/summary/text_table.h"
 #include "apps/terminal/terminal_progress.h"
+#include "radiosity/scene/luminaire_flux.h"
 #include "radiosity/solve/quantity.h"
 
 namespace apps {
@@ -18,9 +19,7 @@ std::string luminaires_text(const radiosity::Scene& scene) {
   double lumens = 0;
   for (const radiosity::Luminaire& luminaire : scene.luminaires) {
     lumens +=
-        luminaire.dimming * (luminaire.lumens > 0
-                                 ? luminaire.lumens
-                                 : radiosity::flux(scene.photometries[luminaire.photometry].web));
+        luminaire.dimming * undimmed_flux(luminaire, scene.photometries[luminaire.photometry]);
   }
   return fmt::format("{}, {:.6g} lm", scene.luminaires.size(), lumens);
 }

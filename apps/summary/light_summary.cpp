@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "apps/summary/text_table.h"
@@ -82,6 +83,24 @@ std::string check_table(const std::vector<study::RequirementCheck>& checks) {
          check.is_met ? "met" : "NOT MET"});
   }
   return table(rows);
+}
+
+/// What is left of lamps and luminaires: of the one that ages most and of the one that ages least.
+std::string maintenance_text(const LightSummary& summary) {
+  const radiosity::Scene& scene = summary.solved.scene;
+  std::vector<double> factors = summary.measured.luminaire_factors;
+  for (std::size_t k = 0; k < scene.surfaces.size(); ++k) {
+    const radiosity::Surface& surface = scene.surfaces[k];
+    if (scene.materials[static_cast<std::size_t>(surface.material)].emission.kind !=
+        radiosity::Emission::Kind::none) {
+      factors.push_back(summary.measured.maintenance_factors[k]);
+    }
+  }
+  if (factors.empty()) return "no lamps";
+  const auto [least, most] = std::ranges::minmax(factors);
+  const std::string share =
+      least == most ? fmt::format("{:g}", least) : fmt::format("{:g} to {:g}", least, most);
+  return share + " of what lamps give when new";
 }
 
 Json point_json(const Vec3& x) { return {x[0], x[1], x[2]}; }
@@ -178,6 +197,7 @@ std::string light_text(const LightSummary& summary) {
   std::string text = line("scene", one_line(study.scene.source));
   text += line("patches", fmt::format("{} on {} surfaces", study.mesh.size(),
                                       study.mesh.surface_names.size()));
+  if (summary.measured.has_maintenance) text += line("maintenance", maintenance_text(summary));
   if (!summary.measured.grids.empty()) {
     text += points_table(summary.measured) + grid_table(summary.measured);
   }
@@ -194,6 +214,10 @@ std::string light_json(const LightSummary& summary, const std::vector<std::strin
   for (std::size_t k = 0; k < summary.measured.maintenance_factors.size(); ++k) {
     json["maintenance_factors"][study.scene.surfaces[k].name] =
         summary.measured.maintenance_factors[k];
+  }
+  for (std::size_t k = 0; k < study.scene.luminaires.size(); ++k) {
+    json["maintenance_factors"][study.scene.luminaires[k].name] =
+        summary.measured.luminaire_factors[k];
   }
   const std::vector<LightRow> rows = light_rows(summary.measured);
   json["grids"] = Json::array();

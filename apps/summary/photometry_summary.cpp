@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/summary/text_table.h"
+#include "apps/summary/ugr_summary.h"
 #include "apps/terminal/terminal_progress.h"
 #include "io/base/printable.h"
 
@@ -88,12 +89,18 @@ std::string photometry_text(const Photometry& photometry, const std::vector<std:
   text += line("beam angle", angles_text(spread(web, 0, 0.5), spread(web, kPi / 2, 0.5)));
   text += line("field angle", angles_text(spread(web, 0, 0.1), spread(web, kPi / 2, 0.1)));
   text += line("opening", opening_text(photometry));
+  if (!photometry.tilt.angles.empty()) {
+    text += line("tilt", fmt::format("{:.4g} to {:.4g} of it, by how it hangs",
+                                     std::ranges::min(photometry.tilt.factors),
+                                     std::ranges::max(photometry.tilt.factors)));
+  }
   text += line("angles", fmt::format("{} x {}", web.polar.size(), web.azimuth.size()));
   for (const std::string& output : outputs) text += line("written", one_line(output));
   return text;
 }
 
-std::string photometry_json(const Photometry& photometry, const std::vector<std::string>& outputs,
+std::string photometry_json(const Photometry& photometry, const study::UgrTable* ugr,
+                            const std::vector<std::string>& outputs,
                             const std::vector<std::string>& warnings) {
   const PhotometricWeb& web = photometry.web;
   const radiosity::WebSymmetry symmetry = symmetry_of(web);
@@ -126,8 +133,16 @@ std::string photometry_json(const Photometry& photometry, const std::vector<std:
         {"round", photometry.is_round}}},
       {"outputs", outputs},
       {"warnings", warnings}};
+  if (!photometry.tilt.angles.empty()) {
+    std::vector<double> degrees;
+    for (const double angle : photometry.tilt.angles) degrees.push_back(in_degrees(angle));
+    json["tilt"] = {{"position", photometry.tilt.position},
+                    {"angles", degrees},
+                    {"factors", photometry.tilt.factors}};
+  }
   if (photometry.lamp_flux > 0) json["lamp_flux"] = photometry.lamp_flux;
   if (web.type == PhotometricWeb::Type::c) json["downward_flux"] = downward_flux(web);
+  if (ugr != nullptr) json["ugr_table"] = ugr_json(*ugr);
   return io::printable_json(
       json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "radiosity/scene/photometry.h"
+#include "study/ugr_table.h"
 
 namespace apps {
 
@@ -11,8 +12,8 @@ namespace apps {
 std::string photometry_text(const radiosity::Photometry& photometry,
                             const std::vector<std::string>& outputs);
 
-/// The JSON object that it prints.
-std::string photometry_json(const radiosity::Photometry& photometry,
+/// The JSON object that it prints; with a UGR table, unless that is null.
+std::string photometry_json(const radiosity::Photometry& photometry, const study::UgrTable* ugr,
                             const std::vector<std::string>& outputs,
                             const std::vector<std::string>& warnings);
 

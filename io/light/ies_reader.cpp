@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <string_view>
@@ -26,6 +27,12 @@ void take_keyword(std::string_view line, std::string_view keyword, std::string& 
   text = printable(std::string(trimmed(line.substr(keyword.size()))));
 }
 
+/// Whether a word is another in capitals, whatever it is in.
+bool is_word(std::string_view word, std::string_view capitals) {
+  return std::equal(word.begin(), word.end(), capitals.begin(), capitals.end(),
+                    [](char a, char b) { return (a >= 'a' && a <= 'z' ? a - 'a' + 'A' : a) == b; });
+}
+
 /// Lines up to TILT=; returns what that is.
 std::string read_labels(LineReader& lines, Photometry& photometry) {
   constexpr std::string_view kTilt = "TILT=";
@@ -39,7 +46,7 @@ std::string read_labels(LineReader& lines, Photometry& photometry) {
       photometry.format =
           "IES " + printable(std::string(is_named ? line.substr(colon + 1) : "LM-63-1991"));
     }
-    if (line.starts_with(kTilt)) {
+    if (is_word(line.substr(0, kTilt.size()), kTilt)) {
       lines.recognise();
       return std::string(trimmed(line.substr(kTilt.size())));
     }
@@ -49,27 +56,29 @@ std::string read_labels(LineReader& lines, Photometry& photometry) {
   lines.fail("has no line that starts with TILT=, expected one in an IES file");
 }
 
-void read_tilt_table(NumberStream& numbers) {
+radiosity::LampTilt read_tilt_table(NumberStream& numbers) {
   constexpr long kMostTilts = 1000;
-  (void)numbers.next_count("the lamp's position to the luminaire", 1, 3);
+  radiosity::LampTilt tilt;
+  tilt.position =
+      static_cast<int>(numbers.next_count("the lamp's position to the luminaire", 1, 3));
   const long n = numbers.next_count("the number of tilt angles", 1, kMostTilts);
-  const std::vector<double> angles = numbers.next_list("tilt angle", n);
-  const std::string problem = angle_problem("tilt", angles, 0, 360);
+  tilt.angles = numbers.next_list("tilt angle", n);
+  const std::string problem = angle_problem("tilt", tilt.angles, 0, 180);
   if (!problem.empty()) numbers.fail(problem);
-  for (const double factor : numbers.next_list("tilt factor", n)) {
+  for (double& angle : tilt.angles) angle *= radiosity::kPi / 180;
+  tilt.factors = numbers.next_list("tilt factor", n);
+  for (const double factor : tilt.factors) {
     if (!(factor >= 0)) numbers.fail(fmt::format("tilt factor {} is negative", factor));
   }
+  return tilt;
 }
 
 void read_tilt(const std::string& tilt, LineReader& lines, NumberStream& numbers,
                const std::filesystem::path& path, const radiosity::Progress& progress,
                Photometry& photometry) {
-  if (tilt == "NONE") return;
-  photometry.warnings.push_back(
-      fmt::format("{}: its TILT table is not applied: lamps burn as they were measured",
-                  printable(path.string())));
-  if (tilt == "INCLUDE") {
-    read_tilt_table(numbers);
+  if (is_word(tilt, "NONE")) return;
+  if (is_word(tilt, "INCLUDE")) {
+    photometry.tilt = read_tilt_table(numbers);
     return;
   }
   if (tilt.empty()) lines.fail("TILT= is empty, expected NONE, INCLUDE or a file");
@@ -80,7 +89,7 @@ void read_tilt(const std::string& tilt, LineReader& lines, NumberStream& numbers
   }
   LineReader other(file, progress);
   NumberStream table(other);
-  read_tilt_table(table);
+  photometry.tilt = read_tilt_table(table);
 }
 
 double more_than_zero(NumberStream& numbers, std::string_view what) {

@@ -106,7 +106,8 @@ LdtHead read_head(LdtLines& lines, Photometry& photometry) {
   return head;
 }
 
-void read_luminaire(LdtLines& lines, Photometry& photometry) {
+/// Returns the share of its lamps' light that the luminaire is said to give, 0 = it is not said.
+double read_luminaire(LdtLines& lines, Photometry& photometry) {
   (void)lines.text("the number of the report");
   photometry.name = printable(std::string(lines.text("the name of the luminaire")));
   (void)lines.text("the number of the luminaire");
@@ -124,7 +125,19 @@ void read_luminaire(LdtLines& lines, Photometry& photometry) {
     photometry.height = std::max(photometry.height, kMillimetre * height);
   }
   (void)lines.at_least_zero("the downward flux fraction (DFF)");
-  (void)lines.at_least_zero("the light output ratio (LORL)");
+  return lines.at_least_zero("the light output ratio (LORL)") / 100;
+}
+
+/// If intensities and what the file says of their sum are far apart: one of them is wrong.
+void check_output_ratio(const std::filesystem::path& path, double ratio, Photometry& photometry) {
+  constexpr double kFar = 0.1;
+  if (ratio == 0 || photometry.lamp_flux == 0) return;
+  const double found = radiosity::flux(photometry.web) / photometry.lamp_flux;
+  if (std::abs(found - ratio) <= kFar * ratio) return;
+  photometry.warnings.push_back(fmt::format(
+      "{}: its intensities add up to {:.4g} % of its lamps' light, but its light output "
+      "ratio is {:.4g} %",
+      printable(path.string()), 100 * found, 100 * ratio));
 }
 
 /// Candela for each unit of the file.
@@ -134,7 +147,12 @@ double read_lamps(LdtLines& lines, const std::filesystem::path& path, Photometry
   if (!(factor > 0)) {
     lines.fail(fmt::format("the conversion factor is {}, expected more than 0", factor));
   }
-  (void)lines.number("the tilt of the luminaire");
+  const double tilt = lines.number("the tilt of the luminaire");
+  if (tilt != 0) {
+    photometry.warnings.push_back(
+        fmt::format("{}: was tilted by {:g} degrees when it was measured, of which nothing is made",
+                    printable(path.string()), tilt));
+  }
   const long n_sets = lines.count("the number of sets of lamps", 1, kMostSets);
   if (n_sets > 1) {
     photometry.warnings.push_back(fmt::format("{}: has {} sets of lamps, of which the first counts",
@@ -169,8 +187,7 @@ std::vector<double> given_planes(const LdtHead& head, const std::vector<double>&
     case 1:
       return {0};
     case 2:
-      for (long k = 0; k < n / 2; ++k) planes.push_back(plane(k));
-      planes.push_back(180);
+      for (long k = 0; k <= n / 2; ++k) planes.push_back(plane(k));
       return planes;
     case 3:  // from C270 by C0 to C90
       for (long k = -n / 4; k <= n / 4; ++k) {
@@ -195,6 +212,9 @@ void unfold(LdtLines& lines, long symmetry, GivenPlanes& given) {
     lines.fail(fmt::format("half of the C-planes is from {} to {}, expected 270 to 90",
                            given.planes.front() + 360, last));
   }
+  if (symmetry == 2 && last != 180) {
+    lines.fail(fmt::format("half of the C-planes ends at {}, expected 180", last));
+  }
   if (symmetry == 4) mirror_planes(180, given);
   if (symmetry == 2 || symmetry == 4) mirror_planes(360, given);
   if (symmetry == 3) mirror_planes(180, given);
@@ -215,7 +235,7 @@ Photometry read_ldt(const std::filesystem::path& path, const radiosity::Progress
   photometry.file = path;
   photometry.format = "EULUMDAT";
   const LdtHead head = read_head(lines, photometry);
-  read_luminaire(lines, photometry);
+  const double ratio = read_luminaire(lines, photometry);
   const double factor = read_lamps(lines, path, photometry);
   const std::vector<double> planes = lines.list("C-plane", head.n_planes);
   std::string problem = angle_problem("C", planes, 0, 359.999999);
@@ -236,6 +256,7 @@ Photometry read_ldt(const std::filesystem::path& path, const radiosity::Progress
   lines.expect_end();
   unfold(lines, head.symmetry, given);
   photometry.web = make_web(given);
+  check_output_ratio(path, ratio, photometry);
   return photometry;
 }
 

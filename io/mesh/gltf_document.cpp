@@ -12,6 +12,7 @@
 #include "io/base/extension.h"
 #include "io/base/line_reader.h"
 #include "io/base/printable.h"
+#include "io/mesh/uri_text.h"
 #include "radiosity/base/error.h"
 
 namespace io {
@@ -33,48 +34,6 @@ std::string read_bytes(const std::filesystem::path& path, std::uint64_t n,
   while (text.size() < n) {
     const std::uint64_t part = std::min(kPart, n - text.size());
     text.append(bytes.take(part), part);
-  }
-  return text;
-}
-
-int base64_digit(char c) {
-  if (c >= 'A' && c <= 'Z') return c - 'A';
-  if (c >= 'a' && c <= 'z') return c - 'a' + 26;
-  if (c >= '0' && c <= '9') return c - '0' + 52;
-  if (c == '+' || c == '-') return 62;
-  if (c == '/' || c == '_') return 63;
-  return -1;
-}
-
-std::optional<std::string> decode_base64(std::string_view text) {
-  while (text.ends_with('=')) text.remove_suffix(1);
-  std::string bytes;
-  bytes.reserve(text.size() * 3 / 4);
-  std::uint32_t bits = 0;
-  int n_bits = 0;
-  for (const char c : text) {
-    const int digit = base64_digit(c);
-    if (digit < 0) return std::nullopt;
-    bits = (bits << 6U | static_cast<std::uint32_t>(digit)) & 0xffffU;
-    n_bits += 6;
-    if (n_bits >= 8) bytes += static_cast<char>(bits >> static_cast<unsigned>(n_bits -= 8) & 0xffU);
-  }
-  return bytes;
-}
-
-/// "a%20b.bin" is "a b.bin".
-std::string decode_percent(std::string_view uri) {
-  std::string text;
-  for (std::size_t k = 0; k < uri.size(); ++k) {
-    int value = 0;
-    const char* const digits = uri.data() + k + 1;
-    if (uri[k] == '%' && k + 2 < uri.size() &&
-        std::from_chars(digits, digits + 2, value, 16).ptr == digits + 2) {
-      text += static_cast<char>(value);
-      k += 2;
-    } else {
-      text += uri[k];
-    }
   }
   return text;
 }
@@ -120,6 +79,7 @@ double component(const char* bytes, const ComponentType& type) {
 
 int component_count(std::string_view type) {
   if (type == "SCALAR") return 1;
+  if (type == "VEC2") return 2;
   return type == "VEC3" ? 3 : 4;
 }
 
@@ -264,18 +224,7 @@ std::string_view GltfDocument::load_buffer(const JsonItem& buffer, std::size_t i
   const auto length = static_cast<std::uint64_t>(gltf_integer(buffer.at("byteLength"), 1LL << 40));
   std::string_view bytes;
   if (const auto uri = buffer.find("uri")) {
-    const std::string text = uri->text();
-    if (text.starts_with("data:")) {
-      const auto comma = text.find(',');
-      if (comma == std::string::npos || !text.substr(0, comma).ends_with(";base64")) {
-        uri->fail("is a data URI without base64");
-      }
-      auto decoded = decode_base64(std::string_view(text).substr(comma + 1));
-      if (!decoded) uri->fail("is no base64");
-      bytes = data_.emplace_back(*std::move(decoded));
-    } else {
-      bytes = load_file(*uri);
-    }
+    bytes = uri->text().starts_with("data:") ? load_data(*uri) : load_file(*uri);
   } else {
     if (index > 0 || !binary_chunk_)
       buffer.fail("has no \"uri\", and the file has no binary chunk");
@@ -285,6 +234,24 @@ std::string_view GltfDocument::load_buffer(const JsonItem& buffer, std::size_t i
     buffer.fail(fmt::format("is truncated: found {} bytes, expected {}", bytes.size(), length));
   }
   return bytes.substr(0, length);
+}
+
+std::string_view GltfDocument::load_data(const JsonItem& uri) {
+  const std::string text = uri.text();
+  const auto comma = text.find(',');
+  if (comma == std::string::npos || !text.substr(0, comma).ends_with(";base64")) {
+    uri.fail("is a data URI without base64");
+  }
+  auto decoded = decode_base64(std::string_view(text).substr(comma + 1));
+  if (!decoded) uri.fail("is no base64");
+  return data_.emplace_back(*std::move(decoded));
+}
+
+std::string_view GltfDocument::image(const JsonItem& image) {
+  if (const auto uri = image.find("uri")) {
+    return uri->text().starts_with("data:") ? load_data(*uri) : load_file(*uri);
+  }
+  return view(image.at("bufferView")).bytes;
 }
 
 std::string_view GltfDocument::load_file(const JsonItem& uri) {

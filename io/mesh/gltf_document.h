@@ -45,6 +45,9 @@ class GltfDocument {
   /// The values of an accessor of a type ("VEC3"), as floats or integers; sparse ones too.
   [[nodiscard]] GltfValues values(const JsonItem& accessor, std::string_view type);
 
+  /// The bytes of an image: in a buffer view, in its URI or in the file that this names.
+  [[nodiscard]] std::string_view image(const JsonItem& image);
+
   /// Bytes of the file and of the files that its buffers name, each once.
   [[nodiscard]] std::uint64_t n_bytes() const { return n_bytes_; }
   [[nodiscard]] std::vector<std::string> take_repairs() { return std::move(repairs_); }
@@ -59,6 +62,7 @@ class GltfDocument {
   void split_binary(std::string_view file);
   std::string_view buffer(const JsonItem& index);
   std::string_view load_buffer(const JsonItem& buffer, std::size_t index);
+  std::string_view load_data(const JsonItem& uri);
   std::string_view load_file(const JsonItem& uri);
   [[nodiscard]] std::filesystem::path file_of(const std::string& uri) const;
   void count_bytes();

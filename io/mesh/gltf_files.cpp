@@ -1,7 +1,6 @@
 #include "io/mesh/gltf_files.h"
 
 #include <array>
-#include <charconv>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -9,6 +8,7 @@
 
 #include "io/base/byte_reader.h"
 #include "io/base/extension.h"
+#include "io/mesh/uri_text.h"
 
 namespace io {
 namespace {
@@ -28,20 +28,6 @@ std::string json_text(const std::filesystem::path& path) {
   return text;
 }
 
-/// "a%20b" is "a b".
-std::string decoded(std::string_view uri) {
-  std::string result;
-  while (!uri.empty()) {
-    unsigned code = 0;
-    const bool is_code =
-        uri[0] == '%' && uri.size() > 2 &&
-        std::from_chars(uri.data() + 1, uri.data() + 3, code, 16).ptr == uri.data() + 3;
-    result += is_code ? static_cast<char>(code) : uri[0];
-    uri.remove_prefix(is_code ? 3 : 1);
-  }
-  return result;
-}
-
 }  // namespace
 
 std::vector<std::filesystem::path> gltf_files(const std::filesystem::path& path) {
@@ -53,7 +39,7 @@ std::vector<std::filesystem::path> gltf_files(const std::filesystem::path& path)
     for (const nlohmann::json& item : json[list]) {
       if (!item.is_object() || !item.contains("uri") || !item["uri"].is_string()) continue;
       const auto uri = item["uri"].get<std::string>();
-      if (!uri.starts_with("data:")) files.push_back(path.parent_path() / decoded(uri));
+      if (!uri.starts_with("data:")) files.push_back(path.parent_path() / decode_percent(uri));
     }
   }
   return files;

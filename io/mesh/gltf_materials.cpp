@@ -7,6 +7,7 @@
 
 #include "io/base/input_checks.h"
 #include "io/base/printable.h"
+#include "radiosity/base/error.h"
 
 namespace io {
 namespace {
@@ -38,10 +39,12 @@ Eigen::Vector3d radiance(const JsonItem& material) {
   return (strength ? strength->number() : 1.0) * color(*factor);
 }
 
-bool has_texture(const JsonItem& material) {
-  return material.has("emissiveTexture") ||
-         find_inside(material, {"pbrMetallicRoughness", "baseColorTexture"}) ||
-         find_inside(material,
+/// The texture of what the reflectance is taken from.
+std::optional<JsonItem> base_texture(const JsonItem& material) {
+  if (auto texture = find_inside(material, {"pbrMetallicRoughness", "baseColorTexture"})) {
+    return texture;
+  }
+  return find_inside(material,
                      {"extensions", "KHR_materials_pbrSpecularGlossiness", "diffuseTexture"});
 }
 
@@ -56,8 +59,9 @@ Material make_material(const JsonItem& item, const std::string& name) {
 
 }  // namespace
 
-GltfMaterials read_gltf_materials(const std::filesystem::path& path, const GltfDocument& document) {
+GltfMaterials read_gltf_materials(const std::filesystem::path& path, GltfDocument& document) {
   GltfMaterials result;
+  GltfTextures textures(document);
   std::set<std::string> names;
   for (std::size_t i = 0; i < document.size("materials"); ++i) {
     const JsonItem item = document.element("materials", i);
@@ -65,9 +69,17 @@ GltfMaterials read_gltf_materials(const std::filesystem::path& path, const GltfD
     if (name.empty()) name = fmt::format("material-{}", i);
     while (!names.insert(name).second) name += fmt::format("-{}", i);
     result.materials.push_back(make_material(item, name));
-    if (has_texture(item)) {
-      result.textures.add(path.string(),
-                          fmt::format("material {}: textures are not read", in_quotes(name)));
+    const std::string who = fmt::format("material {}: ", in_quotes(name));
+    if (item.has("emissiveTexture")) {
+      result.emissive.add(path.string(), who + "emissive textures are not read");
+    }
+    result.textures.emplace_back();
+    if (const auto texture = base_texture(item)) {
+      try {
+        result.textures.back() = textures.read(*texture, result.materials.back());
+      } catch (const radiosity::SceneError& error) {
+        result.unread.add(path.string(), who + error.what());
+      }
     }
     const auto two_sided = item.find("doubleSided");
     result.two_sided.push_back(two_sided && two_sided->boolean());

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <map>
 
 #include "io/base/line_reader.h"
@@ -13,6 +14,7 @@
 #include "io/mesh/gltf_nodes.h"
 #include "io/mesh/gltf_triangles.h"
 #include "io/mesh/surface_index.h"
+#include "io/mesh/texture_coordinates.h"
 
 namespace io {
 namespace {
@@ -77,7 +79,10 @@ class GltfReader {
     check_size(tree);
     tree.walk([&](const GltfNode& node) { add_node(node); });
     std::vector<std::string> repairs = document_.take_repairs();
-    materials_.textures.report("only the colour factors are read", scene_.warnings);
+    materials_.emissive.report("only the colour factors are read", scene_.warnings);
+    materials_.unread.report("only the colour factors are read", scene_.warnings);
+    pad_texture_coordinates(scene_);
+    check_texture_coordinates(path_, scene_, repairs);
     skipped_.report("points and lines are left out", scene_.warnings);
     deformed_.report("its shape at rest is read", scene_.warnings);
     return {std::move(scene_), std::move(repairs)};
@@ -234,9 +239,47 @@ class GltfReader {
     const GltfValues points = document_.values(document_.element("accessors", *position), "VEC3");
     const std::vector<std::int32_t> corners = gltf_triangles(document_, primitive, points.count);
     const std::int32_t surface = find_surface(primitive, object);
+    const std::vector<Eigen::Vector2d> coordinates =
+        texture_coordinates(primitive, scene_.surfaces[surface].material, points.count);
     for (const Eigen::Affine3d& transform : transforms) {
       progress_.check();
       add_triangles(primitive, points, corners, transform, surface);
+      add_coordinates(coordinates, corners, transform.linear().determinant() < 0);
+    }
+  }
+
+  /// Of each vertex, as its material's texture has them; none if there is none or it has none.
+  std::vector<Eigen::Vector2d> texture_coordinates(const JsonItem& primitive, int material,
+                                                   std::int64_t n_vertices) {
+    std::vector<Eigen::Vector2d> result;
+    if (material < 0 || !materials_.textures[static_cast<std::size_t>(material)]) return result;
+    const GltfPlacement& placement = *materials_.textures[static_cast<std::size_t>(material)];
+    const auto accessor =
+        primitive.at("attributes").find(fmt::format("TEXCOORD_{}", placement.set));
+    if (!accessor) return result;
+    const GltfValues values = document_.values(document_.element("accessors", *accessor), "VEC2");
+    if (values.count != n_vertices) {
+      accessor->fail(
+          fmt::format("has {} texture coordinates of {} vertices", values.count, n_vertices));
+    }
+    for (std::int64_t i = 0; i < values.count; ++i) {
+      result.emplace_back(placement.transform * Eigen::Vector2d(values(i, 0), values(i, 1)));
+    }
+    return result;
+  }
+
+  /// Of the triangles that were added last.
+  void add_coordinates(const std::vector<Eigen::Vector2d>& coordinates,
+                       const std::vector<std::int32_t>& corners, bool is_mirrored) {
+    if (coordinates.empty()) return;
+    std::vector<Eigen::Vector2d>& all = scene_.texture_coordinates;
+    all.resize(scene_.corners.size() - corners.size(),
+               Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN()));
+    for (std::size_t c = 0; c < corners.size(); c += 3) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::int32_t corner = corners[c + (is_mirrored ? 2 - k : k)];
+        all.push_back(coordinates[static_cast<std::size_t>(corner)]);
+      }
     }
   }
 

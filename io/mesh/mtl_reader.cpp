@@ -11,6 +11,7 @@
 #include "io/base/line_reader.h"
 #include "io/base/printable.h"
 #include "io/mesh/file_scene.h"
+#include "radiosity/base/error.h"
 
 namespace io {
 namespace {
@@ -66,6 +67,39 @@ void read_key(const LineReader& lines, std::string_view keyword, Words& words,
   }
 }
 
+/// Reads the picture of each material that names one; Kd is then what it is times.
+void read_textures(const std::filesystem::path& path, TexturePictures& pictures,
+                   const radiosity::Progress& progress, MtlFile& file) {
+  RepairCount unread;
+  RepairCount changed;
+  for (std::size_t k = 0; k < file.materials.size(); ++k) {
+    const MtlTexture& given = file.textures[k];
+    radiosity::Material& material = file.materials[k];
+    if (given.file.empty()) continue;
+    const std::string who = fmt::format("material {}", in_quotes(material.name));
+    if (given.has_other_options) {
+      changed.add(path.string(), who + " has options of map_Kd beside -s, -o and -clamp");
+    }
+    try {
+      const auto picture = find_beside(path, given.file);
+      if (!picture) {
+        unread.add(path.string(),
+                   fmt::format("{}: picture {} does not exist", who, in_quotes(given.file)));
+        continue;
+      }
+      radiosity::Texture texture{
+          .image = pictures.read(*picture, progress), .across = given.wrap, .down = given.wrap};
+      if (material.reflectance.size() > 0) texture.factor = material.reflectance;
+      material.reflectance = texture_mean(texture).mean;
+      material.texture = std::move(texture);
+    } catch (const radiosity::SceneError& error) {
+      unread.add(path.string(), who + ": " + error.what());
+    }
+  }
+  unread.report("Kd alone counts", file.repairs);
+  changed.report("they are ignored", file.warnings);
+}
+
 void complete_reflectances(const std::filesystem::path& path, MtlFile& file) {
   for (auto& material : file.materials) {
     if (material.reflectance.size() > 0) continue;
@@ -77,7 +111,8 @@ void complete_reflectances(const std::filesystem::path& path, MtlFile& file) {
 
 }  // namespace
 
-MtlFile read_mtl(const std::filesystem::path& path, const radiosity::Progress& progress) {
+MtlFile read_mtl(const std::filesystem::path& path, TexturePictures* pictures,
+                 const radiosity::Progress& progress) {
   LineReader lines(path, progress, LineReader::Continuation::backslash);
   MtlFile file;
   std::set<std::string> names;
@@ -102,6 +137,7 @@ MtlFile read_mtl(const std::filesystem::path& path, const radiosity::Progress& p
         doubled.add(where(), fmt::format("material {} is already defined", in_quotes(name)));
       } else {
         file.materials.push_back({.name = name, .reflectance = {}, .emission = {}});
+        file.textures.emplace_back();
       }
     } else if (keyword == "Kd" || keyword == "Ke") {
       if (file.materials.empty() && !is_left_out) {
@@ -110,12 +146,16 @@ MtlFile read_mtl(const std::filesystem::path& path, const radiosity::Progress& p
       const bool counts = !is_left_out && !file.materials.empty();
       read_key(lines, keyword, words, counts ? file.materials.back() : left_out);
     } else if (is_picture(keyword)) {
+      if (keyword == "map_Kd" && !is_left_out && !file.materials.empty()) {
+        file.textures.back() = read_mtl_texture(words.rest());
+      }
       add_pictures(path, words, file);
     } else if (!is_ignored(keyword) && !std::exchange(has_warned, true)) {
       file.warnings.push_back(
           fmt::format("{}: unknown key {} is ignored", where(), lines.shown(keyword)));
     }
   }
+  if (pictures != nullptr) read_textures(path, *pictures, progress, file);
   complete_reflectances(path, file);
   doubled.report("the first definition counts", file.repairs);
   nameless.report("it is left out", file.repairs);

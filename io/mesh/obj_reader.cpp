@@ -11,7 +11,9 @@
 #include "io/base/line_reader.h"
 #include "io/base/printable.h"
 #include "io/mesh/mtl_reader.h"
+#include "io/mesh/obj_coordinates.h"
 #include "io/mesh/surface_index.h"
+#include "io/mesh/texture_coordinates.h"
 
 namespace io {
 namespace {
@@ -19,9 +21,9 @@ namespace {
 using radiosity::Progress;
 using radiosity::Scene;
 
-/// Statements without a meaning for us: texture, normals, smoothing, points, lines, display.
-constexpr std::array<std::string_view, 15> kIgnoredByObj = {
-    "vt",       "vn",       "vp",  "s",          "l",         "p",      "mg",    "bevel",
+/// Statements without a meaning for us: normals, smoothing, points, lines, display.
+constexpr std::array<std::string_view, 14> kIgnoredByObj = {
+    "vn",       "vp",       "s",   "l",          "p",         "mg",     "bevel",
     "c_interp", "d_interp", "lod", "shadow_obj", "trace_obj", "usemap", "maplib"};
 
 class ObjReader {
@@ -43,6 +45,8 @@ class ObjReader {
       fail(path_.string() + ":" + std::to_string(largest_forward_line_),
            fmt::format("face uses vertex {}, but the file has {}", largest_forward_, n_vertices));
     }
+    scene_.texture_coordinates = coordinates_.resolved(scene_.corners.size());
+    check_texture_coordinates(path_, scene_, repairs_);
     report_repairs();
     return {std::move(scene_), std::move(repairs_)};
   }
@@ -55,6 +59,8 @@ class ObjReader {
       scene_.vertices.push_back(lines_.point(words));  // w or a colour may follow
     } else if (keyword == "f") {
       read_face(words);
+    } else if (keyword == "vt") {
+      if (wanted_ == MeshMaterials::wanted) coordinates_.add(words);
     } else if (keyword == "o") {
       has_object_ = true;
       name_surface(std::string(words.rest()));
@@ -72,7 +78,11 @@ class ObjReader {
 
   void read_face(Words& words) {
     face_.clear();
+    const bool has_texture = material_ >= 0 && scene_.materials[material_].texture;
     for (auto word = words.next(); !word.empty() && word[0] != '#'; word = words.next()) {
+      if (has_texture) {
+        coordinates_.use(scene_.corners.size() + face_.size(), word, places_[material_]);
+      }
       face_.push_back(vertex_index(word));
     }
     if (surface_ < 0) surface_ = surfaces_.find_or_add(object_, material_, unknown_material_);
@@ -124,27 +134,15 @@ class ObjReader {
     if (whole.empty() && wanted_ == MeshMaterials::wanted) {
       missing_.add(where(), "mtllib names no file");
     }
-    if (find_library(whole)) return read_library(whole);
+    if (find_beside(path_, whole)) return read_library(whole);
     for (auto word = words.next(); !word.empty(); word = words.next()) {
       read_library(std::string(word));
     }
   }
 
-  /// Where the library is, beside the .obj; empty if it is not there. Programs for Windows write
-  /// paths with backslashes.
-  [[nodiscard]] std::optional<std::filesystem::path> find_library(std::string name) const {
-    std::error_code ignored;
-    for (int k = 0; k < 2 && !name.empty(); ++k) {
-      std::filesystem::path path = path_.parent_path() / name;
-      if (std::filesystem::exists(path, ignored)) return path;
-      std::replace(name.begin(), name.end(), '\\', '/');
-    }
-    return std::nullopt;
-  }
-
   void read_library(const std::string& name) {
     if (!libraries_.insert(name).second) return;  // some programs name it before each object
-    const auto path = find_library(name);
+    const auto path = find_beside(path_, name);
     if (path || !name.empty()) scene_.files.push_back(path ? *path : path_.parent_path() / name);
     if (wanted_ == MeshMaterials::not_needed) {
       if (path) add_pictures(*path);
@@ -155,11 +153,13 @@ class ObjReader {
       return;
     }
     has_library_ = true;
-    MtlFile file = read_mtl(*path, progress_);
-    for (auto& material : file.materials) {
+    MtlFile file = read_mtl(*path, &pictures_, progress_);
+    for (std::size_t k = 0; k < file.materials.size(); ++k) {
+      radiosity::Material& material = file.materials[k];
       const auto index = static_cast<int>(scene_.materials.size());
       if (materials_.try_emplace(material.name, index).second) {
         scene_.materials.push_back(std::move(material));
+        places_.push_back(file.textures[k]);
       } else {
         doubled_.add(where(), fmt::format("material {} of {} is already defined by another file",
                                           in_quotes(material.name), path->string()));
@@ -174,7 +174,7 @@ class ObjReader {
   /// its pictures.
   void add_pictures(const std::filesystem::path& library) {
     try {
-      const MtlFile file = read_mtl(library, progress_);
+      const MtlFile file = read_mtl(library, nullptr, progress_);
       scene_.files.insert(scene_.files.end(), file.pictures.begin(), file.pictures.end());
     } catch (const radiosity::SceneError&) {
       return;
@@ -207,6 +207,9 @@ class ObjReader {
   std::vector<std::string> repairs_;
   SurfaceIndex surfaces_;
   std::map<std::string, int> materials_;
+  std::vector<MtlTexture> places_;  // per material
+  TexturePictures pictures_;
+  ObjCoordinates coordinates_;
   std::set<std::string> libraries_;
   RepairCount missing_, doubled_, nameless_, unknown_;
   bool has_library_ = false;

@@ -10,10 +10,13 @@
 #include <string>
 #include <vector>
 
+#include "io/base/printable.h"
 #include "io/light/photometric_file.h"
+#include "io/scene/json_light_plan.h"
 #include "io/scene/json_materials.h"
 #include "io/scene/light_factor.h"
 #include "io/scene/scene_keys.h"
+#include "radiosity/scene/luminaire_flux.h"
 #include "radiosity/solve/quantity.h"
 
 namespace io {
@@ -171,6 +174,33 @@ void add_luminaire(Luminaire luminaire, const JsonItem& item, Scene& scene) {
   scene.luminaires.push_back(std::move(luminaire));
 }
 
+/// Finds luminaires of an item that are tilted further than what the file of theirs tells of.
+class TiltCheck {
+ public:
+  void add(const Luminaire& luminaire, const radiosity::Photometry& photometry) {
+    if (photometry.tilt.angles.empty()) return;
+    const double last = photometry.tilt.angles.back();
+    const double angle = radiosity::tilt_angle(luminaire);
+    if (angle > last + kRounding && angle > angle_) {
+      angle_ = angle;
+      last_ = last;
+    }
+  }
+  void report(const std::string& name, Scene& scene) const {
+    if (angle_ == 0) return;
+    constexpr double kDegrees = 180 / radiosity::kPi;
+    scene.warnings.push_back(
+        fmt::format("{}: luminaire {} is tilted by {:.4g} degrees, but the TILT table of its file "
+                    "ends at {:.4g}; the last factor counts",
+                    scene.source, in_quotes(name), angle_ * kDegrees, last_ * kDegrees));
+  }
+
+ private:
+  static constexpr double kRounding = 1e-9;
+  double angle_ = 0;
+  double last_ = 0;
+};
+
 void read_luminaire(const JsonItem& item, const std::filesystem::path& folder, double unit,
                     const radiosity::Progress& progress, Scene& scene) {
   item.check_keys(keys::kLuminaire);
@@ -189,11 +219,16 @@ void read_luminaire(const JsonItem& item, const std::filesystem::path& folder, d
     luminaire.lumens = read_positive(*lumens);
   }
   if (const auto dimming = item.find("dimming")) luminaire.dimming = read_light_factor(*dimming);
+  if (const auto factor = item.find("maintenance_factor")) {
+    luminaire.maintenance_factor = read_maintenance_factor(*factor);
+  }
+  if (const auto up = item.find("up")) luminaire.up = up->direction();
   luminaire.watts_per_lumen = read_watts_per_lumen(item, folder, scene);
   if (const auto points = item.find("points")) {
     luminaire.divisions = read_points(*points, scene.photometries[luminaire.photometry]);
   }
   const std::string name = luminaire.name;
+  TiltCheck tilted_too_far;
   for (long row = 0; row < array.n_rows; ++row) {
     for (long column = 0; column < array.n_columns; ++column) {
       luminaire.position = first + static_cast<double>(row) * array.row_step +
@@ -203,10 +238,12 @@ void read_luminaire(const JsonItem& item, const std::filesystem::path& folder, d
             .fail(fmt::format("is more than {:g} m away, expected metres", kMostDistance));
       }
       luminaire.axes = read_axes(item, luminaire.position, unit);
+      tilted_too_far.add(luminaire, scene.photometries[luminaire.photometry]);
       if (array_item) luminaire.name = fmt::format("{}-{}-{}", name, row + 1, column + 1);
       add_luminaire(luminaire, item, scene);
     }
   }
+  tilted_too_far.report(name, scene);
 }
 
 std::vector<double> numbers(const Eigen::VectorXd& values) {
@@ -239,6 +276,10 @@ Json luminaires_json(const Scene& scene, const std::filesystem::path& folder) {
     if (luminaire.lumens > 0) item["lumens"] = luminaire.lumens;
     if (luminaire.divisions != std::array{1, 1}) item["points"] = luminaire.divisions;
     if (luminaire.dimming != 1) item["dimming"] = luminaire.dimming;
+    if (luminaire.maintenance_factor != 1) {
+      item["maintenance_factor"] = luminaire.maintenance_factor;
+    }
+    if (luminaire.up != Vec3::UnitZ()) item["up"] = numbers(luminaire.up);
     list.push_back(std::move(item));
   }
   return list;

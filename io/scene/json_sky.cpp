@@ -203,6 +203,11 @@ void read_amount(const JsonItem& item, const std::filesystem::path& folder, cons
   if (found == kAmounts[1] || found == kAmounts[3]) {
     sky.zenith_radiance /= radiosity::horizontal_ratio(sky);
   }
+  constexpr double kBrightest = 1e100;  // beyond which products are no numbers any more
+  if (sky.zenith_radiance.maxCoeff() > kBrightest) {
+    amount.fail(fmt::format("makes a zenith of {:g} W/(m² sr), expected at most {:g}",
+                            sky.zenith_radiance.maxCoeff(), kBrightest));
+  }
 }
 
 /// What is measured below an all-weather sky.
@@ -315,6 +320,7 @@ void read_sky(const JsonItem& item, const std::filesystem::path& folder, Scene& 
   const Compass compass = read_compass(item);
   Sky sky;
   sky.up = compass.up;
+  if (item.has("north")) sky.north = compass.north;
   sky.ground_reflectance = Eigen::VectorXd::Constant(scene.bands.count(), kUsualGround);
   if (const auto ground = item.find("ground_reflectance")) {
     sky.ground_reflectance = read_reflectances(*ground, scene.bands, folder);

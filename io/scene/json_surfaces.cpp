@@ -12,6 +12,7 @@
 #include "io/base/input_checks.h"
 #include "io/base/rounding.h"
 #include "io/mesh/mesh_file.h"
+#include "io/mesh/texture_coordinates.h"
 #include "io/scene/json_transform.h"
 #include "io/scene/light_factor.h"
 #include "io/scene/read_options.h"
@@ -268,6 +269,7 @@ void add_mesh(const JsonItem& item, const Surface& given, const std::filesystem:
     }
     if (reverse) std::reverse(corners.begin(), corners.end());
     scene.add_polygon(corners, surface);
+    append_texture_coordinates(mesh, i, reverse, scene);
   }
   scene.warnings.insert(scene.warnings.end(), mesh.warnings.begin(), mesh.warnings.end());
   result.repairs.insert(result.repairs.end(), read.repairs.begin(), read.repairs.end());
@@ -377,6 +379,7 @@ void add_surfaces(const JsonItem& surfaces, const std::filesystem::path& folder,
       item.fail("expected either \"mesh\" or \"polygons\"");
     }
   }
+  pad_texture_coordinates(scene);
   inline_points.find_precision();
   check_sides(surfaces, scene);
 }

@@ -11,6 +11,7 @@
 #include "io/mesh/mtl_reader.h"
 #include "io/scene/json_scene.h"
 #include "meshing/inspect/bad_polygons.h"
+#include "radiosity/scene/patch_texture.h"
 
 namespace io {
 namespace {
@@ -55,6 +56,14 @@ FileScene read_mesh_scene(const std::filesystem::path& path, const ReadOptions& 
   return file;
 }
 
+/// Of materials with textures, once it is known which polygons count.
+void find_mean_reflectances(Scene& scene) {
+  for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+    if (!scene.materials[m].texture) continue;
+    scene.materials[m].reflectance = mean_of_texture(scene, static_cast<int>(m));
+  }
+}
+
 void refuse_repairs(const std::vector<std::string>& repairs) {
   if (repairs.empty()) return;
   const std::string more =
@@ -84,6 +93,7 @@ Scene read_scene(const std::filesystem::path& path, const ReadOptions& options) 
         printable(fmt::format("{}; none of {} is left", clean.repairs.front(), n_given)));
   }
   scene.warnings.insert(scene.warnings.end(), file.repairs.begin(), file.repairs.end());
+  find_mean_reflectances(scene);
   return std::move(scene);
 }
 

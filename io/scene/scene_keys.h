@@ -18,7 +18,8 @@ inline constexpr auto kSun = std::to_array<std::string_view>(
 
 inline constexpr auto kLuminaire = std::to_array<std::string_view>(
     {"name", "description", "file", "position", "aim", "direction", "rotations_deg", "turn_deg",
-     "c0", "up", "dimming", "lumens", "spectrum", "watts_per_lumen", "array", "points"});
+     "c0", "up", "dimming", "lumens", "maintenance_factor", "spectrum", "watts_per_lumen", "array",
+     "points"});
 
 inline constexpr auto kLuminaireArray =
     std::to_array<std::string_view>({"rows", "columns", "row_step", "column_step"});

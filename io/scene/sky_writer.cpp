@@ -28,6 +28,7 @@ Json sky_json(const radiosity::Scene& scene) {
                {"zenith_radiance", list_json(sky.zenith_radiance)},
                {"ground_reflectance", list_json(sky.ground_reflectance)},
                {"up", point_json(sky.up)}};
+  if (sky.north) json["north"] = point_json(*sky.north);
   // The scene's sun tells where it is for both.
   if (!scene.sun) json["direction"] = point_json(-sky.towards_sun);
   return json;

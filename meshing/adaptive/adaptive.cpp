@@ -10,6 +10,7 @@
 #include "radiosity/base/machine_memory.h"
 #include "radiosity/compressed/make_compressed_transport.h"
 #include "radiosity/scene/patch_mesh.h"
+#include "radiosity/scene/patch_texture.h"
 #include "radiosity/scene/radiometry.h"
 #include "radiosity/solve/conditions.h"
 #include "radiosity/solve/discretisation_error.h"
@@ -30,6 +31,12 @@ constexpr long kFirstShare = 4;
 /// What a round divides holds this share of the squared error at most.
 constexpr double kLargestShare = 0.8;
 constexpr int kMaxRounds = 40;
+/// A patch that is divided makes so many more.
+constexpr long kPartsMore = 3;
+/// At most this share of the patches is spent on textures, ...
+constexpr long kTextureShare = 4;
+/// ... where their reflectance varies by more than that (standard deviation).
+constexpr double kTextureDeviation = 0.05;
 /// Of the solutions on the way.
 constexpr double kSolveTolerance = 1e-5;
 /// Dense operators may take this part of the memory each: one is made from another, and is larger
@@ -61,6 +68,7 @@ class Refiner {
 
   AdaptiveMesh run() {
     const auto start = std::chrono::steady_clock::now();
+    follow_textures();
     Stage stage = make_stage(nullptr, {});
     AdaptiveMesh result{.mesh = {}, .visibility = Visibility(PatchMesh{}), .transport = nullptr};
     for (;; ++result.refinement.n_rounds) {
@@ -87,6 +95,27 @@ class Refiner {
   }
 
  private:
+  /// Divides patches within which a texture varies, those first that matter most, before any form
+  /// factor is made: what their light does to others would tell nothing of it.
+  void follow_textures() {
+    const auto most = static_cast<Index>(max_patches_ / kTextureShare);
+    while (patches_.mesh().size() < most) {
+      const PatchMesh& mesh = patches_.mesh();
+      const Eigen::VectorXd deviation = texture_deviation(scene_, mesh);
+      std::vector<Index> marked;
+      for (Index i = 0; i < deviation.size(); ++i) {
+        if (deviation[i] > kTextureDeviation) marked.push_back(i);
+      }
+      if (marked.empty()) return;
+      std::stable_sort(marked.begin(), marked.end(), [&](Index a, Index b) {
+        return mesh.area[a] * square(deviation[a]) > mesh.area[b] * square(deviation[b]);
+      });
+      const Index affordable = std::max<Index>(1, (most - mesh.size()) / kPartsMore);
+      if (static_cast<Index>(marked.size()) > affordable) marked.resize(affordable);
+      patches_.refine(marked);
+    }
+  }
+
   [[nodiscard]] long first_patches() const {
     return std::max(1L, std::min(kFirstPatches, max_patches_ / kFirstShare));
   }
@@ -172,7 +201,6 @@ class Refiner {
 
   /// How many patches may be divided.
   [[nodiscard]] Index affordable() const {
-    constexpr long kPartsMore = 3;
     return std::max<Index>(0, (max_patches_ - patches_.mesh().size()) / kPartsMore);
   }
 

@@ -49,7 +49,8 @@ inline constexpr double kErrorMargin = 1.5;
 /// them (`contact_lines`), then solves and divides those whose variation matters most
 /// (`refinement_indicator`), until the estimated error is met or the patches are spent. Dense form
 /// factors between patches that stay are kept; compressed ones, of which make_transport has some
-/// from kMostDense patches on, are made anew in each round. The error is kErrorMargin times
+/// from kMostDense patches on, are made anew in each round. Patches within which a texture varies
+/// are divided first, up to a quarter of the most there may be. The error is kErrorMargin times
 /// `DiscretisationError::relative`, which is an estimate. Throws what make_patches, make_transport
 /// and solve throw.
 AdaptiveMesh make_adaptive_patches(const radiosity::Scene& scene,

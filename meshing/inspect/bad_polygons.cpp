@@ -212,11 +212,17 @@ void Cleaner::remove_bad() {
     const std::int64_t last = scene_.first_corner[i + 1];
     std::copy(scene_.corners.begin() + first, scene_.corners.begin() + last,
               scene_.corners.begin() + static_cast<std::ptrdiff_t>(n_corners));
+    if (!scene_.texture_coordinates.empty()) {
+      std::copy(scene_.texture_coordinates.begin() + first,
+                scene_.texture_coordinates.begin() + last,
+                scene_.texture_coordinates.begin() + static_cast<std::ptrdiff_t>(n_corners));
+    }
     n_corners += static_cast<std::size_t>(last - first);
     scene_.polygon_surface[n] = scene_.polygon_surface[i];
     scene_.first_corner[++n] = static_cast<std::int64_t>(n_corners);
   }
   scene_.corners.resize(n_corners);
+  if (!scene_.texture_coordinates.empty()) scene_.texture_coordinates.resize(n_corners);
   scene_.polygon_surface.resize(n);
   scene_.first_corner.resize(n + 1);
 }

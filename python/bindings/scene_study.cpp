@@ -17,6 +17,7 @@
 #include "io/result/operator_file.h"
 #include "io/result/result_file.h"
 #include "python/bindings/arrays.h"
+#include "python/bindings/daylight.h"
 #include "python/bindings/light.h"
 #include "python/bindings/light_plan.h"
 #include "python/bindings/operator.h"
@@ -240,6 +241,17 @@ void bind_study(py::module_& module) {
               const py::object& report, std::size_t n_threads) {
              return measure(*kept.study, kept.options, plan ? *plan : kept.study->scene.light_plan,
                             efficacy, {report, n_threads});
+           })
+      .def("daylight_factors",
+           [](const KeptStudy& kept, const Eigen::MatrixXd& points, const Eigen::MatrixXd& normals,
+              const std::vector<std::string>& outdoors, double efficacy, const py::object& report,
+              std::size_t n_threads) {
+             Eigen::MatrixXd factors;
+             run_work({report, n_threads}, [&](const study::StudyEvents& events) {
+               factors = daylight_factors(*kept.study, kept.options, points, normals, outdoors,
+                                          efficacy, events);
+             });
+             return factors;
            })
       .def("image", &image)
       .def("write", &write);

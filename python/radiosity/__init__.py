@@ -36,12 +36,13 @@ from ._operator import (
 )
 from ._photometry import Photometry, read_photometry
 from ._solve import Energy, Light, importance, solve
-from ._study import Camera, Comfort, Measured, Study
+from ._study import Camera, Comfort, DaylightFactors, Measured, Study
 from ._view import view
 
 __all__ = [
     "Camera",
     "Comfort",
+    "DaylightFactors",
     "Energy",
     "Error",
     "FormFactors",

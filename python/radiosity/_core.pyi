@@ -131,6 +131,15 @@ class Study:
         report: Any,
         n_threads: int,
     ) -> Dict[str, np.ndarray]: ...
+    def daylight_factors(
+        self,
+        points: np.ndarray,
+        normals: np.ndarray,
+        outdoors: Sequence[str],
+        efficacy: float,
+        report: Any,
+        n_threads: int,
+    ) -> np.ndarray: ...
     def image(self, options: PictureOptions, report: Any, n_threads: int) -> np.ndarray: ...
     def write(
         self,

@@ -2,7 +2,7 @@
 
 import math
 import os
-from typing import Any, Dict, List, Optional, Sequence
+from typing import Any, Dict, List, NamedTuple, Optional, Sequence
 
 import numpy as np
 
@@ -109,6 +109,20 @@ class Measured:
         columns = self._lights[lamps][quantity]
         chosen = columns[:, :2].sum(axis=1) if part == "total" else columns[:, parts.index(part)]
         return np.where(self.place == 0, chosen, np.nan)
+
+
+class DaylightFactors(NamedTuple):
+    """Daylight factors of points and their components, shares of E_h, each (k,)."""
+
+    sky: np.ndarray  #: straight from the sky
+    external: np.ndarray  #: from the ground and from what stands outdoors
+    internal: np.ndarray  #: from all other surfaces
+    error: np.ndarray  #: bound on what quadrature left of light that comes straight
+
+    @property
+    def total(self) -> np.ndarray:
+        """The daylight factor."""
+        return self.sky + self.external + self.internal
 
 
 class Study:
@@ -316,6 +330,42 @@ class Study:
             return self._assembled().measure(
                 plan, _arguments.number("efficacy", efficacy, above=0), report, self._threads
             )
+
+    def daylight_factors(
+        self,
+        points,
+        normals=(0, 0, 1),
+        *,
+        outdoors: Sequence[str] = (),
+        efficacy: float = _core.WHITE_EFFICACY,
+    ) -> "DaylightFactors":
+        """Daylight factors at points, by the scene's sky without its sun and lamps.
+
+        Parameters
+        ----------
+        points : array_like, (k, 3)
+            m.
+        normals : array_like, (k, 3) or (3,)
+            Of the planes that are measured.
+        outdoors : sequence of str
+            Names, with * and ?, of surfaces that stand outdoors: what they reflect is external.
+        efficacy : float
+            lm/W of white light, of RGB and grey bands.
+        """
+        points = _arguments.points("points", points)
+        normals = _arguments.points("normals", normals, n=len(points))
+        if not (np.linalg.norm(normals, axis=1) > 0).all():
+            raise InputError("normals: found one of length 0")
+        with reporter(self._progress) as report:
+            parts = self._assembled().daylight_factors(
+                points,
+                normals,
+                [str(name) for name in outdoors],
+                _arguments.number("efficacy", efficacy, above=0),
+                report,
+                self._threads,
+            )
+        return DaylightFactors(*parts.T)
 
     def image(
         self,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "radiosity/scene/luminaire_flux.h"
 #include "radiosity/scene/luminaire_points.h"
 #include "radiosity/scene/photometric_web.h"
 
@@ -12,8 +13,7 @@ namespace {
 /// cd of a luminaire for each one of its file's.
 double candela_factor(const Luminaire& luminaire, const Photometry& photometry,
                       const Eigen::VectorXd& weights) {
-  const double shares = luminaire.lumens > 0 ? luminaire.lumens / flux(photometry.web) : 1;
-  return luminaire.dimming * shares * weights.dot(luminaire.watts_per_lumen);
+  return web_factor(luminaire, photometry) * weights.dot(luminaire.watts_per_lumen);
 }
 
 bool has_opening(const Photometry& photometry) {

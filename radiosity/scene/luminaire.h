@@ -17,8 +17,10 @@ struct Luminaire {
   /// Columns: what x (C0), y (C90) and z of the web's frame are in the scene; a rotation. The axis
   /// of the web points along -z.
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
-  double lumens = 0;   ///< its flux, lm; 0 = that of the web
-  double dimming = 1;  ///< of that again, >= 0; 0 = it is off
+  double lumens = 0;              ///< its flux, lm; 0 = that of the web
+  double dimming = 1;             ///< of that again, >= 0; 0 = it is off
+  double maintenance_factor = 1;  ///< of its own, (0, 1]: LightPlan
+  Vec3 up = Vec3::UnitZ();        ///< unit; how its lamps burn is told from that (LampTilt)
   /// Points along C0 and along C90 of the luminous opening (luminaire_points).
   std::array<int, 2> divisions{1, 1};
   Eigen::VectorXd watts_per_lumen;  ///< W in each band for each lumen (of wavelengths W/nm)

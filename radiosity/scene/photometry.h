@@ -9,14 +9,26 @@
 
 namespace radiosity {
 
+/// What lamps give that do not burn as they were measured, as files of IES LM-63 have it.
+struct LampTilt {
+  /// 1: upright in the luminaire that hangs straight down; lying in it and 2: staying level, 3:
+  /// tilted with it.
+  int position = 1;
+  /// Between the luminaire's axis and straight down, radian, increasing; empty: they always give
+  /// the same.
+  std::vector<double> angles;
+  std::vector<double> factors;  ///< at these, >= 0
+};
+
 /// What a photometric file says of a luminaire.
 struct Photometry {
   std::filesystem::path file;
-  std::string format;                 ///< "IES LM-63-2002", "EULUMDAT"...
-  std::string name;                   ///< of the luminaire, or ""
-  std::string maker;                  ///< or ""
-  PhotometricWeb web;                 ///< as one luminaire has it
-  double lamp_flux = 0;               ///< of all its lamps, lm; 0 = absolute photometry
+  std::string format;    ///< "IES LM-63-2002", "EULUMDAT"...
+  std::string name;      ///< of the luminaire, or ""
+  std::string maker;     ///< or ""
+  PhotometricWeb web;    ///< as one luminaire has it
+  double lamp_flux = 0;  ///< of all its lamps, lm; 0 = absolute photometry
+  LampTilt tilt;
   double power = 0;                   ///< W
   double along_c0 = 0;                ///< of the luminous opening, m
   double along_c90 = 0;               ///< likewise

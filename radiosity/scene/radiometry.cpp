@@ -9,6 +9,7 @@
 
 #include "radiosity/scene/black_body.h"
 #include "radiosity/scene/patch_heat.h"
+#include "radiosity/scene/patch_texture.h"
 
 namespace radiosity {
 namespace {
@@ -137,6 +138,9 @@ Eigen::MatrixXd reflectance(const Scene& scene, const PatchMesh& mesh,
     const Material& material = scene.materials[material_of(scene, mesh, i)];
     assert(material.reflectance.size() == result.cols());
     result.row(i) = material.reflectance.transpose();
+    if (material.texture) {
+      result.row(i) = patch_texture(scene, mesh, i, *material.texture).mean.matrix().transpose();
+    }
     if (emissivity.size() > 0) result(i, 0) = 1 - emissivity[i];
     if (is_shield(scene, mesh, i)) {
       result.row(i).setConstant(1 - shield_share(scene, mesh, emissivity, i));

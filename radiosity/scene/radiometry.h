@@ -31,9 +31,9 @@ Eigen::MatrixXd initial_radiosity(const Eigen::MatrixXd& exitance,
                                   const Eigen::MatrixXd& incident);
 
 /// What each patch sends back of its irradiance, in [0, 1], n_patches x n_bands: the diffuse
-/// reflectance of its material, 1 where its net heat is given. Of a shield with the emissivities ε
-/// and ε' of its sides, σ T⁴ = (ε H + ε' H') / (ε + ε') as no net heat is left, so that
-/// B = ε σ T⁴ + (1 - ε) H sends back 1 - ε ε' / (ε + ε').
+/// reflectance of its material or the mean of its texture, 1 where its net heat is given. Of a
+/// shield with the emissivities ε and ε' of its sides, σ T⁴ = (ε H + ε' H') / (ε + ε') as no net
+/// heat is left, so that B = ε σ T⁴ + (1 - ε) H sends back 1 - ε ε' / (ε + ε').
 Eigen::MatrixXd reflectance(const Scene& scene, const PatchMesh& mesh,
                             const Eigen::VectorXd& emissivity = {});
 

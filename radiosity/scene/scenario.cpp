@@ -28,6 +28,7 @@ void paint(const Scenario& scenario, const Scenario::Paint& paint, Scene& scene)
                                     "then; expected less");
     }
     material.emissivity_table.clear();
+    material.texture.reset();
     material.reflectance =
         paint.reflectance.size() == 1
             ? Eigen::VectorXd::Constant(scene.bands.count(), paint.reflectance[0]).eval()

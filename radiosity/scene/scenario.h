@@ -18,7 +18,7 @@ struct Scenario {
     std::string surfaces;  ///< or luminaires
     double factor = 1;     ///< Surface::emission_factor, Luminaire::dimming, >= 0
   };
-  /// What materials reflect.
+  /// What materials reflect, everywhere alike: in place of tables and textures.
   struct Paint {
     std::string materials;
     Eigen::VectorXd reflectance;  ///< in [0, 1], one value or one per band

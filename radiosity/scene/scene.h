@@ -17,6 +17,7 @@
 #include "radiosity/scene/sky.h"
 #include "radiosity/scene/sun.h"
 #include "radiosity/scene/symmetry.h"
+#include "radiosity/scene/texture.h"
 
 namespace radiosity {
 
@@ -77,6 +78,8 @@ struct Material {
   /// (emissivity_at); `reflectance` is then that at the material's own temperature, or at 300 K.
   /// Empty: constant.
   std::vector<std::pair<double, double>> emissivity_table = {};
+  /// What it reflects from place to place, of RGB bands; `reflectance` is then the mean.
+  std::optional<Texture> texture = {};
 };
 
 /// A named set of polygons that share a material.
@@ -122,6 +125,9 @@ struct Scene {
   std::vector<std::int32_t> corners;          ///< vertex indices of all polygons, concatenated
   std::vector<std::int64_t> first_corner{0};  ///< n_polygons + 1 offsets into `corners`
   std::vector<std::int32_t> polygon_surface;  ///< per polygon: index into `surfaces`
+  /// Per corner: u across the picture of a texture, v down it; not finite where there is none.
+  /// Empty if no polygon has any.
+  std::vector<Eigen::Vector2d> texture_coordinates;
   std::vector<Surface> surfaces;
   std::vector<Material> materials;
   /// What comes in wherever a patch sees no other and no back: of radiance, exitance or temperature

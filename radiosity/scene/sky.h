@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 
 #include "radiosity/base/geometry.h"
 
@@ -45,7 +46,9 @@ SkyDistribution perez_sky(double clearness, double brightness, double sun_zenith
 /// endless diffuse plane that nothing shadows.
 struct Sky {
   SkyDistribution distribution;
-  Vec3 up = Vec3(0, 0, 1);             ///< unit length
+  Vec3 up = Vec3(0, 0, 1);  ///< unit length
+  /// Unit length; only those who bring another sun want it. Absent: usual_north.
+  std::optional<Vec3> north = {};
   Vec3 towards_sun = Vec3(0, 0, 1);    ///< unit length
   Eigen::VectorXd zenith_radiance;     ///< L_z, per band, W/(m² sr), >= 0
   Eigen::VectorXd ground_reflectance;  ///< per band, in [0, 1]

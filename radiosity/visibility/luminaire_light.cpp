@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "radiosity/base/parallel.h"
+#include "radiosity/scene/luminaire_flux.h"
 #include "radiosity/scene/luminaire_points.h"
 
 namespace radiosity {
@@ -24,11 +25,9 @@ LuminaireLight::LuminaireLight(const Scene& scene, const PatchMesh& mesh)
   }
   for (const Luminaire& luminaire : scene.luminaires) {
     if (luminaire.dimming == 0) continue;
-    double factor = luminaire.dimming;
-    if (luminaire.lumens > 0) factor *= luminaire.lumens / flux(webs_[luminaire.photometry]);
-    const std::vector<Vec3> points =
-        luminaire_points(luminaire, scene.photometries[luminaire.photometry]);
-    factor /= static_cast<double>(points.size());
+    const Photometry& photometry = scene.photometries[luminaire.photometry];
+    const std::vector<Vec3> points = luminaire_points(luminaire, photometry);
+    const double factor = web_factor(luminaire, photometry) / static_cast<double>(points.size());
     for (const Vec3& point : points) {
       sources_.push_back({{point, -luminaire.axes.col(2)},
                           luminaire.axes,

@@ -41,12 +41,16 @@ bool is_within(const Occluder& occluder, const Vec3& x, double thickness) {
   return true;
 }
 
+/// An axis whose cosine to a plane's normal is less than that lies in the plane, but for rounding.
+constexpr double kLevelAxis = 1e-9;
+
 /// The side of an occluder that the light is on: 1 in front, -1 behind, 0 beside it in its plane.
+/// Mounted on it with an axis within its plane, as a light that hangs down a wall, it is in front.
 int side_of_light(const Occluder& occluder, const PointLight& light, double thickness) {
   const double height = height_over(occluder, light.position);
   if (std::abs(height) > thickness) return height > 0 ? 1 : -1;
   if (!is_within(occluder, light.position, thickness)) return 0;
-  return occluder.normal.dot(light.axis) >= 0 ? 1 : -1;
+  return occluder.normal.dot(light.axis) >= -kLevelAxis ? 1 : -1;
 }
 
 /// What an occluder hides from the light.

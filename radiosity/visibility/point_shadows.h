@@ -13,7 +13,8 @@
 namespace radiosity {
 
 /// A point that emits, m, and the direction that it faces: in the plane of a polygon it belongs to
-/// the side that it faces, so that the polygon that it is mounted on hides what is behind.
+/// the side that it faces, or in front of it if it looks along it, so that the polygon that it is
+/// mounted on hides what is behind.
 struct PointLight {
   Vec3 position;
   Vec3 axis;

@@ -268,10 +268,19 @@ TEST_F(PhotometricFiles, AreReadAsTheyAreFound) {
   const std::string table = "1\n3\n0 45 90\n1 .9 .8\n";
   ies.tilt = "TILT=INCLUDE\n" + table;
   const Photometry tilted = read("e.ies", ies.text());
-  EXPECT_CONTAINS(tilted.warnings.at(0), "TILT table is not applied");
+  EXPECT_TRUE(tilted.warnings.empty());
+  EXPECT_EQ(tilted.tilt.position, 1);
+  EXPECT_EQ(tilted.tilt.factors, (std::vector<double>{1, .9, .8}));
+  EXPECT_NEAR(tilted.tilt.angles[2], kPi / 2, 1e-15);
   (void)file("lamp.tlt", table);
   ies.tilt = "TILT=lamp.tlt\n";
   EXPECT_NEAR(flux(read("f.ies", ies.text()).web), 0.2 * flux(web), 1e-12 * flux(web));
+  // In any case of letters.
+  EXPECT_EQ(read("f.ies", ies.text()).tilt.factors, tilted.tilt.factors);
+  ies.tilt = "Tilt=include\n" + table;
+  EXPECT_EQ(read("f.ies", ies.text()).tilt.factors, tilted.tilt.factors);
+  ies.tilt = "tilt=None\n";
+  EXPECT_TRUE(read("f.ies", ies.text()).tilt.factors.empty());
   // Commas are separators.
   Ies commas;
   std::string listed = commas.text();
@@ -357,6 +366,11 @@ TEST_F(PhotometricFiles, OfEulumdatAreRefusedInOneLine) {
   refused([](Ldt& f) { f.factor = "0"; }, "a.ldt:24: the conversion factor is 0");
   refused([](Ldt& f) { f.lamps = "1\nT5\n0\n3000\n80\n25\n"; }, "lumens of the lamps are 0");
   refused([](Ldt& f) { f.lamps = "1\nT5\n-1\n3000\n80\n25\n"; }, "lumens of the lamps are -1");
+  refused(
+      [](Ldt& f) {
+        f.symmetry = 2, f.all = {0, 60, 120, 300}, f.given = {0, 60, 120};
+      },
+      "half of the C-planes ends at 120, expected 180");
   refused([](Ldt& f) { f.all[3] = 10; }, "C angle 10 does not follow 30");
   refused([](Ldt& f) { f.vertical[1] = 0; }, "gamma angle 0 does not follow 0");
   refused([](Ldt& f) { f.given.pop_back(); }, "the file ends before an intensity");
@@ -367,6 +381,32 @@ TEST_F(PhotometricFiles, OfEulumdatAreRefusedInOneLine) {
   expect_refusal("b.ldt", many, "b.ldt:6: found 1048576 for the number of intensities");
   expect_refusal("c.ldt", "x\n", "c.ldt:1: the file ends before the type");
   expect_refusal("d.txt", "x\n", "expected a photometric file");
+}
+
+TEST_F(PhotometricFiles, OfEulumdatMayEndLinesAnyWay) {
+  const std::string text = Ldt().text();
+  const Photometry plain = read("a.ldt", text);
+  std::string windows = "\xef\xbb\xbf";
+  for (const char c : text) windows += c == '\n' ? "\r\n" : std::string(1, c);
+  EXPECT_EQ(read("b.ldt", windows + "\x1a").web.intensity, plain.web.intensity);
+  EXPECT_EQ(read("b.ldt", windows).maker, "Nobody");
+}
+
+TEST_F(PhotometricFiles, OfEulumdatTellWhatDoesNotFit) {
+  const auto warnings = [&](const Ldt& ldt, const std::string& from, const std::string& to) {
+    std::string text = ldt.text();
+    if (!from.empty()) text.replace(text.find(from), from.size(), to);
+    std::string all;
+    for (const std::string& warning : read("a.ldt", text).warnings) all += warning;
+    return all;
+  };
+  Ldt ldt;
+  ldt.lumens = 400 * kPi;
+  ldt.lamps = fmt::format("1\nT5\n{}\n3000\n80\n25\n", 400 * kPi);
+  EXPECT_EQ(warnings(ldt, "", ""), "");
+  EXPECT_CONTAINS(warnings(ldt, "\n100\n100\n", "\n100\n70\n"),
+                  "add up to 100 % of its lamps' light, but its light output ratio is 70 %");
+  EXPECT_CONTAINS(warnings(ldt, "\n1\n0\n1\n1\n", "\n1\n15\n1\n1\n"), "was tilted by 15 degrees");
 }
 
 /// Bytes and numbers changed, lines taken out or twice: read, or refused in one line.

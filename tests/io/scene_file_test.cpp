@@ -48,7 +48,8 @@ TEST_F(SceneFile, ReadsObjWithMaterials) {
   EXPECT_EQ(lamp.reflectance, Eigen::Vector3d::Constant(0.25));
   EXPECT_EQ(lamp.emission.kind, Emission::Kind::radiance);
   EXPECT_EQ(lamp.emission.value, Eigen::Vector3d(3, 2, 1));
-  EXPECT_TRUE(scene.warnings.empty()) << scene.warnings.front();
+  ASSERT_EQ(scene.warnings.size(), 1U);  // of the one thing that is missing
+  EXPECT_CONTAINS(scene.warnings[0], "picture \"wood.png\" does not exist");
 }
 
 TEST_F(SceneFile, ReadsOffAndPly) {

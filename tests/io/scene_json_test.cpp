@@ -240,6 +240,19 @@ TEST_F(SceneJson, ReadsLuminaires) {
   const Eigen::VectorXd& colored = both.luminaires[1].watts_per_lumen;
   EXPECT_NEAR(179 * Vec3(0.2126, 0.7152, 0.0722).dot(colored), 1, 1e-14);
   EXPECT_NEAR(colored[0] / colored[1], 2, 1e-14);
+  EXPECT_TRUE(both.warnings.empty());
+  // Tilted beyond the table of its file: told once for an array.
+  (void)file("t.ies",
+             "IESNA91\nTILT=INCLUDE\n1\n2\n0 60\n1 .5\n1 -1 1 2 1 1 2 .3 1.2 0\n1 1 9\n0 180\n0\n1 "
+             "1\n");
+  const Scene tilted = read("c.json", scene(R"("luminaires": [{"name": "t", "file": "t.ies",
+      "position": [0, 0, 1], "direction": [1, 0, 0], "maintenance_factor": 0.5,
+      "array": {"columns": 2, "column_step": [1, 0, 0]}}], )"));
+  EXPECT_EQ(tilted.luminaires[1].maintenance_factor, 0.5);
+  ASSERT_EQ(tilted.warnings.size(), 1U);
+  EXPECT_CONTAINS(
+      tilted.warnings[0],
+      "luminaire \"t\" is tilted by 90 degrees, but the TILT table of its file ends at 60");
 }
 
 TEST_F(SceneJson, ReadsBandsOfHeat) {

@@ -144,6 +144,8 @@ TEST_F(SceneSky, BadInputIsTold) {
       {R"({"weather": {"file": "made.epw", "month": 6, "day": 21, "hour": 12.5}})",
        "12.5 is no whole number"},
       {R"({"type": 5, "zenith_radiance": -1})", "zenith_radiance"},
+      {R"({"type": 5, "zenith_radiance": 1e308})", "zenith of 1e+308 W/(m² sr), expected at most"},
+      {R"({"type": 5, "horizontal_illuminance": 1e305})", "expected at most 1e+100"},
       {R"({"type": 5, "zenith_luminance": -1})", "no negative number"},
       {R"({"type": 5, "zenith_radiance": 1, "horizontal_irradiance": 1})", "both"},
       {R"({"type": 5, "perez": {}, "zenith_radiance": 1})", "expected one of type"},
@@ -209,6 +211,9 @@ TEST_F(SceneSky, WrittenScenesAreReadAgain) {
   const std::vector<std::pair<std::string, std::string>> cases = {
       {R"({"type": 16, "zenith_radiance": [3, 4, 5], "ground_reflectance": 0.3})", ""},
       {R"({"type": 13, "zenith_radiance": 1, "azimuth_deg": 77, "elevation_deg": 33})", ""},
+      {R"({"type": 13, "zenith_radiance": 1, "azimuth_deg": 77, "elevation_deg": 33,
+           "north": [0.6, 0.8, 0]})",
+       ""},
       {R"({"type": 13, "zenith_radiance": 1})",
        R"("sun": {"direction": [0.5, 0.5, -1], "irradiance": 3}, )"},
       {R"({"perez": {"direct_normal": 100, "diffuse_horizontal": 150}, "azimuth_deg": 10,
@@ -228,6 +233,7 @@ TEST_F(SceneSky, WrittenScenesAreReadAgain) {
       EXPECT_EQ(second.sky->zenith_radiance, first.sky->zenith_radiance);
       EXPECT_EQ(second.sky->ground_reflectance, first.sky->ground_reflectance);
       EXPECT_EQ(second.sky->distribution.kind, first.sky->distribution.kind);
+      EXPECT_EQ(second.sky->north, first.sky->north);
       EXPECT_EQ(second.sky->distribution.c, first.sky->distribution.c);
       EXPECT_TRUE(second.sky->towards_sun.isApprox(first.sky->towards_sun, 1e-15));
       const Glazing& a = *first.materials[0].glazing;

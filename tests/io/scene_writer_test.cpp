@@ -217,6 +217,8 @@ TEST_F(SceneWriter, KeepsLuminaires) {
     luminaire.axes = turned;
     luminaire.dimming = factor;
     luminaire.lumens = factor;
+    luminaire.maintenance_factor = factor > 0 ? factor : 0.7;
+    luminaire.up = factor == 1 ? Vec3::UnitZ() : Vec3::UnitY();
     luminaire.watts_per_lumen = Eigen::VectorXd::LinSpaced(scene.bands.count(), 0.1, factor);
     scene.luminaires.push_back(luminaire);
   }
@@ -230,6 +232,8 @@ TEST_F(SceneWriter, KeepsLuminaires) {
     EXPECT_TRUE(read.luminaires[k].axes.isApprox(scene.luminaires[k].axes, 1e-15));
     EXPECT_EQ(read.luminaires[k].dimming, scene.luminaires[k].dimming);
     EXPECT_EQ(read.luminaires[k].lumens, scene.luminaires[k].lumens);
+    EXPECT_EQ(read.luminaires[k].maintenance_factor, scene.luminaires[k].maintenance_factor);
+    EXPECT_EQ(read.luminaires[k].up, scene.luminaires[k].up);
     EXPECT_EQ(read.luminaires[k].watts_per_lumen, scene.luminaires[k].watts_per_lumen);
   }
 }

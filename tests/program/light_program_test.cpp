@@ -179,6 +179,34 @@ TEST_F(Light, OfLuminairesIsToldAndAges) {
   EXPECT_NE(html.find("office-panel.ies"), std::string::npos);
 }
 
+// Luminaires have factors of their own: of two alike, one above the other half of the plane, each
+// loses its share.
+TEST_F(Light, AgesByLuminaire) {
+  write_file("lamp.ies", "IESNA91\nTILT=NONE\n1 -1 1 2 1 1 2 0 0 0\n1 1 9\n0 90\n0\n100 100\n");
+  std::string scene;
+  const auto mean = [&](const char* factors) {
+    scene = write_file(
+        "two.json",
+        std::string(R"({"materials": {"black": {"reflectance": 0}}, "maintenance_factor": 0.9,
+            "surfaces": [{"name": "floor", "material": "black",
+              "polygons": [[[0, 0, 0], [4, 0, 0], [4, 2, 0], [0, 2, 0]]]}],
+            "luminaires": [{"name": "a", "file": "lamp.ies", "position": [1, 1, 2])") +
+            factors + R"(}, {"name": "b", "file": "lamp.ies", "position": [3, 1, 2]}]})");
+    const Json json = light({scene, "--patches", "8", "--grid", "floor:0", "--spacing", "1"});
+    EXPECT_EQ(json["maintenance_factors"]["b"], 0.9);
+    return json["grids"][0]["quantities"][0];
+  };
+  const Json alike = mean("");
+  const Json aged = mean(R"(, "maintenance_factor": 0.5)");
+  const double fresh = alike["new"]["Em"];
+  EXPECT_NEAR(alike["maintained"]["Em"].get<double>(), 0.9 * fresh, 1e-9 * fresh);
+  EXPECT_NEAR(aged["new"]["Em"].get<double>(), fresh, 1e-12 * fresh);
+  EXPECT_NEAR(aged["maintained"]["Em"].get<double>(), 0.9 * 0.75 * fresh, 1e-9 * fresh);
+  EXPECT_NE(run({"light", scene, "--grid", "floor:0", "--patches", "8", "--quiet"})
+                .out.find("0.45 to 0.9 of what lamps give when new"),
+            std::string::npos);
+}
+
 TEST_F(Light, PrintsTables) {
   const Outcome outcome = run({"light", write_room(), "--patches", "60", "--quiet", "--grid",
                                "floor:0.75", "--observer", "0.5,2,1.2,1,0,0"});

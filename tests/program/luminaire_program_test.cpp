@@ -163,4 +163,29 @@ TEST_F(Luminaires, TellWhatIsWrong) {
   EXPECT_EQ(warning("[1, 1, 2]").find("lights nothing"), std::string::npos);
 }
 
+// In a cupboard that stands on the floor: the floor below it is no room that is lit.
+TEST_F(Luminaires, InFurnitureAreToldOf) {
+  const auto warning = [&](const std::string& position) {
+    std::string text =
+        contents(write_room(R"({"name": "a", "file": "ball.ies", "position": )" + position + "}"));
+    const std::string place = R"("surfaces": [)";
+    text.insert(text.find(place) + place.size(), R"(
+        {"name": "cupboard", "material": "m", "polygons": [
+          [[0.4, 0.5, 0], [0.4, 1, 0], [1, 1, 0], [1, 0.5, 0]],
+          [[0.4, 0.5, 1.5], [1, 0.5, 1.5], [1, 1, 1.5], [0.4, 1, 1.5]],
+          [[0.4, 0.5, 0], [1, 0.5, 0], [1, 0.5, 1.5], [0.4, 0.5, 1.5]],
+          [[1, 0.5, 0], [1, 1, 0], [1, 1, 1.5], [1, 0.5, 1.5]],
+          [[1, 1, 0], [0.4, 1, 0], [0.4, 1, 1.5], [1, 1, 1.5]],
+          [[0.4, 1, 0], [0.4, 0.5, 0], [0.4, 0.5, 1.5], [0.4, 1, 1.5]]]},)");
+    const Outcome outcome = run({"solve", "--patches", "40", write_file("furnished.json", text)});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return outcome.err;
+  };
+  expect_contains(warning("[0.6, 0.7, 0.9]"),
+                  "luminaire 'a' lights nothing: its light meets backs");
+  const char* on_it = R"([0.6, 0.7, 1.5], "direction": [0, 0, 1])";
+  EXPECT_EQ(warning(on_it).find("lights nothing"), std::string::npos);
+  EXPECT_EQ(warning("[1.5, 0.7, 0.9]").find("lights nothing"), std::string::npos);
+}
+
 }  // namespace

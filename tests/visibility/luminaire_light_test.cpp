@@ -510,5 +510,76 @@ TEST(LuminaireLight, IsTheSameAtAnyNumberOfThreads) {
   EXPECT_EQ(alone, light.irradiance());
 }
 
+// A lamp that hangs down a wall, on it, lights the wall's front however the wall is turned: its
+// axis is in the plane but for rounding.
+TEST(LuminaireLight, HangsDownAWall) {
+  Scene scene;
+  scene.bands.kind = Bands::Kind::grey;
+  scene.materials = {{"black", Eigen::VectorXd::Zero(1), {}}};
+  scene.surfaces = {{"wall", 0}};
+  Photometry photometry;
+  photometry.web = isotropic_web(100);
+  scene.photometries = {photometry};
+  scene.luminaires = {Luminaire{}};
+  scene.luminaires[0].watts_per_lumen = Eigen::VectorXd::Ones(1);
+  for (int k = 0; k < 24; ++k) {
+    const Eigen::Matrix3d turn =
+        Eigen::AngleAxisd(0.1 + 0.27 * k, Vec3::UnitZ()).toRotationMatrix();
+    PatchMesh wall;
+    wall.surface_names = {"wall"};
+    for (const Vec3& corner : {Vec3(0, -1, 0), Vec3(0, 1, 0), Vec3(0, 1, 2.5), Vec3(0, -1, 2.5)}) {
+      wall.vertices.emplace_back(turn * corner);
+    }
+    wall.add_patch({0, 1, 2, 3}, 0, 0);  // faces the turned +x
+    scene.luminaires[0].position = turn * Vec3(0, 0.3, 1.7);
+    const LuminaireLight light(scene, wall);
+    for (const double x : {2., -2.}) {
+      Eigen::VectorXd irradiance = Eigen::VectorXd::Zero(1);
+      light.add(turn * Vec3(x, 0.3, 1.7), turn * Vec3(-x, 0, 0).normalized(), irradiance);
+      EXPECT_NEAR(irradiance[0], x > 0 ? 25 : 0, 1e-12) << k;
+    }
+  }
+}
+
+// The lux on a plate at 2 m from a lamp that is tilted by any angle about any line, whose table is
+// linear between 0, 60 and 90 degrees.
+TEST(LuminaireLight, FollowsTheTiltOfItsLamps) {
+  Scene scene;
+  scene.bands.kind = Bands::Kind::grey;
+  scene.materials = {{"black", Eigen::VectorXd::Zero(1), {}}};
+  scene.surfaces = {{"plate", 0}};
+  Photometry photometry;
+  photometry.web = isotropic_web(100);
+  photometry.tilt = {1, {0, kPi / 3, kPi / 2}, {1, 0.7, 0.6}};
+  scene.photometries = {photometry};
+  Luminaire luminaire;
+  luminaire.watts_per_lumen = Eigen::VectorXd::Ones(1);
+  scene.luminaires = {luminaire};
+  PatchMesh far;
+  far.surface_names = {"plate"};
+  far.vertices = {{0, 0, -9}, {0, 1, -9}, {1, 0, -9}};
+  far.add_patch({0, 1, 2, -1}, 0, 0);
+  const auto lux = [&](double tilt, double turn, const Vec3& up, double lumens) {
+    const Vec3 east = usual_north(up).cross(up);
+    const Vec3 down = Eigen::AngleAxisd(turn, up) * Eigen::AngleAxisd(tilt, east) * -up;
+    scene.luminaires[0].axes = aimed_axes(down, 0.4, up, east);
+    scene.luminaires[0].up = up;
+    scene.luminaires[0].lumens = lumens;
+    Eigen::VectorXd irradiance = Eigen::VectorXd::Zero(1);
+    LuminaireLight(scene, far).add({0, 0, 2}, {0, 0, -1}, irradiance);
+    return irradiance[0];
+  };
+  for (const Vec3& up : {Vec3(0, 0, 1), Vec3(0, 1, 0), Vec3(0.6, 0, 0.8)}) {
+    for (const double turn : {0., 1., 4.}) {
+      EXPECT_NEAR(lux(0, turn, up, 0), 25, 1e-12);
+      EXPECT_NEAR(lux(kPi / 6, turn, up, 0), 25 * 0.85, 1e-12);
+      EXPECT_NEAR(lux(kPi / 2.4, turn, up, 0), 25 * 0.65, 1e-12);
+      EXPECT_NEAR(lux(kPi / 2, turn, up, 0), 25 * 0.6, 1e-12);
+      EXPECT_NEAR(lux(2.5, turn, up, 0), 25 * 0.6, 1e-12);  // beyond the table
+      EXPECT_NEAR(lux(kPi / 3, turn, up, 800 * kPi), 50 * 0.7, 1e-12);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace radiosity

@@ -112,7 +112,9 @@ Eigen::VectorXd with_mean_reflectance(const Eigen::VectorXd& original, double me
 Scene with_reflectance(const Scene& scene, const LightMix& mix) {
   Scene result = scene;
   for (std::size_t m = 0; m < result.materials.size(); ++m) {
-    result.materials[m].reflectance = mix.reflectance[m];
+    radiosity::Material& material = result.materials[m];
+    if (material.reflectance != mix.reflectance[m]) material.texture.reset();  // painted over
+    material.reflectance = mix.reflectance[m];
   }
   for (radiosity::Surface& surface : result.surfaces) surface.emission_factor = 1;
   return result;
