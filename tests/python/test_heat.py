@@ -7,6 +7,7 @@ and nothing is eliminated from their equations:
     of a shield, whose two net heats add up to what is given to it.
 """
 
+import csv
 import json
 import subprocess
 
@@ -395,11 +396,17 @@ def test_how_emissivities_settle_is_told(program, tmp_path):
     kelvin = told["surfaces"][0]["temperature"]
     e = np.interp(kelvin, [200, 600], [0.1, 0.9])
     assert e * SIGMA * kelvin**4 == pytest.approx(500, rel=1e-4)
+    # Of scenarios each settles: without its heat the plate is at absolute zero.
     scenarios = tmp_path / "scenarios.json"
-    scenarios.write_text(json.dumps({"scenarios": [{"name": "off", "lights": {"plate": "off"}}]}))
-    refused = subprocess.run([program, "solve", path, "--as-is", "--scenarios", scenarios],
-                             capture_output=True, text=True, check=False)
-    assert refused.returncode == 1 and "which scenarios do not settle" in refused.stderr
+    listed = [{"name": "as-given"}, {"name": "off", "lights": {"plate": "off"}}]
+    scenarios.write_text(json.dumps({"scenarios": listed}))
+    table = tmp_path / "table.csv"
+    subprocess.run([program, "solve", path, "--as-is", "--scenarios", scenarios, "--table", table,
+                    "--quantity", "temperature"], capture_output=True, check=True)
+    rows = list(csv.DictReader(table.read_text().splitlines()))
+    assert [row["scenario"] for row in rows] == ["as-given", "off"]
+    assert float(rows[0]["surface_temperature_0"]) == pytest.approx(kelvin, rel=1e-12)
+    assert float(rows[1]["surface_temperature_0"]) == 0
 
 
 def test_a_table_is_read_at_given_temperatures(enclosure, tmp_path):
