@@ -92,7 +92,7 @@ void warn_of_sources(const MeasuredObserver& observer, const StudyEvents& events
 }
 
 /// Of new lamps.
-std::vector<MeasuredObserver> measured_observers(const Study& solved,
+std::vector<MeasuredObserver> measured_observers(const LitScene& solved,
                                                  const radiosity::LightPlan& plan,
                                                  const radiosity::Photometer& photometer,
                                                  const Eigen::VectorXd& weights,
@@ -127,6 +127,13 @@ std::optional<double> MeasuredPlan::largest_ugr() const {
 
 MeasuredPlan measure_plan(const Study& solved, const radiosity::LightPlan& plan,
                           const StudyOptions& options, double efficacy, const StudyEvents& events) {
+  const LitScene lit = {solved.scene, solved.mesh, solved.visibility, *solved.transport,
+                        solved.solution};
+  return measure_plan(lit, plan, options, efficacy, events);
+}
+
+MeasuredPlan measure_plan(const LitScene& solved, const radiosity::LightPlan& plan,
+                          const StudyOptions& options, double efficacy, const StudyEvents& events) {
   const Scene& scene = solved.scene;
   check_light(scene, events);
   MeasuredPlan result;
@@ -144,7 +151,7 @@ MeasuredPlan measure_plan(const Study& solved, const radiosity::LightPlan& plan,
   radiosity::Solution later_solution;
   std::vector<radiosity::Lighting> lights = {{scene, solved.solution}};
   if (result.has_maintenance) {
-    later_solution = solve_light(later, solved.mesh, *solved.transport, options, events).solution;
+    later_solution = solve_light(later, solved.mesh, solved.transport, options, events).solution;
     lights.push_back({later, later_solution});
   }
   const Eigen::VectorXd weights = radiosity::luminous_weights(scene.bands, efficacy);

@@ -46,11 +46,25 @@ struct MeasuredPlan {
   [[nodiscard]] std::optional<double> largest_ugr() const;
 };
 
-/// Measures what a plan asks for in a study that has its light; of maintained lamps, whose light is
+/// A scene with its light, that others own.
+struct LitScene {
+  const radiosity::Scene& scene;
+  const radiosity::PatchMesh& mesh;
+  const radiosity::Visibility& visibility;
+  const radiosity::Transport& transport;
+  const radiosity::Solution& solution;
+};
+
+/// Measures what a plan asks for in a scene that has its light; of maintained lamps, whose light is
 /// solved anew by the same form factors, if any factor is below 1. Light of sun and environment
 /// does not age. `efficacy` as for luminous_weights. Warns of points in solids and outside, of
 /// an environment, which points do not see, and of glare sources beyond what CIE 117 is for. Throws
 /// SceneError as make_measuring_points does, if the light is heat, SolveError, Interrupted.
+MeasuredPlan measure_plan(const LitScene& solved, const radiosity::LightPlan& plan,
+                          const StudyOptions& options = {},
+                          double efficacy = radiosity::kWhiteEfficacy,
+                          const StudyEvents& events = {});
+/// The same of a study.
 MeasuredPlan measure_plan(const Study& solved, const radiosity::LightPlan& plan,
                           const StudyOptions& options = {},
                           double efficacy = radiosity::kWhiteEfficacy,

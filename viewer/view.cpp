@@ -10,11 +10,14 @@
 #include "io/picture/image_file.h"
 #include "radiosity/base/error.h"
 #include "viewer/desk/desk.h"
+#include "viewer/desk/measuring.h"
 #include "viewer/desk/picture_words.h"
 #include "viewer/desk/tour.h"
 #include "viewer/draw/backdrop.h"
 #include "viewer/draw/comparison_overlay.h"
+#include "viewer/draw/grid_overlay.h"
 #include "viewer/draw/guides.h"
+#include "viewer/draw/luminaire_overlay.h"
 #include "viewer/draw/overlay.h"
 #include "viewer/draw/painter.h"
 #include "viewer/draw/pinned_view.h"
@@ -105,7 +108,7 @@ class Application final : public ScriptHost {
     }
     // The status line tells how far the work is.
     const bool is_working = (!desk_.session.is_idle() && !desk_.session.is_paused()) ||
-                            painter_.is_busy() || desk_.meter.is_busy();
+                            painter_.is_busy() || is_measuring(desk_);
     return is_hurried() || (window_.is_shown() && is_working);
   }
 
@@ -127,15 +130,17 @@ class Application final : public ScriptHost {
       views_.push_back(pinned);
     }
     const bool is_frugal =
-        window_.is_software() && (!desk_.session.is_idle() || desk_.meter.is_busy());
+        window_.is_software() && (!desk_.session.is_idle() || is_measuring(desk_));
     const bool is_dirty = view_.is_dirty() || (pinned != nullptr && pinned->is_dirty());
     const bool is_moving = window_.is_software() && is_dirty && !desk_.screenshot;
     window_.set_antialiased(!is_frugal && !is_moving && painter_.is_exact());
     // It knows patches only.
-    const bool has_still = desk_.look.show != Show::work_plane;
+    const bool has_still = !is_plane(desk_.look.show);
     backdrop_.draw(has_still ? painter_.still() : nullptr, desk_.region);
     guides_.draw(desk_, window_.scale());
     draw_comparison(desk_, window_.scale());
+    draw_luminaires(desk_, window_.scale());
+    draw_grid_points(desk_, window_.scale());
     draw_overlay(desk_, window_.scale());
     draw_axes(desk_, window_.scale());
     if (desk_.copied) window_.copy(*std::exchange(desk_.copied, std::nullopt));

@@ -1,6 +1,7 @@
 #include "radiosity/visibility/luminaire_light.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "radiosity/base/parallel.h"
 #include "radiosity/scene/luminaire_flux.h"
@@ -23,7 +24,8 @@ LuminaireLight::LuminaireLight(const Scene& scene, const PatchMesh& mesh)
     webs_.push_back(photometry.web);
     fluxes_.emplace_back(photometry.web);
   }
-  for (const Luminaire& luminaire : scene.luminaires) {
+  for (std::size_t k = 0; k < scene.luminaires.size(); ++k) {
+    const Luminaire& luminaire = scene.luminaires[k];
     if (luminaire.dimming == 0) continue;
     const Photometry& photometry = scene.photometries[luminaire.photometry];
     const std::vector<Vec3> points = luminaire_points(luminaire, photometry);
@@ -32,7 +34,8 @@ LuminaireLight::LuminaireLight(const Scene& scene, const PatchMesh& mesh)
       sources_.push_back({{point, -luminaire.axes.col(2)},
                           luminaire.axes,
                           luminaire.photometry,
-                          factor * luminaire.watts_per_lumen});
+                          factor * luminaire.watts_per_lumen,
+                          k});
     }
   }
 }
@@ -51,8 +54,16 @@ void LuminaireLight::add(const Vec3& point, const Vec3& normal,
 }
 
 Eigen::MatrixXd LuminaireLight::irradiance(const Progress& progress) const {
+  const std::size_t n = sources_.empty() ? 0 : sources_.back().luminaire + 1;
+  return std::move(irradiance_of_groups(std::vector<int>(n, 0), 1, progress).front());
+}
+
+std::vector<Eigen::MatrixXd> LuminaireLight::irradiance_of_groups(const std::vector<int>& group,
+                                                                  Index n_groups,
+                                                                  const Progress& progress) const {
   constexpr std::ptrdiff_t kGrain = 16;
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(mesh_.size(), n_bands_);
+  std::vector<Eigen::MatrixXd> result(static_cast<std::size_t>(n_groups),
+                                      Eigen::MatrixXd::Zero(mesh_.size(), n_bands_));
   parallel_ranges(mesh_.size(), kGrain, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
     ShadowCutter cutter;
     for (std::ptrdiff_t i = begin; i < end; ++i) {
@@ -64,7 +75,8 @@ Eigen::MatrixXd LuminaireLight::irradiance(const Progress& progress) const {
           flux += fluxes_[source.photometry].through(seen.points());
         }
         flux = std::max(flux, 0.);  // rounding leaves what is dark just below
-        result.row(i) += flux / mesh_.area[i] * source.watts_per_lumen.transpose();
+        result[static_cast<std::size_t>(group[source.luminaire])].row(i) +=
+            flux / mesh_.area[i] * source.watts_per_lumen.transpose();
       }
     }
   });

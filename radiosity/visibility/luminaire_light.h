@@ -27,12 +27,18 @@ class LuminaireLight {
   /// threads. Throws Interrupted.
   [[nodiscard]] Eigen::MatrixXd irradiance(const Progress& progress = {}) const;
 
+  /// The same apart for groups of luminaires: `group` tells that of each luminaire of the scene, 0
+  /// to n_groups - 1. Their sum is `irradiance` but for rounding.
+  [[nodiscard]] std::vector<Eigen::MatrixXd> irradiance_of_groups(
+      const std::vector<int>& group, Index n_groups, const Progress& progress = {}) const;
+
  private:
   struct Source {
     PointLight light;
     Eigen::Matrix3d axes;
     int photometry;
     Eigen::VectorXd watts_per_lumen;  // with all factors
+    std::size_t luminaire;            // of the scene
   };
   const PatchMesh& mesh_;
   PointShadows shadows_;

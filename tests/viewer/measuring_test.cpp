@@ -48,8 +48,8 @@ TEST(PlanePicture, HasACellForEachPointThatIsMeasured) {
   const MeasuredGrid measured = small_grid();
   for (const bool is_smooth : {true, false}) {
     const viewer::PlanePicture picture =
-        viewer::plane_picture(measured, ramp(measured), "lux",
-                              {.show = viewer::Show::work_plane, .smooth = is_smooth}, "old");
+        viewer::plane_picture(measured, ramp(measured), {.unit = "lux", .note = "old"},
+                              {.show = viewer::Show::work_plane, .smooth = is_smooth});
     EXPECT_EQ(picture.triangles.size(), 4 * 23U);
     ASSERT_EQ(picture.points.size(), picture.positions.size());
     for (std::size_t k = 0; k < picture.points.size(); ++k) {
@@ -70,7 +70,8 @@ TEST(PlanePicture, HasIsolinesWhereTheValuesAre) {
   const MeasuredGrid measured = small_grid();
   viewer::Look look = {.show = viewer::Show::work_plane, .isolines = true};
   look.range = io::ColorScale{.low = 0, .high = 600};
-  const viewer::PlanePicture picture = viewer::plane_picture(measured, ramp(measured), "lux", look);
+  const viewer::PlanePicture picture =
+      viewer::plane_picture(measured, ramp(measured), {.unit = "lux"}, look);
   ASSERT_FALSE(picture.lines.empty());
   ASSERT_FALSE(picture.numbers.empty());
   for (const viewer::SurfaceLine& line : picture.lines) {
@@ -84,7 +85,8 @@ TEST(PlanePicture, HasIsolinesWhereTheValuesAre) {
     EXPECT_NEAR(number.place.x(), number.value / 100, 1e-5);
   }
   look.numbers = true;
-  const auto numbers = viewer::plane_picture(measured, ramp(measured), "lux", look).numbers;
+  const auto numbers =
+      viewer::plane_picture(measured, ramp(measured), {.unit = "lux"}, look).numbers;
   ASSERT_EQ(numbers.size(), 23U);
   EXPECT_EQ(numbers[1].value, 150);
   EXPECT_EQ(numbers[1].place, measured.grid.point(1));

@@ -98,6 +98,7 @@ bool is_comparable(const Look& look) {
     case Show::area:
     case Show::unseen:
     case Show::work_plane:
+    case Show::grid:
     case Show::form_factors:
     case Show::arriving:
     case Show::light_path:

@@ -22,6 +22,9 @@ using radiosity::Index;
 
 namespace {
 
+/// Of more patches grids are measured when somebody asks for it.
+constexpr Index kMostMeasured = 30'000;
+
 Domain domain_of(const Session& session) {
   if (session.is_thermal()) return Domain::heat;
   const bool is_dark = !session.model().scene && session.light() == nullptr;
@@ -38,13 +41,22 @@ void greet(Desk& desk) {
   desk.views = session.model().scene ? session.model().scene->views : std::vector<SavedView>{};
   desk.tape = {};
   desk.meter.reset();
+  desk.plan.reset();
+  desk.plan.set_wanted(has_light_plan(session) && session.model().mesh->size() <= kMostMeasured);
+  desk.look.grid = {};
+  desk.look.tick_spacing.reset();
   desk.is_meter_in_hand = false;
   desk.look.hidden = {};
   desk.marks.mark({});
+  desk.luminaires.clear();
+  desk.chosen_luminaire.reset();
+  desk.hovered_luminaire.reset();
+  if (const auto& scene = session.model().scene) {
+    desk.luminaires = luminaire_facts(*scene, session.mix());
+  }
   const Domain domain = domain_of(session);
   const Show shown = desk.look.show;
-  const bool is_of_last_file =
-      shown == Show::watched || shown == Show::unshot || shown == Show::work_plane;
+  const bool is_of_last_file = shown == Show::watched || shown == Show::unshot || is_plane(shown);
   if (domain != desk.domain || is_of_last_file) show(desk, first_quantity(domain));
   desk.domain = domain;
   desk.up = desk.asked_up.value_or(guessed_up(*session.model().mesh, session.model().camera));
@@ -70,7 +82,8 @@ bool update_saving(Desk& desk) {
 
 /// Takes in what has been measured. Whether there was anything.
 bool update_meter(Desk& desk) {
-  const bool has_changed = desk.meter.update(desk.session, up_direction(desk.up));
+  bool has_changed = desk.meter.update(desk.session, up_direction(desk.up));
+  has_changed |= desk.plan.update(desk.session);
   const auto error = desk.meter.take_error();
   if (error) desk.session.tell_error(*error);
   return has_changed || error;
@@ -145,8 +158,8 @@ bool update(Desk& desk) {
   if (!session.selected()) return true;
   desk.facts = patch_facts(session);
   if (session.light_path() != nullptr && session.light() != nullptr) {
-    desk.emitter_shares = emitter_shares(*session.light_path(), *session.model().mesh,
-                                         session.light()->solution.exitance, session.mix());
+    desk.emitter_shares = emitter_shares(*session.light_path(), session.model(),
+                                         session.light()->solution, session.mix());
   }
   return true;
 }
@@ -165,6 +178,7 @@ void show(Desk& desk, const std::string& name) {
   desk.look.range.reset();
   desk.look.logarithmic = is_wide(known->show);
   if (known->show == Show::light_path) desk.asks_light_path = true;
+  if (known->show == Show::grid) desk.plan.set_wanted(true);
   if (known->show == Show::work_plane && !desk.meter.plane()) {
     desk.meter.set_plane(radiosity::WorkPlaneOptions{});
   }
@@ -246,8 +260,11 @@ std::optional<Index> patch_at(const Desk& desk, double x, double y) {
 std::string hovered_text(const Desk& desk) {
   if (desk.hovered_reading) {
     const char* unit = desk.session.is_thermal() ? "W/m²" : "lux";
-    return fmt::format("work plane, {} {}", number_text(*desk.hovered_reading), unit);
+    const char* what = desk.look.show == Show::grid ? "grid" : "work plane";
+    return fmt::format("{}, {} {}", what, number_text(*desk.hovered_reading), unit);
   }
+  if (desk.hovered_luminaire)
+    return luminaire_text(desk.luminaires.at(*desk.hovered_luminaire), desk.session.mix());
   if (!desk.hovered || !desk.session.is_open()) return "";
   const radiosity::PatchMesh& mesh = *desk.session.model().mesh;
   const Index patch = *desk.hovered;

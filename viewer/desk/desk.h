@@ -14,6 +14,7 @@
 #include "viewer/desk/isolines.h"
 #include "viewer/desk/legend.h"
 #include "viewer/desk/look.h"
+#include "viewer/desk/luminaire_facts.h"
 #include "viewer/desk/orientation.h"
 #include "viewer/desk/patch_facts.h"
 #include "viewer/desk/region.h"
@@ -24,6 +25,7 @@
 #include "viewer/desk/tape.h"
 #include "viewer/desk/watching.h"
 #include "viewer/work/light_meter.h"
+#include "viewer/work/plan_meter.h"
 #include "viewer/work/session.h"
 
 namespace viewer {
@@ -77,11 +79,14 @@ struct Desk {
   bool shows_panels = true;
   bool shows_help = false;
   int console_lines = kConsoleLines;
-  std::optional<int> tour_step = {};           ///< that is shown
-  std::optional<std::string> copied = {};      ///< text that shall go to the clipboard
-  bool asks_light_path = false;                ///< for each patch that is selected
-  std::optional<radiosity::Index> hovered;     ///< patch under the mouse
-  std::optional<double> hovered_reading = {};  ///< of the work plane, if that is before it
+  std::optional<int> tour_step = {};                  ///< that is shown
+  std::optional<std::string> copied = {};             ///< text that shall go to the clipboard
+  bool asks_light_path = false;                       ///< for each patch that is selected
+  std::vector<LuminaireFacts> luminaires = {};        ///< of the scene
+  std::optional<std::size_t> chosen_luminaire = {};   ///< whose photometric solid is shown
+  std::optional<std::size_t> hovered_luminaire = {};  ///< whose mark is under the mouse
+  std::optional<radiosity::Index> hovered;            ///< patch under the mouse
+  std::optional<double> hovered_reading = {};         ///< of the work plane, if that is before it
   std::optional<int> function_key = {};        ///< the last one that was pressed, for scripts
   int shown_file = 0;                          ///< of Session::Versions
   Session::Versions facts_versions = {};       ///< at which the facts were found
@@ -90,6 +95,7 @@ struct Desk {
   std::optional<std::string> save_error = {};  ///< why the latest one could not be
   /// Not to be overwritten, beside what is open and what it refers to.
   std::vector<std::filesystem::path> kept_files = {};
+  PlanMeter plan = {};    ///< what the scene itself asks to be measured
   LightMeter meter = {};  ///< among the last, so that they end first
   Worker saver = Worker();
   Worker summer = Worker();  ///< sums up surfaces

@@ -8,6 +8,7 @@
 
 #include "radiosity/solve/solution.h"
 #include "viewer/work/arrivals.h"
+#include "viewer/work/plan_meter.h"
 
 namespace viewer {
 namespace {
@@ -18,8 +19,8 @@ using radiosity::QuantityField;
 
 const std::vector<ShowName>& names() {
   static const std::vector<ShowName> all = [] {
-    std::vector<ShowName> list = {{"true-colour", Show::true_color},
-                                  {"work-plane", Show::work_plane}};
+    std::vector<ShowName> list = {
+        {"true-colour", Show::true_color}, {"work-plane", Show::work_plane}, {"grid", Show::grid}};
     for (const auto& info : radiosity::quantity_infos()) {
       list.push_back({info.name, Show::quantity, info.quantity});
     }
@@ -72,7 +73,11 @@ std::optional<ShownField> quantity_field(const Known& known, const Look& look) {
 std::optional<ShownField> direct_field(const Known& known, const Look& look) {
   if (!known.light || !known.model.transport) return std::nullopt;
   const radiosity::Solution& solution = known.light->solution;
-  const Eigen::MatrixXd direct = known.model.transport->apply(solution.exitance);
+  Eigen::MatrixXd direct = known.model.transport->apply(solution.exitance);
+  if (known.light->mix) {
+    const Eigen::MatrixXd outer = outer_irradiance(known.model, *known.light->mix);
+    if (outer.size() > 0) direct += outer;
+  }
   const std::string unit = radiosity::band_unit("W/m²", known.model.bands);
   if (look.show == Show::direct) return banded("direct irradiance", unit, direct, known, look);
   const Eigen::MatrixXd indirect = (solution.irradiance - direct).cwiseMax(0);
@@ -147,6 +152,7 @@ bool is_offered(const ShowName& name, const Session& session) {
   if (name.show == Show::quantity && name.quantity == Quantity::temperature) {
     return session.light() != nullptr && session.light()->solution.temperature.size() > 0;
   }
+  if (name.show == Show::grid) return has_grids(session);
   const bool is_seen =
       name.show == Show::true_color ||
       (name.show == Show::quantity && radiosity::quantity_info(name.quantity).is_photometric);
@@ -160,6 +166,7 @@ bool is_smooth(const Look& look) {
              look.quantity != Quantity::luminous_flux && look.quantity != Quantity::reflectance;
     case Show::true_color:
     case Show::work_plane:
+    case Show::grid:
     case Show::watched:
     case Show::direct:
     case Show::indirect:
@@ -174,6 +181,8 @@ bool is_smooth(const Look& look) {
   }
   return false;
 }
+
+bool is_plane(Show show) { return show == Show::work_plane || show == Show::grid; }
 
 bool is_wide(Show show) {
   return show == Show::form_factors || show == Show::arriving || show == Show::light_path;
@@ -190,6 +199,7 @@ std::optional<ShownField> shown_field(const Known& known, const Look& look) {
   switch (look.show) {
     case Show::true_color:
     case Show::work_plane:
+    case Show::grid:
     case Show::watched:
       return std::nullopt;
     case Show::quantity:
@@ -227,8 +237,8 @@ std::optional<Eigen::MatrixXd> shown_radiosity(const Known& known, const Look& l
   }
   if (!known.light) return std::nullopt;
   // Behind a work plane in heat there is nothing to see.
-  const bool is_dark = look.show == Show::work_plane && known.model.scene &&
-                       radiosity::is_thermal(*known.model.scene);
+  const bool is_dark =
+      is_plane(look.show) && known.model.scene && radiosity::is_thermal(*known.model.scene);
   if (is_dark) return std::nullopt;
   return known.light->solution.radiosity;
 }

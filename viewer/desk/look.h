@@ -22,6 +22,7 @@ namespace viewer {
 enum class Show {
   true_color,    ///< the light as the eye would see it
   work_plane,    ///< what arrives at a work plane, before the light or what there is of it
+  grid,          ///< the same on a grid of the scene
   quantity,      ///< a quantity of the solution
   area,          ///< of the patches
   unseen,        ///< share of each patch's form factors that is missing to 1
@@ -32,6 +33,15 @@ enum class Show {
   light_path,    ///< what each patch's exitance contributes to the selected patch, by all ways
   watched,       ///< radiosity at a step of the recorded iteration, in true colour
   unshot         ///< light not passed on yet at that step
+};
+
+/// Which of the scene's grids is shown, and what of it.
+struct GridChoice {
+  std::size_t grid = 0;        ///< of the scene's plan
+  std::size_t quantity = 0;    ///< of those it measures: 0 = the illuminance of its plane
+  bool is_maintained = false;  ///< by lamps that have aged; false: by new ones
+
+  friend bool operator==(const GridChoice&, const GridChoice&) = default;
 };
 
 /// How later light is compared with light that was pinned.
@@ -59,8 +69,12 @@ struct Look {
   bool hide_backs = true;
   bool back_outlines = true;  ///< of faces whose backs are hidden
   bool axes = true;           ///< in a corner
+  bool luminaires = true;     ///< marks where they are and aim
+  bool polar_curves = false;  ///< of all of them
   HiddenSurfaces hidden = {};
-  std::size_t step = 0;  ///< frame of the recorded iteration
+  GridChoice grid = {};
+  std::optional<double> tick_spacing = {};  ///< of a linear bar's values; absent: one that fits
+  std::size_t step = 0;                     ///< frame of the recorded iteration
   Comparison comparison = Comparison::none;
 };
 
@@ -85,6 +99,8 @@ const std::vector<std::int32_t>* open_patches(const Known& known);
 bool is_offered(const ShowName& name, const Session& session);
 /// Whether values of neighbours may be blended: not where each is of its own patch.
 bool is_smooth(const Look& look);
+/// Whether a plane with its own values lies before the patches: what is shown of them is the light.
+bool is_plane(Show show);
 /// Whether values spread over decades, so that a linear scale shows little of them.
 bool is_wide(Show show);
 

@@ -10,6 +10,7 @@
 #include "radiosity/base/error.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/solve/quantity.h"
+#include "viewer/desk/grids.h"
 #include "viewer/desk/picking.h"
 
 namespace viewer {
@@ -62,6 +63,22 @@ std::vector<io::Reading> all_readings(const Readings& readings) {
 
 }  // namespace
 
+ShownPlane shown_plane(const Desk& desk) {
+  if (desk.look.show == Show::work_plane) {
+    const Readings* readings = desk.meter.readings();
+    if (readings == nullptr || !readings->plane) return {};
+    return {&readings->plane->grid, &readings->plane->places};
+  }
+  const auto readings = desk.plan.readings();
+  const std::size_t g = desk.look.grid.grid;
+  const bool is_shown =
+      desk.look.show == Show::grid && readings && g < readings->measured.grids.size();
+  if (!is_shown) return {};
+  const radiosity::GridLight& light = readings->measured.grids[g].light;
+  if (!light.where.grid) return {};
+  return {&*light.where.grid, &light.places};
+}
+
 void show_work_plane(Desk& desk, const radiosity::WorkPlaneOptions& options) {
   check_scene(desk);
   make_work_plane(*desk.session.model().mesh, up_direction(desk.up), options);  // to refuse it
@@ -77,11 +94,9 @@ void hide_work_plane(Desk& desk) {
 }
 
 std::optional<PlaneHit> plane_hit(const Desk& desk, const Vec3& origin, const Vec3& direction) {
-  const Readings* readings = desk.meter.readings();
-  const bool is_shown =
-      desk.look.show == Show::work_plane && readings != nullptr && readings->plane;
-  if (!is_shown) return std::nullopt;
-  const radiosity::PointGrid& grid = readings->plane->grid;
+  const ShownPlane plane = shown_plane(desk);
+  if (plane.grid == nullptr) return std::nullopt;
+  const radiosity::PointGrid& grid = *plane.grid;
   const Vec3 normal = grid.normal();
   const double distance = normal.dot(grid.corner - origin) / normal.dot(direction);
   if (!(distance > 0)) return std::nullopt;
@@ -93,13 +108,14 @@ std::optional<PlaneHit> plane_hit(const Desk& desk, const Vec3& origin, const Ve
   if (!is_within) return std::nullopt;
   const Index point = static_cast<Index>(row) * grid.n_columns + static_cast<Index>(column);
   const bool is_open =
-      readings->plane->places[static_cast<std::size_t>(point)] == radiosity::PointPlace::open;
+      (*plane.places)[static_cast<std::size_t>(point)] == radiosity::PointPlace::open;
   return is_open ? std::optional(PlaneHit{distance, point}) : std::nullopt;
 }
 
 std::optional<double> plane_value_at(const Desk& desk, double x, double y) {
   const auto found = seen_plane(desk, x, y);
   if (!found) return std::nullopt;
+  if (const auto grid = shown_grid(desk)) return grid->values[found->point];
   return measured_values(desk.session,
                          desk.meter.readings()->plane->irradiance.row(found->point))[0];
 }
@@ -109,7 +125,7 @@ bool add_meter_at(Desk& desk, double x, double y) {
     const radiosity::Camera camera = picture_camera(desk);
     const double aspect = static_cast<double>(desk.region.width) / desk.region.height;
     const Vec3 place = camera.position + found->distance * ray_direction(camera, x, y, aspect);
-    desk.meter.add({.position = place, .normal = desk.meter.readings()->plane->grid.normal()});
+    desk.meter.add({.position = place, .normal = shown_plane(desk).grid->normal()});
     return true;
   }
   const auto hit = hit_at(desk, x, y);
@@ -165,6 +181,8 @@ std::optional<radiosity::GridSummary> plane_summary(const Desk& desk) {
   return summary(readings->plane->places,
                  measured_values(desk.session, readings->plane->irradiance));
 }
+
+bool is_measuring(const Desk& desk) { return desk.meter.is_busy() || desk.plan.is_busy(); }
 
 std::string readings_note(const Desk& desk) {
   if (desk.meter.is_current(desk.session)) return "";

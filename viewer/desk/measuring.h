@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "radiosity/base/geometry.h"
 #include "radiosity/picture/measured_grid.h"
@@ -16,6 +17,13 @@ namespace viewer {
 void show_work_plane(Desk& desk, const radiosity::WorkPlaneOptions& options);
 /// Measures none any more.
 void hide_work_plane(Desk& desk);
+
+/// The points of the plane that is drawn, work plane or grid; null if none is.
+struct ShownPlane {
+  const radiosity::PointGrid* grid = nullptr;
+  const std::vector<radiosity::PointPlace>* places = nullptr;
+};
+ShownPlane shown_plane(const Desk& desk);
 
 /// Where a ray from `origin` in `direction` (unit) meets a cell of the work plane that is drawn.
 struct PlaneHit {
@@ -47,6 +55,8 @@ const char* measured_unit(const Session& session);
 std::optional<double> meter_value(const Desk& desk, std::size_t point);
 /// Of the work plane; empty until it is measured.
 std::optional<radiosity::GridSummary> plane_summary(const Desk& desk);
+/// Whether anything is being measured in the background.
+bool is_measuring(const Desk& desk);
 /// What keeps readings from being those of the scene as it is: "being measured"; "" if they are.
 std::string readings_note(const Desk& desk);
 

@@ -47,7 +47,7 @@ Painting painted_field(const PaintingTask& task, ShownField field) {
                            .unit = std::move(field.unit),
                            .scale = scale,
                            .map = is_difference ? io::ColorMap::diverging : task.look.map,
-                           .ticks = io::tick_values(scale, kMostTicks),
+                           .ticks = legend_ticks(task.look, scale, kMostTicks),
                            .fit = fit_text(task.look),
                            .least = least,
                            .greatest = greatest,

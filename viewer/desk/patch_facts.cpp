@@ -57,6 +57,9 @@ PatchFacts patch_facts(const Session& session) {
   if (!facts.has_light) return facts;
   const radiosity::Solution& solution = session.light()->solution;
   facts.direct = solution.exitance.transpose() * row;
+  if (session.light()->mix) {
+    facts.direct += outer_irradiance_at(model, *session.light()->mix, facts.patch);
+  }
   facts.arrivals = arrivals(*model.mesh, row, solution.radiosity, model.bands);
   return facts;
 }

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "viewer/desk/grids.h"
 #include "viewer/desk/measuring.h"
 #include "viewer/desk/pinning.h"
 #include "viewer/work/standing.h"
@@ -59,6 +60,7 @@ std::string missing_text(const Desk& desk) {
   }
   if (desk.legend || (is_painted && session.light() != nullptr)) return "";
   if (show == Show::work_plane) return "Work plane: " + readings_note(desk);
+  if (show == Show::grid) return shown_grid(desk) ? "" : "Grid: " + grids_note(desk);
   if (is_wide(show)) {
     if (!session.model().factors) {
       return session.is_settled() ? "Form factors are not known" : "Waits for the form factors ...";

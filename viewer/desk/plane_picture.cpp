@@ -80,18 +80,17 @@ void add_cells(const radiosity::MeasuredGrid& measured, const Eigen::VectorXd& v
   }
 }
 
-Legend plane_legend(const Eigen::VectorXd& values, const std::string& unit, const Look& look,
-                    const std::string& note) {
+Legend plane_legend(const Eigen::VectorXd& values, const PlaneWords& words, const Look& look) {
   Legend legend;
   legend.scale = shown_scale(look, values);
-  legend.title = {"work plane", unit};
+  legend.title = {words.title, words.unit};
   if (const std::string scale = scale_note(look, legend.scale); !scale.empty()) {
     legend.title.push_back(scale);
   }
-  if (!note.empty()) legend.title.push_back(note);
-  legend.unit = unit;
+  if (!words.note.empty()) legend.title.push_back(words.note);
+  legend.unit = words.unit;
   legend.map = look.map;
-  legend.ticks = io::tick_values(legend.scale, kMostPlaneTicks);
+  legend.ticks = legend_ticks(look, legend.scale, kMostPlaneTicks);
   legend.fit = fit_text(look);
   if (values.size() > 0) {
     legend.least = values.minCoeff();
@@ -126,9 +125,9 @@ double rounded(double value) {
 }  // namespace
 
 PlanePicture plane_picture(const radiosity::MeasuredGrid& measured, const Eigen::VectorXd& values,
-                           const std::string& unit, const Look& look, const std::string& note) {
+                           const PlaneWords& words, const Look& look) {
   PlanePicture picture;
-  picture.legend = plane_legend(open_values(measured, values), unit, look, note);
+  picture.legend = plane_legend(open_values(measured, values), words, look);
   add_cells(measured, values, look.smooth, picture);
   if (look.isolines && look.smooth) add_isolines(measured.grid, look, picture);
   if (!look.numbers) return picture;

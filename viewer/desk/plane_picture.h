@@ -23,9 +23,16 @@ struct PlanePicture {
   Legend legend;
 };
 
-/// Colours values (one per point of the grid, in `unit`) on the scale of the look: blended between
-/// the points if it is smooth, with isolines if it has these. `note` is told beside the colour bar.
+/// What is told beside the colour bar of a plane.
+struct PlaneWords {
+  std::string unit;  ///< of its values
+  std::string note = {};
+  std::string title = "work plane";
+};
+
+/// Colours values (one per point of the grid) on the scale of the look: blended between the points
+/// if it is smooth, with isolines if it has these.
 PlanePicture plane_picture(const radiosity::MeasuredGrid& measured, const Eigen::VectorXd& values,
-                           const std::string& unit, const Look& look, const std::string& note = "");
+                           const PlaneWords& words, const Look& look);
 
 }  // namespace viewer

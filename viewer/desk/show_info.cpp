@@ -17,7 +17,7 @@ constexpr std::string_view kSurfaces = "Surfaces and errors";
 
 constexpr std::array kGroups = {kLight, kPower, kExchange, kIteration, kSurfaces};
 
-constexpr std::array<ShowInfo, 26> kInfos = {{
+constexpr std::array<ShowInfo, 27> kInfos = {{
     {"true-colour", kLight, "true colour", "",
      "The light that leaves each patch, as the eye would see it: radiosity B times an exposure."},
     {"illuminance", kLight, "illuminance", "lux",
@@ -25,6 +25,9 @@ constexpr std::array<ShowInfo, 26> kInfos = {{
     {"work-plane", kLight, "work plane", "",
      "What arrives from above at a level plane over the floor, at each point anew: H(x) = Σ_j B_j "
      "F(x → j), in lux or, of heat, in W/m²."},
+    {"grid", kLight, "grid of the scene", "lux",
+     "What arrives at the points of a grid that the scene asks for, each anew, with exact "
+     "shadows."},
     {"luminance", kLight, "luminance", "cd/m²",
      "How bright a patch looks, the same from all sides: L = Σ_b w_b B_b / π."},
     {"luminous-exitance", kLight, "luminous exitance", "lm/m²",
@@ -35,9 +38,10 @@ constexpr std::array<ShowInfo, 26> kInfos = {{
      "All that leaves, emitted and reflected: B = M + ρ H."},
     {"irradiance", kPower, "irradiance", "W/m²", "All that arrives: H_i = Σ_j F_ij B_j."},
     {"direct", kPower, "direct irradiance", "W/m²",
-     "What arrives straight from what emits: Σ_j F_ij M_j."},
+     "What arrives straight from what emits: Σ_j F_ij M_j and, of luminaires, sun and sky, E."},
     {"indirect", kPower, "indirect irradiance", "W/m²",
-     "What arrives by way of reflections: H_i − Σ_j F_ij M_j."},
+     "What arrives by way of reflections: H_i − Σ_j F_ij M_j − E, E straight from luminaires, sun "
+     "and sky."},
     {"incident", kPower, "incident from without", "W/m²",
      "What arrives from the sun, E = E_n cosθ times the share of the patch that is lit, and from "
      "the "

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "io/picture/color_bar.h"
 #include "io/picture/round_numbers.h"
 
 namespace viewer {
@@ -45,6 +46,20 @@ io::ColorScale shown_scale(const Look& look, const Eigen::VectorXd& values) {
   return scale;
 }
 
+std::vector<double> legend_ticks(const Look& look, const io::ColorScale& scale, int most) {
+  constexpr double kMostTicks = 200;
+  const double step = look.tick_spacing.value_or(0);
+  const bool is_usable =
+      step > 0 && !scale.logarithmic && (scale.high - scale.low) / step <= kMostTicks;
+  if (!is_usable) return io::tick_values(scale, most);
+  std::vector<double> ticks;
+  constexpr double kOnTick = 1e-9;  // of a step: what is as near to an end is on it
+  const double first = std::ceil(scale.low / step - kOnTick);
+  const double last = std::floor(scale.high / step + kOnTick);
+  for (double k = first; k <= last; ++k) ticks.push_back(k * step + 0.0);
+  return ticks;
+}
+
 std::string scale_note(const Look& look, const io::ColorScale& scale) {
   if (scale.logarithmic) {
     const bool is_raised = look.range && !(look.range->low > 0);
@@ -55,7 +70,7 @@ std::string scale_note(const Look& look, const io::ColorScale& scale) {
 
 std::string fit_text(const Look& look) {
   if (look.range) return "as given";
-  const char* of = look.show == Show::work_plane ? "points" : "patches";
+  const char* of = is_plane(look.show) ? "points" : "patches";
   return fmt::format("{:g} to {:g} % of {}", look.fit.low_percent, look.fit.high_percent, of);
 }
 

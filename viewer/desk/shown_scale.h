@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <string>
+#include <vector>
 
 #include "io/picture/color_map.h"
 #include "viewer/desk/look.h"
@@ -16,6 +17,10 @@ io::ColorScale shown_scale(const Look& look, const Eigen::VectorXd& values);
 /// What a person must know of the scale: "logarithmic", and where that begins if a low end was
 /// given that no logarithm has, or why it is not; "" if it is linear as asked.
 std::string scale_note(const Look& look, const io::ColorScale& scale);
+
+/// The labelled values of a scale: multiples of Look::tick_spacing if that is given and the scale
+/// is linear, as long as there are not hundreds; else round numbers, `most` at most.
+std::vector<double> legend_ticks(const Look& look, const io::ColorScale& scale, int most);
 
 /// What it spans: "0 to 98 % of patches", of a work plane "of points", or "as given".
 std::string fit_text(const Look& look);

@@ -24,8 +24,10 @@ std::vector<SurfaceGroup> material_groups(const radiosity::Scene& scene) {
 
 std::vector<SurfaceGroup> lamp_groups(const LightMix& mix) {
   std::vector<SurfaceGroup> groups;
-  for (const Emitter& emitter : mix.emitters) {
-    groups.push_back({.index = groups.size(), .name = emitter.name, .surfaces = emitter.surfaces});
+  for (std::size_t e = 0; e < mix.emitters.size(); ++e) {
+    const Emitter& emitter = mix.emitters[e];
+    if (emitter.kind == Emitter::Kind::sun || emitter.kind == Emitter::Kind::sky) continue;
+    groups.push_back({.index = e, .name = emitter.name, .surfaces = emitter.surfaces});
     std::sort(groups.back().surfaces.begin(), groups.back().surfaces.end());
   }
   return groups;
@@ -42,6 +44,7 @@ SurfaceTotal group_total(const SurfaceGroup& group, const std::vector<SurfaceTot
     add(sum.irradiance, total.irradiance, total.area);
     add(sum.heat, total.heat);
   }
+  if (group.lumens) sum.flux = group.lumens;
   if (sum.irradiance && sum.area > 0) *sum.irradiance /= sum.area;
   return sum;
 }

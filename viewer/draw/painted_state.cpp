@@ -13,7 +13,8 @@ bool is_same_look(const Look& a, const Look& b) {
          a.fit.low_percent == b.fit.low_percent && a.fit.high_percent == b.fit.high_percent &&
          a.map == b.map && a.hidden == b.hidden && a.outlines == b.outlines &&
          a.isolines == b.isolines && a.numbers == b.numbers && a.logarithmic == b.logarithmic &&
-         a.stops == b.stops && a.smooth == b.smooth && a.step == b.step;
+         a.grid == b.grid && a.tick_spacing == b.tick_spacing && a.stops == b.stops &&
+         a.smooth == b.smooth && a.step == b.step;
 }
 
 bool PaintedState::is_other_look(const Desk& desk) const {

@@ -16,7 +16,7 @@ bool is_large(const Desk& desk) {
 
 /// Of what is shown in false colours; the light itself shows shapes.
 bool wants_outlines(const Desk& desk) {
-  return desk.legend && desk.look.outlines && desk.look.show != Show::work_plane;
+  return desk.legend && desk.look.outlines && !is_plane(desk.look.show);
 }
 
 double size_of(const Desk& desk) { return desk.session.model().bounds.diagonal().norm(); }

@@ -20,7 +20,7 @@ class PlanePainter {
  private:
   /// What the picture was made of.
   struct Painted {
-    std::shared_ptr<const Readings> readings;
+    std::shared_ptr<const void> source;
     Look look;
     std::string note;
   };

@@ -16,16 +16,16 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kTitle = "Open a scene or a result";
-constexpr std::array<std::string_view, 13> kExtensions = {".json", ".obj", ".ply", ".stl", ".off",
-                                                          ".gltf", ".glb", ".msh", ".vs3", ".vtk",
-                                                          ".vtu",  ".vtp", ".h5"};
+constexpr std::array<std::string_view, 16> kExtensions = {
+    ".json", ".obj", ".ply", ".stl", ".off", ".gltf",   ".glb",  ".msh",
+    ".vs3",  ".vtk", ".vtu", ".vtp", ".h5",  ".epjson", ".foam", ".idf"};
 
-bool is_readable(const fs::path& path) {
+}  // namespace
+
+bool is_listed(const fs::path& path) {
   const std::string extension = io::lower_case_extension(path);
   return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
 }
-
-}  // namespace
 
 void FileBrowser::open(const std::string& path) {
   is_due_ = true;
@@ -45,7 +45,7 @@ void FileBrowser::enter(const fs::path& folder) {
     std::error_code ignored;
     const fs::path& path = entry->path();
     const bool is_hidden = path.filename().string().starts_with('.');
-    if (!is_hidden && (entry->is_directory(ignored) || is_readable(path))) {
+    if (!is_hidden && (entry->is_directory(ignored) || is_listed(path))) {
       entries_.push_back(path);
     }
   }

@@ -9,6 +9,9 @@
 
 namespace viewer {
 
+/// Whether a file is a scene or a result by its name.
+bool is_listed(const std::filesystem::path& path);
+
 /// A popup to choose a file to open: folders and files that the program reads.
 class FileBrowser {
  public:

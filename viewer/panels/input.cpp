@@ -7,6 +7,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "viewer/desk/luminaires.h"
 #include "viewer/desk/measuring.h"
 #include "viewer/desk/picking.h"
 #include "viewer/desk/pinning.h"
@@ -55,13 +56,15 @@ void press_letter(Desk& desk, int key) {
   if (key == GLFW_KEY_K) take_tape(desk, !desk.tape.is_in_hand);
 }
 
-/// Asks the patch at a place of the picture, lays an end of the tape measure there or measures the
-/// light.
+/// Asks the patch or chooses the luminaire at a place of the picture, lays an end of the tape
+/// measure there or measures the light.
 void click(Desk& desk, double x, double y) {
   if (desk.is_meter_in_hand) {
     add_meter_at(desk, x, y);
   } else if (!desk.tape.is_in_hand) {
-    desk.session.select(patch_at(desk, x, y));
+    const auto luminaire = luminaire_at(desk, x, y);
+    choose_luminaire(desk, luminaire == desk.chosen_luminaire ? std::nullopt : luminaire);
+    if (!luminaire) desk.session.select(patch_at(desk, x, y));
   } else if (const auto point = point_at(desk, x, y)) {
     lay(desk.tape, *point);
   }
@@ -132,6 +135,7 @@ void Input::handle_mouse(Desk& desk, double scale) {
   const bool is_over = !io.WantCaptureMouse && !is_at_legend && x >= 0 && x < 1 && y >= 0 && y < 1;
   const bool is_hovering = is_over && !is_dragging_;
   desk.hovered = is_hovering ? patch_at(desk, x, y) : std::nullopt;
+  desk.hovered_luminaire = is_hovering ? luminaire_at(desk, x, y) : std::nullopt;
   desk.hovered_reading = is_hovering ? plane_value_at(desk, x, y) : std::nullopt;
   if (is_over && io.MouseWheel != 0) {
     desk.camera.zoom_to(point_towards(desk, x, y), std::pow(kZoomStep, io.MouseWheel));
@@ -189,6 +193,8 @@ void Input::press(Desk& desk, Panels& panels, const KeyPress& key) {
       desk.is_meter_in_hand = false;
     } else if (desk.tape.is_in_hand) {
       desk.tape = {};
+    } else if (desk.chosen_luminaire) {
+      desk.chosen_luminaire.reset();
     } else {
       desk.session.select(std::nullopt);
     }

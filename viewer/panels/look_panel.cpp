@@ -101,6 +101,22 @@ void choose_fit(Desk& desk) {
   ImGui::EndCombo();
 }
 
+/// How far apart the labelled values and isolines are.
+void choose_spacing(Look& look) {
+  double spacing = look.tick_spacing.value_or(0);
+  ImGui::SetNextItemWidth(ImGui::GetFontSize() * 7);
+  ImGui::BeginDisabled(look.logarithmic);
+  const bool is_given =
+      ImGui::InputDouble("step of values", &spacing, 0, 0, spacing > 0 ? "%.6g" : "auto",
+                         ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_EnterReturnsTrue);
+  if (ImGui::IsItemHovered()) {
+    ImGui::SetTooltip("Between labelled values and isolines; 0: by itself. Enter takes it.");
+  }
+  ImGui::EndDisabled();
+  if (!is_given) return;
+  look.tick_spacing = spacing > 0 ? std::optional(spacing) : std::nullopt;
+}
+
 void choose_range(Desk& desk) {
   Look& look = desk.look;
   ImGui::Checkbox("logarithmic", &look.logarithmic);
@@ -111,6 +127,7 @@ void choose_range(Desk& desk) {
     ImGui::PopTextWrapPos();
   }
   choose_fit(desk);
+  choose_spacing(look);
   if (!look.range) return;
   // As it is shown: a logarithm has no 0.
   const io::ColorScale& shown = desk.legend ? desk.legend->scale : *look.range;
@@ -150,7 +167,7 @@ void draw_look_panel(Desk& desk) {
     ImGui::Checkbox("isolines", &look.isolines);
     ImGui::EndDisabled();
     ImGui::SameLine();
-    ImGui::BeginDisabled(look.show == Show::work_plane);
+    ImGui::BeginDisabled(is_plane(look.show));
     ImGui::Checkbox("outlines", &look.outlines);
     ImGui::EndDisabled();
   }

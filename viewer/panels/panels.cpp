@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "viewer/panels/grids_panel.h"
 #include "viewer/panels/status_line.h"
 #include "viewer/work/standing.h"
 
@@ -65,6 +66,8 @@ void Panels::draw(Desk& desk, std::span<const KeyPress> keys, int width, int hei
       views_.draw(desk);
       draw_part(desk, TourTarget::look, [&] { draw_look_panel(desk); });
       draw_compare_panel(desk);
+      draw_grids_panel(desk);
+      daylight_.draw(desk);
       if (measure_.draw(desk)) begin_save(desk, SaveDialog::Kind::readings);
       if (!has_right) {  // here, rather than nowhere
         draw_ask(desk);
@@ -181,6 +184,10 @@ void Panels::draw_menu(Desk& desk) {
     ImGui::MenuItem("Outlines of hidden backs", nullptr, &desk.look.back_outlines,
                     desk.look.hide_backs);
     ImGui::MenuItem("Axes", nullptr, &desk.look.axes);
+    const bool has_luminaires = !desk.luminaires.empty();
+    ImGui::MenuItem("Luminaires", nullptr, &desk.look.luminaires, has_luminaires);
+    ImGui::MenuItem("Polar curves", nullptr, &desk.look.polar_curves,
+                    has_luminaires && desk.look.luminaires);
     ImGui::MenuItem("Panels", "Tab", &desk.shows_panels);
     ImGui::EndMenu();
   }

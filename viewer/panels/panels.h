@@ -7,6 +7,7 @@
 #include "viewer/desk/key_press.h"
 #include "viewer/panels/attempt.h"
 #include "viewer/panels/console_panel.h"
+#include "viewer/panels/daylight_panel.h"
 #include "viewer/panels/file_browser.h"
 #include "viewer/panels/gallery.h"
 #include "viewer/panels/measure_panel.h"
@@ -53,6 +54,7 @@ class Panels {
   SaveDialog save_;
   ViewsPanel views_;
   MeasurePanel measure_;
+  DaylightPanel daylight_;
   SurfacesPanel surfaces_;
   WatchPanel watch_;
   ConsolePanel console_;

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "viewer/desk/desk_surfaces.h"
+#include "viewer/desk/luminaires.h"
 #include "viewer/panels/inks.h"
 #include "viewer/panels/mix_widgets.h"
 #include "viewer/work/standing.h"
@@ -48,7 +49,7 @@ void draw_temperature(const std::optional<double>& temperature) {
 /// In a tree names and sliders need the room of the last one.
 void draw_values(const Desk& desk, const SurfaceTotal& total, bool is_tree) {
   const bool is_rough = standing(desk.session).is_rough;
-  draw_value(total.area, false);
+  draw_value(total.area > 0 ? std::optional(total.area) : std::nullopt, false);
   draw_value(total.flux, is_rough);
   if (is_tree) return;
   draw_value(desk.session.is_thermal() ? total.heat : total.irradiance, is_rough);
@@ -75,6 +76,13 @@ bool is_marked(const Desk& desk, std::span<const std::int32_t> surfaces) {
 void toggle_mark(Desk& desk, std::span<const std::int32_t> surfaces) {
   const bool was_marked = is_marked(desk, surfaces);
   mark_surfaces(desk, was_marked ? std::span<const std::int32_t>() : surfaces);
+}
+
+/// With the flux of luminaires.
+std::vector<SurfaceGroup> lamps_of(const Desk& desk) {
+  std::vector<SurfaceGroup> groups = lamp_groups(desk.session.mix());
+  for (SurfaceGroup& group : groups) group.lumens = emitter_lumens(desk, group.index);
+  return groups;
 }
 
 void draw_buttons(Desk& desk) {
@@ -129,7 +137,7 @@ void SurfacesPanel::draw_group(Desk& desk, const SurfaceGroup& group,
   ImGui::PushID(static_cast<int>(group.index));
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
-  draw_shown_box(desk, group.surfaces);
+  if (!group.surfaces.empty()) draw_shown_box(desk, group.surfaces);
   ImGui::TableNextColumn();
   const bool holds_mark = is_mark_new_ && desk.marks.surfaces().size() == 1 &&
                           std::binary_search(group.surfaces.begin(), group.surfaces.end(),
@@ -142,7 +150,13 @@ void SurfacesPanel::draw_group(Desk& desk, const SurfaceGroup& group,
     flags |= ImGuiTreeNodeFlags_Selected;
   }
   const bool is_open = ImGui::TreeNodeEx("##group", flags, "%s", group.name.c_str());
-  if (ImGui::IsItemClicked() && !ImGui::IsItemToggledOpen()) toggle_mark(desk, group.surfaces);
+  if (ImGui::IsItemClicked() && !ImGui::IsItemToggledOpen()) {
+    if (group.lumens) {
+      choose_luminaire(desk, first_luminaire(desk, group.index));
+    } else {
+      toggle_mark(desk, group.surfaces);
+    }
+  }
   draw_values(desk, group_total(group, totals), true);
   if (is_open) {
     ImGui::TableNextRow();
@@ -180,7 +194,7 @@ void SurfacesPanel::draw_table(Desk& desk) {
   const std::vector<SurfaceGroup> groups = is_list ? std::vector<SurfaceGroup>()
                                            : desk.listing == SurfaceListing::materials
                                                ? material_groups(*desk.session.model().scene)
-                                               : lamp_groups(desk.session.mix());
+                                               : lamps_of(desk);
   const std::size_t n_wanted = is_list ? totals.size() : 2 * groups.size() + totals.size();
   const auto n_rows = static_cast<float>(std::min<std::size_t>(n_wanted, kMostRows));
   const float row = ImGui::GetFrameHeightWithSpacing();
@@ -210,7 +224,7 @@ void SurfacesPanel::draw_table(Desk& desk) {
     for (const SurfaceTotal& total : totals) draw_row(desk, total, false);
   }
   for (const SurfaceGroup& group : groups) {
-    if (!group.surfaces.empty()) draw_group(desk, group, totals);
+    if (!group.surfaces.empty() || group.lumens) draw_group(desk, group, totals);
   }
   ImGui::EndTable();
 }

@@ -1,22 +1,44 @@
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <string>
 
+#include "viewer/desk/luminaires.h"
 #include "viewer/panels/mix_widgets.h"
 #include "viewer/panels/panels.h"
 
 namespace viewer {
 namespace {
 
+/// A name that chooses the luminaire which it is of, and tells more about it.
+void draw_luminaire_name(Desk& desk, std::size_t e, float width) {
+  const auto luminaire = first_luminaire(desk, e);
+  const std::string& name = desk.session.mix().emitters[e].name;
+  if (!luminaire || *luminaire >= desk.luminaires.size()) {
+    ImGui::TextUnformatted(name.c_str());
+    return;
+  }
+  const bool is_chosen = desk.chosen_luminaire == luminaire;
+  if (ImGui::Selectable(name.c_str(), is_chosen, 0, ImVec2(width, 0))) {
+    choose_luminaire(desk, is_chosen ? std::nullopt : luminaire);
+  }
+  if (!ImGui::IsItemHovered()) return;
+  const std::size_t n = desk.session.mix().emitters[e].luminaires.size();
+  const std::string more = n > 1 ? fmt::format("\nand {} more", n - 1) : "";
+  ImGui::SetTooltip(
+      "%s", (luminaire_text(desk.luminaires[*luminaire], desk.session.mix()) + more).c_str());
+}
+
 /// A line of a name, cut if it is too long, and at its end a value.
-void draw_label(const std::string& name, const std::string& value) {
+template <typename DrawName>
+void draw_label(const DrawName& draw_name, const std::string& value) {
   const float value_width = ImGui::CalcTextSize(value.c_str()).x;
   const ImVec2 place = ImGui::GetCursorScreenPos();
   const float right = place.x + ImGui::GetContentRegionAvail().x;
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   ImGui::PushClipRect(place, ImVec2(right - value_width - gap, place.y + ImGui::GetFrameHeight()),
                       true);
-  ImGui::TextUnformatted(name.c_str());
+  draw_name(right - value_width - gap - place.x);
   ImGui::PopClipRect();
   ImGui::SameLine();
   ImGui::SetCursorScreenPos(ImVec2(right - value_width, ImGui::GetCursorScreenPos().y));
@@ -27,7 +49,11 @@ void draw_emitter(Desk& desk, std::size_t e) {
   ImGui::PushID(static_cast<int>(e));
   draw_emitter_switch(desk, e);
   ImGui::SameLine();
-  draw_label(desk.session.mix().emitters[e].name, emitter_text(desk, e));
+  const auto lumens = emitter_lumens(desk, e);
+  const std::string flux = lumens ? lumens_text(*lumens) + ", " : "";
+  const bool is_off = lumens && !desk.session.mix().emitters[e].is_on;
+  draw_label([&](float width) { draw_luminaire_name(desk, e, width); },
+             is_off ? "off" : flux + emitter_text(desk, e));
   draw_emitter_slider(desk, e);
   ImGui::PopID();
 }
@@ -36,7 +62,8 @@ void draw_material(Desk& desk, std::size_t m) {
   ImGui::PushID(static_cast<int>(m));
   draw_material_color(desk, m);
   ImGui::SameLine();
-  draw_label(desk.session.model().scene->materials[m].name, material_text(desk, m));
+  const std::string& name = desk.session.model().scene->materials[m].name;
+  draw_label([&](float) { ImGui::TextUnformatted(name.c_str()); }, material_text(desk, m));
   draw_material_slider(desk, m);
   ImGui::PopID();
 }

@@ -14,7 +14,10 @@
 #include "viewer/script/camera_actions.h"
 #include "viewer/script/comparison_actions.h"
 #include "viewer/script/console_actions.h"
+#include "viewer/script/daylight_actions.h"
+#include "viewer/script/grid_actions.h"
 #include "viewer/script/help_actions.h"
+#include "viewer/script/luminaire_actions.h"
 #include "viewer/script/meter_actions.h"
 #include "viewer/script/state_report.h"
 #include "viewer/script/surface_actions.h"
@@ -51,7 +54,7 @@ bool wait_solved(Stage& stage, ScriptArguments& arguments) {
 
 bool wait_idle(Stage& stage, ScriptArguments& arguments) {
   check_patience(stage, arguments);
-  return !stage.is_first && stage.desk.session.is_idle() && !stage.desk.meter.is_busy() &&
+  return !stage.is_first && stage.desk.session.is_idle() && !is_measuring(stage.desk) &&
          !stage.desk.examples.is_busy();
 }
 
@@ -111,6 +114,11 @@ void set_legend(Stage& stage, ScriptArguments& arguments) {
   }
   look.logarithmic = arguments.flag_or("log", look.logarithmic);
   look.isolines = arguments.flag_or("isolines", look.isolines);
+  if (arguments.has("step")) {
+    const double step = arguments.number("step");
+    if (!(step >= 0)) throw std::invalid_argument("'step' must be at least 0");
+    look.tick_spacing = step > 0 ? std::optional(step) : std::nullopt;
+  }
   if (arguments.has("range")) look.range = range_of(arguments);
   if (!arguments.has("fit")) return;
   const Eigen::VectorXd fit = arguments.numbers("fit");
@@ -138,6 +146,8 @@ void set_look(Stage& stage, ScriptArguments& arguments) {
   desk.look.hide_backs = arguments.flag_or("hide_backs", desk.look.hide_backs);
   desk.look.back_outlines = arguments.flag_or("back_outlines", desk.look.back_outlines);
   desk.look.axes = arguments.flag_or("axes", desk.look.axes);
+  desk.look.luminaires = arguments.flag_or("luminaires", desk.look.luminaires);
+  desk.look.polar_curves = arguments.flag_or("polar_curves", desk.look.polar_curves);
   desk.shows_panels = arguments.flag_or("panels", desk.shows_panels);
   desk.shows_help = arguments.flag_or("help", desk.shows_help);
 }
@@ -356,7 +366,10 @@ const std::map<std::string, ActionKind>& action_kinds() {
     all.merge(camera_actions());
     all.merge(comparison_actions());
     all.merge(console_actions());
+    all.merge(daylight_actions());
+    all.merge(grid_actions());
     all.merge(help_actions());
+    all.merge(luminaire_actions());
     all.merge(meter_actions());
     all.merge(surface_actions());
     return all;

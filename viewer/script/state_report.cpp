@@ -14,22 +14,16 @@
 #include "viewer/desk/measuring.h"
 #include "viewer/desk/pinning.h"
 #include "viewer/desk/show_info.h"
+#include "viewer/script/daylight_actions.h"
+#include "viewer/script/grid_actions.h"
+#include "viewer/script/lamp_report.h"
+#include "viewer/script/report_values.h"
 #include "viewer/work/standing.h"
 
 namespace viewer {
 namespace {
 
 using nlohmann::json;
-
-json number(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
-
-json list(const Eigen::VectorXd& values) {
-  json result = json::array();
-  for (const double value : values) result.push_back(number(value));
-  return result;
-}
-
-json list(const radiosity::Vec3& values) { return list(Eigen::VectorXd(values)); }
 
 std::string kind_name(Light::Kind kind) {
   switch (kind) {
@@ -120,24 +114,6 @@ json patch_json(const Desk& desk) {
   return result;
 }
 
-json mix_json(const Session& session) {
-  json emitters = json::array();
-  for (const Emitter& emitter : session.mix().emitters) {
-    emitters.push_back({{"name", emitter.name}, {"scale", emitter.scale}, {"on", emitter.is_on}});
-  }
-  json materials = json::array();
-  for (std::size_t m = 0; m < session.mix().reflectance.size(); ++m) {
-    materials.push_back({{"name", session.model().scene->materials[m].name},
-                         {"reflectance", list(session.mix().reflectance[m])}});
-  }
-  return {{"emitters", emitters},
-          {"materials", materials},
-          {"can_undo", session.mix_history().can_undo()},
-          {"can_redo", session.mix_history().can_redo()},
-          {"change_seconds", number(session.change_seconds())},
-          {"superposed", session.can_superpose()}};
-}
-
 json look_json(const Desk& desk) {
   const ShowInfo& info = show_info(show_name(desk.look));
   json result = {{"quantity", std::string(info.name)},
@@ -154,6 +130,8 @@ json look_json(const Desk& desk) {
                  {"hide_backs", desk.look.hide_backs},
                  {"back_outlines", desk.look.back_outlines},
                  {"axes", desk.look.axes},
+                 {"luminaires", desk.look.luminaires},
+                 {"polar_curves", desk.look.polar_curves},
                  {"panels", desk.shows_panels},
                  {"legend", nullptr}};
   if (desk.legend) {
@@ -350,6 +328,7 @@ json state_report(const Desk& desk) {
           {"light", light_json(session)},
           {"selected", patch_json(desk)},
           {"mix", mix_json(session)},
+          {"luminaires", luminaires_json(desk)},
           {"look", look_json(desk)},
           {"comparison", comparison_json(desk)},
           {"open_patches", open_patches_json(session)},
@@ -357,6 +336,8 @@ json state_report(const Desk& desk) {
           {"views", views_json(desk)},
           {"tape", tape_json(desk)},
           {"work_plane", work_plane_json(desk)},
+          {"grids", grids_json(desk)},
+          {"daylight", daylight_json(desk)},
           {"meters", meters_json(desk)},
           {"surfaces", surfaces_json(desk)},
           {"region",

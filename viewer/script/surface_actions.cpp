@@ -35,9 +35,13 @@ std::vector<std::int32_t> surfaces_of(const Stage& stage, ScriptArguments& argum
     if (!session.model().scene)
       throw std::runtime_error("a result has neither materials nor lamps");
     const char* what = is_material ? "material" : "emitter";
-    return named(is_material ? material_groups(*session.model().scene) : lamp_groups(session.mix()),
-                 what, arguments.name(what))
-        .surfaces;
+    const std::vector<SurfaceGroup> groups =
+        is_material ? material_groups(*session.model().scene) : lamp_groups(session.mix());
+    const SurfaceGroup& group = named(groups, what, arguments.name(what));
+    if (group.surfaces.empty()) {
+      throw std::invalid_argument(fmt::format("{} '{}' has no surfaces", what, group.name));
+    }
+    return group.surfaces;
   }
   const std::string name = arguments.name("surface");
   const auto surface = surface_named(*session.model().mesh, name);

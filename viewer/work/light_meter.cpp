@@ -33,7 +33,8 @@ Eigen::RowVectorXd reading(const radiosity::FinalGather& gather, const Model& mo
 bool is_same_light(const std::shared_ptr<const Light>& a, const std::shared_ptr<const Light>& b) {
   // Errors that were found meanwhile are no other light.
   return a == b || (a && b && a->solution.radiosity.size() == b->solution.radiosity.size() &&
-                    a->solution.radiosity == b->solution.radiosity);
+                    a->solution.radiosity == b->solution.radiosity &&
+                    a->solution.irradiance == b->solution.irradiance);
 }
 
 }  // namespace
@@ -43,8 +44,9 @@ struct LightMeter::Gathering {
       : mesh(model.mesh),
         light(std::move(of)),
         gather(*mesh, light->solution.radiosity,
-               model.scene ? radiosity::IncidentLight(*model.scene, *mesh)
-                           : radiosity::IncidentLight()) {}
+               model.scene && light->mix
+                   ? radiosity::IncidentLight(mixed_scene(*model.scene, *light->mix), *mesh)
+                   : radiosity::IncidentLight()) {}
   std::shared_ptr<const radiosity::PatchMesh> mesh;
   std::shared_ptr<const Light> light;
   radiosity::FinalGather gather;

@@ -30,6 +30,40 @@ Emitter make_emitter(std::string name, std::vector<std::int32_t> surfaces, doubl
           .is_on = factor > 0};
 }
 
+/// One for each luminaire or, of many, for those of a photometric file that are dimmed alike.
+void add_luminaires(const Scene& scene, LightMix& mix) {
+  std::map<std::pair<int, double>, std::vector<int>> groups;
+  for (std::size_t k = 0; k < scene.luminaires.size(); ++k) {
+    const radiosity::Luminaire& luminaire = scene.luminaires[k];
+    const auto index = static_cast<int>(k);
+    if (scene.luminaires.size() > kMostEmitters) {
+      groups[{luminaire.photometry, luminaire.dimming}].push_back(index);
+      continue;
+    }
+    mix.emitters.push_back(make_emitter(luminaire.name, {}, luminaire.dimming));
+    mix.emitters.back().kind = Emitter::Kind::luminaires;
+    mix.emitters.back().luminaires = {index};
+  }
+  for (const auto& [group, luminaires] : groups) {
+    const auto& [photometry, dimming] = group;
+    std::string name = scene.photometries[photometry].file.filename().string();
+    if (dimming != 1) name += fmt::format(" ({:.3g} %)", 100 * dimming);
+    mix.emitters.push_back(make_emitter(std::move(name), {}, dimming));
+    mix.emitters.back().kind = Emitter::Kind::luminaires;
+    mix.emitters.back().luminaires = luminaires;
+  }
+}
+
+/// What is no lamp: they are at full strength as the file has them.
+void add_daylight(const Scene& scene, LightMix& mix) {
+  if (scene.sun) {
+    mix.emitters.push_back({.name = "sun", .surfaces = {}, .kind = Emitter::Kind::sun});
+  }
+  if (scene.sky) {
+    mix.emitters.push_back({.name = "sky", .surfaces = {}, .kind = Emitter::Kind::sky});
+  }
+}
+
 /// Surfaces that are dimmed alike, by their material.
 using Group = std::pair<int, double>;
 
@@ -53,9 +87,21 @@ bool LightMix::has_reflectance_of(const LightMix& other) const {
                     [](const auto& a, const auto& b) { return a == b; });
 }
 
-LightMix make_mix(const Scene& scene) {
-  LightMix mix;
-  for (const Material& material : scene.materials) mix.reflectance.push_back(material.reflectance);
+namespace {
+
+bool is_same_sun(const radiosity::Sun& a, const radiosity::Sun& b) {
+  return a.direction == b.direction && a.irradiance == b.irradiance;
+}
+
+bool is_same_sky(const radiosity::Sky& a, const radiosity::Sky& b) {
+  const radiosity::SkyDistribution& p = a.distribution;
+  const radiosity::SkyDistribution& q = b.distribution;
+  return p.kind == q.kind && p.a == q.a && p.b == q.b && p.c == q.c && p.d == q.d && p.e == q.e &&
+         a.towards_sun == b.towards_sun && a.zenith_radiance == b.zenith_radiance &&
+         a.ground_reflectance == b.ground_reflectance && a.up == b.up;
+}
+
+void add_surfaces(const Scene& scene, LightMix& mix) {
   std::vector<std::int32_t> emitting;
   for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
     const int back = scene.surfaces[s].back_material;
@@ -69,7 +115,7 @@ LightMix make_mix(const Scene& scene) {
       const radiosity::Surface& surface = scene.surfaces[s];
       mix.emitters.push_back(make_emitter(surface.name, {s}, surface.emission_factor));
     }
-    return mix;
+    return;
   }
   std::map<Group, std::vector<std::int32_t>> groups;
   for (const std::int32_t s : emitting) {
@@ -79,6 +125,25 @@ LightMix make_mix(const Scene& scene) {
   for (const auto& [group, surfaces] : groups) {
     mix.emitters.push_back(make_emitter(name_of(group, groups, scene), surfaces, group.second));
   }
+}
+
+}  // namespace
+
+bool LightMix::has_daylight_of(const LightMix& other) const {
+  const bool has_same_kinds =
+      sun.has_value() == other.sun.has_value() && sky.has_value() == other.sky.has_value();
+  if (!has_same_kinds) return false;
+  return (!sun || is_same_sun(*sun, *other.sun)) && (!sky || is_same_sky(*sky, *other.sky));
+}
+
+LightMix make_mix(const Scene& scene) {
+  LightMix mix;
+  mix.sun = scene.sun;
+  mix.sky = scene.sky;
+  for (const Material& material : scene.materials) mix.reflectance.push_back(material.reflectance);
+  add_surfaces(scene, mix);
+  add_luminaires(scene, mix);
+  add_daylight(scene, mix);
   return mix;
 }
 
@@ -117,6 +182,9 @@ Scene with_reflectance(const Scene& scene, const LightMix& mix) {
     material.reflectance = mix.reflectance[m];
   }
   for (radiosity::Surface& surface : result.surfaces) surface.emission_factor = 1;
+  for (radiosity::Luminaire& luminaire : result.luminaires) luminaire.dimming = 1;
+  result.sun = mix.sun;
+  result.sky = mix.sky;
   return result;
 }
 
@@ -126,6 +194,9 @@ Scene mixed_scene(const Scene& scene, const LightMix& mix) {
     for (const std::int32_t s : emitter.surfaces) {
       result.surfaces[s].emission_factor = emitter.factor();
     }
+    for (const int k : emitter.luminaires) result.luminaires[k].dimming = emitter.factor();
+    if (emitter.kind == Emitter::Kind::sun) result.sun->irradiance *= emitter.factor();
+    if (emitter.kind == Emitter::Kind::sky) result.sky->zenith_radiance *= emitter.factor();
   }
   return result;
 }
@@ -156,11 +227,12 @@ radiosity::Solution superpose(const EmitterLights& lights, const LightMix& mix) 
   radiosity::Solution sum;
   sum.reflectance = lights.reflectance;
   sum.exitance = Eigen::MatrixXd::Zero(lights.reflectance.rows(), lights.reflectance.cols());
-  sum.irradiance = lights.from_without.size() > 0 ? lights.from_without : sum.exitance;
+  sum.irradiance = sum.exitance;
+  if (lights.from_without.size() > 0) sum.irradiance = lights.from_without;
   for (std::size_t e = 0; e < mix.emitters.size(); ++e) {
     const double factor = mix.emitters[e].factor();
     if (factor == 0) continue;
-    sum.exitance += factor * lights.exitance[e];
+    if (lights.exitance[e].size() > 0) sum.exitance += factor * lights.exitance[e];
     sum.irradiance += factor * lights.irradiance[e];
   }
   sum.radiosity = sum.exitance + sum.reflectance.cwiseProduct(sum.irradiance);

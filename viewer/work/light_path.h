@@ -4,8 +4,9 @@
 #include <vector>
 
 #include "radiosity/base/geometry.h"
-#include "radiosity/scene/patch_mesh.h"
+#include "radiosity/solve/solution.h"
 #include "viewer/work/light_mix.h"
+#include "viewer/work/model.h"
 
 namespace viewer {
 
@@ -22,9 +23,10 @@ struct EmitterShare {
   double share = 0;           ///< of the patch's radiosity, all bands together, in [0, 1]
 };
 
-/// What each emitter of a mix contributes to the patch, the largest first. `exitance` (n x b) is
-/// that of the mix.
-std::vector<EmitterShare> emitter_shares(const LightPath& path, const radiosity::PatchMesh& mesh,
-                                         const Eigen::MatrixXd& exitance, const LightMix& mix);
+/// What each emitter of a mix contributes to the patch of the model, the largest first: what it
+/// emits or, of those that are no surfaces, what patches reflect straight of it. `solution` is the
+/// mix's.
+std::vector<EmitterShare> emitter_shares(const LightPath& path, const Model& model,
+                                         const radiosity::Solution& solution, const LightMix& mix);
 
 }  // namespace viewer

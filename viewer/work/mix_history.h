@@ -7,13 +7,13 @@
 
 namespace viewer {
 
-/// Steps back and forth between mixes. A step is all that is changed of one lamp or material until
-/// `begin_step`: one drag of a slider, say. The latest hundred are kept.
+/// Steps back and forth between mixes. A step is all that is changed of one lamp, material or the
+/// daylight until `begin_step`: one drag of a slider, say. The latest hundred are kept.
 class MixHistory {
  public:
   /// What is changed.
   struct Item {
-    enum class Kind { emitter, material, all };
+    enum class Kind { emitter, material, daylight, all };
     Kind kind = Kind::all;
     std::size_t index = 0;
     friend bool operator==(const Item&, const Item&) = default;

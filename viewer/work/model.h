@@ -11,6 +11,8 @@
 #include "radiosity/scene/scene.h"
 #include "radiosity/solve/solution.h"
 #include "radiosity/visibility/visibility.h"
+#include "viewer/work/light_mix.h"
+#include "viewer/work/outer_light.h"
 
 namespace viewer {
 
@@ -24,12 +26,20 @@ struct Model {
   std::optional<radiosity::Camera> camera;  ///< that the file tells
   std::shared_ptr<const radiosity::PatchMesh> mesh;
   std::shared_ptr<const radiosity::Visibility> visibility;
-  Eigen::MatrixXd sun;  ///< its direct irradiance on the patches, W/m², n x b; empty without one
+  /// What the patches get straight from luminaires, sun and sky, where these stood when the light
+  /// was last found; or null.
+  std::shared_ptr<const OuterLight> outer;
   std::shared_ptr<const radiosity::Transport> transport;
   std::shared_ptr<const radiosity::FactorRows> factors;  ///< the transport's, or a file's
   bool has_quick_rows = true;                            ///< of which none takes a product
   radiosity::Box3 bounds;                                ///< of the patches, m
 };
+
+/// The direct irradiance of a mix by luminaires, sun and sky, W/m², n x b; empty without these.
+Eigen::MatrixXd outer_irradiance(const Model& model, const LightMix& mix);
+/// The same of one patch, b; 0 without these.
+Eigen::VectorXd outer_irradiance_at(const Model& model, const LightMix& mix,
+                                    radiosity::Index patch);
 
 /// Light on the patches of a model.
 struct Light {
@@ -46,6 +56,9 @@ struct Light {
   /// Of a preview that was solved by rough form factors: what these are off by
   /// (CompressionReport::verified_error).
   std::optional<double> factor_error = {};
+  /// Of what it is the light; null if that is not known: of a file.
+  std::shared_ptr<const LightMix> mix = {};
+  std::shared_ptr<const OuterLight> outer = {};  ///< that it was found with; or null
 
   [[nodiscard]] bool is_solved() const { return kind != Kind::preview && kind != Kind::quick; }
   [[nodiscard]] bool has_errors() const { return kind == Kind::complete || kind == Kind::stored; }

@@ -19,7 +19,6 @@
 #include "radiosity/solve/discretisation_error.h"
 #include "radiosity/solve/solution.h"
 #include "radiosity/solve/solve.h"
-#include "radiosity/visibility/incident_light.h"
 #include "radiosity/visibility/visibility.h"
 #include "study/study.h"
 #include "study/warnings.h"
@@ -44,7 +43,7 @@ Model with_patches(Model model, study::Patches patches) {
   model.mesh = std::make_shared<PatchMesh>(std::move(patches.mesh));
   model.bounds = radiosity::bounds(*model.mesh);
   model.visibility = std::make_shared<radiosity::Visibility>(std::move(patches.visibility));
-  model.sun = radiosity::incident_irradiance(*model.scene, *model.mesh);
+  model.outer = outer_light(*model.scene, *model.mesh, make_mix(*model.scene));
   return model;
 }
 
@@ -69,7 +68,8 @@ radiosity::SolveOptions solve_options(double tolerance, const Progress& progress
 /// What the scene says, with the emission of the mix. `scene` has its reflectances.
 radiosity::Conditions mix_conditions(const Model& model, const Transport& transport,
                                      const LightMix& mix, const Scene& scene) {
-  radiosity::Conditions conditions = make_conditions(scene, *model.mesh, transport, model.sun);
+  radiosity::Conditions conditions =
+      make_conditions(scene, *model.mesh, transport, outer_irradiance(model, mix));
   conditions.exitance = mix_exitance(scene, *model.mesh, mix);
   return conditions;
 }
@@ -85,7 +85,7 @@ void set_temperatures(const PatchMesh& mesh, const radiosity::Conditions& condit
   }
 }
 
-/// The light of each emitter, and that from without in columns of its own.
+/// The light of each emitter, and that of the environment in columns of its own.
 EmitterLights separate(const Model& model, const LightMix& mix, const Scene& scene,
                        const radiosity::Conditions& conditions, double tolerance,
                        const Progress& progress) {
@@ -95,23 +95,27 @@ EmitterLights separate(const Model& model, const LightMix& mix, const Scene& sce
   const Index n_bands = conditions.reflectance.cols();
   const auto n_emitters = static_cast<Index>(mix.emitters.size());
   const Eigen::MatrixXd full = radiosity::exitance(scene, *model.mesh);
-  const bool has_incident = conditions.incident.size() > 0;
-  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(n, (n_emitters + (has_incident ? 1 : 0)) * n_bands);
-  for (Index e = 0; e < n_emitters; ++e) {
-    lights.exitance.push_back(emitter_exitance(*model.mesh, full, mix.emitters[e]));
-    all.middleCols(e * n_bands, n_bands) = lights.exitance.back();
-  }
+  const Eigen::MatrixXd environment =
+      make_conditions(scene, *model.mesh, *model.transport).incident;
+  const bool has_environment = environment.size() > 0;
+  Eigen::MatrixXd all =
+      Eigen::MatrixXd::Zero(n, (n_emitters + (has_environment ? 1 : 0)) * n_bands);
   radiosity::SolveOptions options = solve_options(tolerance, progress);
   options.has_sinks = conditions.emissivity.size() > 0;
-  if (has_incident) {
-    options.incident = Eigen::MatrixXd::Zero(n, all.cols());
-    options.incident.rightCols(n_bands) = conditions.incident;
+  if (conditions.incident.size() > 0) options.incident = Eigen::MatrixXd::Zero(n, all.cols());
+  for (Index e = 0; e < n_emitters; ++e) {
+    const bool is_outer = mix.emitters[e].kind != Emitter::Kind::surfaces;
+    lights.exitance.push_back(is_outer ? Eigen::MatrixXd()
+                                       : emitter_exitance(*model.mesh, full, mix.emitters[e]));
+    (is_outer ? options.incident : all).middleCols(e * n_bands, n_bands) =
+        is_outer ? *model.outer->irradiance[e] : lights.exitance.back();
   }
+  if (has_environment) options.incident.rightCols(n_bands) = environment;
   const Solution solution = solve(*model.transport, all, conditions.reflectance, options);
   for (Index e = 0; e < n_emitters; ++e) {
     lights.irradiance.emplace_back(solution.irradiance.middleCols(e * n_bands, n_bands));
   }
-  if (has_incident) lights.from_without = solution.irradiance.rightCols(n_bands);
+  if (has_environment) lights.from_without = solution.irradiance.rightCols(n_bands);
   return lights;
 }
 
@@ -211,8 +215,14 @@ Model with_form_factors(Model model, const study::StudyOptions& options,
   return model;
 }
 
-Light rough_light(const Model& model, const Transport& rough, const LightMix& mix,
+Model below_sky(Model model, const LightMix& mix, const Progress& progress) {
+  model.outer = outer_light(*model.scene, *model.mesh, mix, model.outer, progress);
+  return model;
+}
+
+Light rough_light(const Model& before, const Transport& rough, const LightMix& mix,
                   const Eigen::MatrixXd& irradiance, const Progress& progress) {
+  const Model model = below_sky(before, mix, progress);
   const Scene scene = with_reflectance(*model.scene, mix);
   const radiosity::Conditions conditions = mix_conditions(model, rough, mix, scene);
   radiosity::SolveOptions options =
@@ -220,11 +230,17 @@ Light rough_light(const Model& model, const Transport& rough, const LightMix& mi
   options.start = irradiance;
   return {.kind = Light::Kind::preview,
           .solution = solve(rough, conditions.exitance, conditions.reflectance, options),
-          .factor_error = rough.report().compression.value().verified_error};
+          .factor_error = rough.report().compression.value().verified_error,
+          .outer = model.outer};
 }
 
-void solve_light(const Model& model, const LightMix& mix, const LightStart& start,
+void solve_light(const Model& before, const LightMix& mix, const LightStart& start,
                  const LightEvents& events, const Progress& progress) {
+  const Model model = below_sky(before, mix, progress);
+  const auto lit = [&](Light light) {
+    light.outer = model.outer;
+    events.lit(std::move(light));
+  };
   const Scene scene = with_reflectance(*model.scene, mix);
   const radiosity::Conditions conditions = mix_conditions(model, *model.transport, mix, scene);
   const auto solved = [&](const radiosity::SolveOptions& solving) {
@@ -236,18 +252,18 @@ void solve_light(const Model& model, const LightMix& mix, const LightStart& star
   if (start.separated) {
     Solution sum = superpose(*start.separated, mix);
     options.start = sum.irradiance;
-    events.lit({Light::Kind::solved, std::move(sum)});
+    lit({Light::Kind::solved, std::move(sum)});
   }
   if (start.is_quick_wanted) {
     Solution quick = solved(options);
     options.start = quick.irradiance;
-    events.lit({Light::Kind::quick, std::move(quick)});
+    lit({Light::Kind::quick, std::move(quick)});
   }
   options.tolerance = start.tolerance;
   Solution solution = solved(options);
   study::warn_of_unconverged(solution, options, {.warned = events.warned});
   options.start = solution.irradiance;
-  events.lit({Light::Kind::solved, std::move(solution)});
+  lit({Light::Kind::solved, std::move(solution)});
   // Sums of lights know no shields.
   const bool is_separable = !mix.emitters.empty() && conditions.transmission.size() == 0;
   if (start.is_separation_wanted && is_separable) {
@@ -261,7 +277,7 @@ void solve_light(const Model& model, const LightMix& mix, const LightStart& star
               with_discretisation_error(std::move(complete), discretisation)};
   light.relative_error = relative_error(*model.mesh, light.solution);
   set_temperatures(*model.mesh, conditions, light.solution, events);
-  events.lit(std::move(light));
+  lit(std::move(light));
 }
 
 }  // namespace viewer

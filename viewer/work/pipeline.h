@@ -52,6 +52,10 @@ struct FormFactorEvents {
 Model with_form_factors(Model model, const study::StudyOptions& options,
                         const FormFactorEvents& events, const radiosity::Progress& progress);
 
+/// The model with direct light of the mix's sun and sky, found anew if that is of others. Throws
+/// Interrupted.
+Model below_sky(Model model, const LightMix& mix, const radiosity::Progress& progress);
+
 /// The mix's light by rough form factors, which must have a CompressionReport: a preview, to the
 /// accuracy that a picture needs. `irradiance` as in LightStart. Throws Interrupted.
 Light rough_light(const Model& model, const radiosity::Transport& rough, const LightMix& mix,

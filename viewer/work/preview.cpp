@@ -7,6 +7,7 @@
 
 #include "radiosity/picture/shooting_preview.h"
 #include "radiosity/scene/radiometry.h"
+#include "viewer/work/pipeline.h"
 
 namespace viewer {
 namespace {
@@ -44,20 +45,21 @@ void rest(Seconds time, const std::stop_token& stop) {
 
 }  // namespace
 
-void preview(const Model& model, const LightMix& mix, const Previewed& previewed,
+void preview(const Model& before, const LightMix& mix, const Previewed& previewed,
              const Progress& progress) {
+  const Model model = below_sky(before, mix, progress);
   const radiosity::Scene scene = with_reflectance(*model.scene, mix);
   const Eigen::MatrixXd emitted = mix_exitance(scene, *model.mesh, mix);
   const Eigen::MatrixXd reflectance = radiosity::reflectance(scene, *model.mesh);
   // Heat that is taken away is no light to shoot.
   const Eigen::MatrixXd initial =
-      radiosity::initial_radiosity(emitted.cwiseMax(0), reflectance, model.sun);
+      radiosity::initial_radiosity(emitted.cwiseMax(0), reflectance, outer_irradiance(model, mix));
   radiosity::ShootingPreview shooting(*model.mesh, *model.visibility, initial, reflectance);
   const auto start = Clock::now();
   do {
     const auto begun = Clock::now();
     shooting.shoot(kInterval, progress);
-    previewed(preview_solution(shooting.with_ambient(), emitted, reflectance),
+    previewed(preview_solution(shooting.with_ambient(), emitted, reflectance), model.outer,
               shooting.unshot_share());
     progress.check();
     const auto now = Clock::now();

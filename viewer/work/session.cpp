@@ -96,7 +96,7 @@ void Session::take_file(OpenedFile file, Clock::time_point start) {
   if (file.refusal) {
     tell_error(*file.refusal);
   } else if (file.light) {
-    take_light(*std::move(file.light));
+    take_light(*std::move(file.light), {});
   } else if (model_.scene) {
     if (!mix_.emitters.empty()) start_preview();
     start_form_factors();
@@ -115,7 +115,7 @@ void Session::start_preview() {
   if (light_ && light_->factor_error) irradiance = light_->solution.irradiance;
   previewing_.start([this, model = model_, rough = rough_, mix = mix_,
                      irradiance = std::move(irradiance)](const Worker::Context& context) {
-    posting<Light>(context, [this](Light light) { take_light(std::move(light)); })(
+    posting<Light>(context, [this, mix](Light light) { take_light(std::move(light), mix); })(
         rough_light(model, *rough, mix, irradiance, context.progress));
   });
 }
@@ -123,11 +123,15 @@ void Session::start_preview() {
 void Session::start_shooting() {
   previewing_.start([this, model = model_, mix = mix_](const Worker::Context& context) {
     preview(model, mix,
-            posting<radiosity::Solution, double>(
+            posting<radiosity::Solution, std::shared_ptr<const OuterLight>, double>(
                 context,
-                [this](radiosity::Solution solution, double unshot) {
+                [this, mix](radiosity::Solution solution, std::shared_ptr<const OuterLight> outer,
+                            double unshot) {
                   unshot_share_ = unshot;
-                  take_light({Light::Kind::preview, std::move(solution)});
+                  take_light({.kind = Light::Kind::preview,
+                              .solution = std::move(solution),
+                              .outer = std::move(outer)},
+                             mix);
                 }),
             context.progress);
   });
@@ -204,7 +208,9 @@ void Session::mark_openings() {
   }
 }
 
-void Session::take_light(Light light) {
+void Session::take_light(Light light, const std::optional<LightMix>& mix) {
+  if (mix) light.mix = std::make_shared<const LightMix>(*mix);
+  if (light.outer) model_.outer = light.outer;  // the next one need not find it again
   if (light.kind != Light::Kind::preview) previewing_.cancel();
   const bool is_first = light.kind == Light::Kind::solved && seconds_to_solve_ == 0;
   if (is_first) seconds_to_solve_ = seconds_since(start_);
@@ -233,7 +239,8 @@ void Session::start_light_task() {
   is_relight_due_ = false;
   lighting_.start([this, model = model_, mix = mix_, start](const Worker::Context& context) {
     const LightEvents events = {
-        .lit = posting<Light>(context, [this](Light light) { take_light(std::move(light)); }),
+        .lit = posting<Light>(context,
+                              [this, mix](Light light) { take_light(std::move(light), mix); }),
         .separated = posting<EmitterLights>(
             context,
             [this](EmitterLights lights) {
@@ -251,7 +258,7 @@ void Session::relight() {
   change_seconds_ = 0;
   const Worker& worker = model_.transport ? lighting_ : previewing_;
   if (emitter_lights_ && !is_large()) {
-    take_light({Light::Kind::solved, superpose(*emitter_lights_, mix_)});
+    take_light({Light::Kind::solved, superpose(*emitter_lights_, mix_)}, mix_);
     start_light_task();
   } else if (is_quick_running_ && worker.is_busy()) {
     // Let it finish, else the picture would never follow a slider that keeps moving.

@@ -92,6 +92,10 @@ class Session {
   [[nodiscard]] const LightMix& original_mix() const { return original_mix_; }
   void set_emitter(std::size_t emitter, double scale, bool is_on);
   void set_reflectance(std::size_t material, const Eigen::VectorXd& reflectance);
+  /// Other sun and sky, at full strength. Throws std::invalid_argument unless there are as many.
+  void set_daylight(const std::optional<radiosity::Sun>& sun,
+                    const std::optional<radiosity::Sky>& sky);
+  void reset_daylight();
   /// As in the file: one of them, or all.
   void reset_emitter(std::size_t emitter);
   void reset_material(std::size_t material);
@@ -161,7 +165,7 @@ class Session {
   void start_form_factors();
   void cancel_computing();
   void take_model(Model model);
-  void take_light(Light light);
+  void take_light(Light light, const std::optional<LightMix>& mix);
   void mark_openings();
   [[nodiscard]] bool is_large() const;
   void take_mix(LightMix mix);

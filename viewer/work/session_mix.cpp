@@ -42,6 +42,24 @@ void Session::set_reflectance(std::size_t material, const Eigen::VectorXd& refle
   take_mix(std::move(mix));
 }
 
+void Session::set_daylight(const std::optional<radiosity::Sun>& sun,
+                           const std::optional<radiosity::Sky>& sky) {
+  if (sun.has_value() != mix_.sun.has_value() || sky.has_value() != mix_.sky.has_value()) {
+    throw std::invalid_argument("sun and sky can be changed, not added or taken away");
+  }
+  LightMix mix = mix_;
+  mix.sun = sun;
+  mix.sky = sky;
+  if (mix.has_daylight_of(mix_)) return;
+  mix_history_.note({.kind = Item::Kind::daylight}, mix_);
+  take_mix(std::move(mix));
+}
+
+void Session::reset_daylight() {
+  mix_history_.begin_step();
+  set_daylight(original_mix_.sun, original_mix_.sky);
+}
+
 void Session::reset_emitter(std::size_t emitter) {
   const Emitter& original = original_mix_.emitters.at(emitter);
   mix_history_.begin_step();
@@ -68,10 +86,9 @@ void Session::redo_mix() {
 }
 
 void Session::take_mix(LightMix mix) {
-  if (!mix_.has_reflectance_of(mix)) {
-    emitter_lights_.reset();
-    forget_light_path();
-  }
+  const bool has_same_paint = mix_.has_reflectance_of(mix);
+  if (!has_same_paint || !mix_.has_daylight_of(mix)) emitter_lights_.reset();
+  if (!has_same_paint) forget_light_path();
   mix_ = std::move(mix);
   relight();
 }

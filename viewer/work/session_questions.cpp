@@ -9,6 +9,7 @@
 #include "radiosity/solve/conditions.h"
 #include "radiosity/solve/importance.h"
 #include "radiosity/solve/solve.h"
+#include "viewer/work/pipeline.h"
 #include "viewer/work/session.h"
 
 namespace viewer {
@@ -97,10 +98,11 @@ void Session::record_iteration(radiosity::Method method) {
   iteration_.reset();
   iteration_mix_ = versions_.mix;
   ++versions_.iteration;
-  recording_.start([this, method, model = model_, mix = mix_](const Worker::Context& context) {
+  recording_.start([this, method, now = model_, mix = mix_](const Worker::Context& context) {
+    const Model model = below_sky(now, mix, context.progress);
     const Scene scene = with_reflectance(*model.scene, mix);
     radiosity::Conditions conditions =
-        make_conditions(scene, *model.mesh, *model.transport, model.sun);
+        make_conditions(scene, *model.mesh, *model.transport, outer_irradiance(model, mix));
     conditions.exitance = mix_exitance(scene, *model.mesh, mix);
     IterationRecorder recorder(
         method, model.transport->area(),
