@@ -120,6 +120,7 @@ TransportOptions transport_options(const Scene& scene, const StudyOptions& optio
           .closed = closedness(scene, options.closed),
           .seed = options.seed,
           .memory = options.memory,
+          .ranks = options.ranks,
           .progress = events.progress,
           .work_file = options.work_file,
           .work_start = options.work_start,

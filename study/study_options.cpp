@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "radiosity/base/error.h"
+
 namespace study {
 
 using radiosity::Closed;
@@ -19,11 +21,24 @@ radiosity::TransportChoice transport_choice(const radiosity::Scene& scene,
                                             const StudyOptions& options) {
   const bool by_rows = options.method == radiosity::Method::gauss_seidel ||
                        options.method == radiosity::Method::southwell;
-  if (scene.symmetry.is_none()) return {.kind = options.transport, .by_rows = by_rows};
+  const int n_ranks = options.ranks != nullptr ? options.ranks->size() : 1;
+  if (by_rows && n_ranks > 1) {
+    throw radiosity::SolveError(
+        "this method goes by rows of all form factors, of which each rank has a share only: use "
+        "--method cg, jacobi or chebyshev");
+  }
+  if (options.patches.adaptive && n_ranks > 1) {
+    throw radiosity::SolveError(
+        "patches are made adaptively by one process only: use --patches or --max-edge, or no "
+        "ranks");
+  }
+  if (scene.symmetry.is_none()) {
+    return {.kind = options.transport, .by_rows = by_rows, .n_ranks = n_ranks};
+  }
   if (options.transport == radiosity::TransportKind::compressed) {
     radiosity::refuse_compressed_part();
   }
-  return {.kind = radiosity::TransportKind::dense, .by_rows = by_rows};
+  return {.kind = radiosity::TransportKind::dense, .by_rows = by_rows, .n_ranks = n_ranks};
 }
 
 double iteration_tolerance(double tolerance) { return std::min(1e-8, 1e-3 * tolerance); }

@@ -41,6 +41,8 @@ struct StudyOptions {
   /// Whether what a compressed operator gives for the scene's light is checked anew, as where it
   /// was made for another (radiosity::verify_light).
   bool verifies_light = false;
+  /// The processes that work on it together (TransportOptions::ranks); null: this one alone.
+  radiosity::Ranks* ranks = nullptr;
   radiosity::Method method = radiosity::Method::conjugate_gradients;  ///< of the iteration
 };
 
@@ -51,7 +53,8 @@ radiosity::Closed closedness(const radiosity::Scene& scene, radiosity::Closed as
 double factor_tolerance(const StudyOptions& options);
 
 /// How an operator in memory is to be kept, by these options: dense if the scene is symmetric.
-/// Throws SolveError if it is and shall be compressed.
+/// Throws SolveError if it is and shall be compressed, and of what several ranks cannot do:
+/// methods that go by rows, adaptive patches.
 radiosity::TransportChoice transport_choice(const radiosity::Scene& scene,
                                             const StudyOptions& options);
 

@@ -9,6 +9,8 @@
 #include "apps/run/factor_part.h"
 #include "apps/run/factor_table.h"
 #include "apps/run/factors_from.h"
+#include "apps/run/rank_memory.h"
+#include "apps/run/rank_start.h"
 #include "apps/run/scene_input.h"
 #include "apps/run/shown_events.h"
 #include "apps/run/work_file_check.h"
@@ -37,8 +39,9 @@
 
 namespace apps {
 
-FormFactorsCommand::FormFactorsCommand(CLI::App& program, Interruption& interruption)
-    : interruption_(interruption) {
+FormFactorsCommand::FormFactorsCommand(CLI::App& program, Interruption& interruption,
+                                       radiosity::Ranks* ranks)
+    : interruption_(interruption), ranks_(ranks) {
   compute_.tolerance = 1e-3;
   CLI::App* command = program.add_subcommand(
       "form-factors",
@@ -123,14 +126,31 @@ void FormFactorsCommand::choose_part() {
   common_.outputs.front() = part_path(common_.outputs.front(), *part_).string();
 }
 
+void FormFactorsCommand::check_shared() const {
+  if (ranks_ == nullptr) return;
+  if (from_ || row_ || part_) {
+    throw CLI::ValidationError("form-factors",
+                               "several ranks make all form factors: expected no --from, --row or "
+                               "--part, which 'radiosity' knows");
+  }
+}
+
+std::size_t FormFactorsCommand::memory_to_use() const {
+  if (const auto given = parse_memory_size(memory_)) return *given;
+  const std::size_t all = radiosity::default_streaming_memory();
+  return ranks_ != nullptr ? all / static_cast<std::size_t>(ranks_->n_on_machine()) : all;
+}
+
 void FormFactorsCommand::run() const {
+  check_shared();
   if (from_) return run_from(*from_);
   if (row_) return run_row({*row_, exact_});
   if (common_.outputs.empty()) throw CLI::RequiredError("--output");
   CommonOptions common = common_;
   common.outputs = all_factor_outputs(common_.outputs, format_);
   common.outputs.push_back(work_file_path(common_.outputs));
-  check_outputs(common.outputs, common_.scene);
+  RankStart others(ranks_);
+  if (is_first(ranks_)) check_outputs(common.outputs, common_.scene);
   TerminalProgress terminal(terminal_style(common_));
   const radiosity::ThreadLimit threads(common_.n_threads);
   const study::StudyEvents events = shown_events(terminal, interruption_);
@@ -142,16 +162,20 @@ void FormFactorsCommand::run() const {
     options.transport = radiosity::TransportKind::compressed;
   } else {
     options.storage = study::Storage::disk;
-    if (options.memory == 0) options.memory = radiosity::default_streaming_memory();
+    options.memory = memory_to_use();
   }
   const study::Patches patches = study::divide(scene, options, events);
   const auto& [mesh, visibility] = patches;
   check_factor_outputs(common_.outputs, format_, scene, mesh);
   if (is_compressed(mesh.size())) {
-    return write_compressed(scene, patches, options, events, terminal);
+    return write_compressed(scene, patches, options, events, terminal, others);
   }
   const radiosity::StreamOptions streaming =
       stream_options(scene, options, mesh.size(), events.progress);
+  if (!is_first(ranks_)) {
+    if (is_started(*ranks_)) assist_streamed_factors(mesh, visibility, streaming);
+    return;
+  }
   const radiosity::Fingerprint fingerprint = stream_fingerprint(mesh, streaming);
   FactorSummary summary{
       .scene = scene, .mesh = mesh, .min_factor = min_factor_, .outputs = common_.outputs};
@@ -165,6 +189,7 @@ void FormFactorsCommand::run() const {
     store.remove();
     return print_factors(summary, terminal);
   }
+  others.begin();
   const radiosity::StreamedFactors factors(mesh, visibility, streaming, store);
   study::refuse_excess(scene, mesh, factors.report(), compute_.tolerance,
                        [&](radiosity::Index row) { return row_error_of(factors, row); });
@@ -187,6 +212,7 @@ radiosity::StreamOptions FormFactorsCommand::stream_options(
           .seed = options.seed,
           .min_factor = min_factor_,
           .buffers = options.memory - radiosity::streaming_memory(n_patches),
+          .ranks = ranks_,
           .progress = progress};
 }
 
@@ -292,10 +318,20 @@ void FormFactorsCommand::write_compressed(const radiosity::Scene& scene,
                                           const study::Patches& patches,
                                           study::StudyOptions options,
                                           const study::StudyEvents& events,
-                                          TerminalProgress& terminal) const {
+                                          TerminalProgress& terminal, RankStart& others) const {
   options.transport = radiosity::TransportKind::compressed;
   options.storage = study::Storage::memory;
   options.memory = parse_memory_size(memory_).value_or(0);
+  options.ranks = ranks_;
+  if (ranks_ != nullptr) options.memory = memory_of_rank(*ranks_, options.memory);
+  if (!is_first(ranks_)) {
+    // What the first one writes, it makes together with the others.
+    if (!is_started(*ranks_)) return;
+    const study::FormFactors made =
+        study::make_form_factors(scene, patches.mesh, patches.visibility, options, events);
+    if (is_table_asked()) (void)surface_form_factors(patches.mesh, *made.transport);
+    return;
+  }
   options.work_file = work_file_path(common_.outputs);
   options.work_start = start();
   FactorSummary summary{.scene = scene, .mesh = patches.mesh, .outputs = common_.outputs};
@@ -310,6 +346,7 @@ void FormFactorsCommand::write_compressed(const radiosity::Scene& scene,
     std::filesystem::remove(options.work_file);
     return print_factors(summary, terminal);
   }
+  others.begin();
   const study::FormFactors made =
       study::make_form_factors(scene, patches.mesh, patches.visibility, options, events);
   summary.report = &made.transport->report();

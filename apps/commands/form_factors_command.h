@@ -6,9 +6,11 @@
 
 #include "apps/options/common_options.h"
 #include "apps/run/factor_row.h"
+#include "apps/run/rank_start.h"
 #include "apps/summary/factor_summary.h"
 #include "apps/terminal/interruption.h"
 #include "radiosity/base/progress.h"
+#include "radiosity/base/ranks.h"
 #include "radiosity/base/work_part.h"
 #include "radiosity/scene/patch_mesh.h"
 
@@ -21,10 +23,12 @@ namespace apps {
 /// `radiosity form-factors SCENE -o F.h5 [--by surface] [--resume]`: computes the form factors by
 /// way of a work file, writes them to a file and, by surface, to the terminal. With `--from`, only
 /// those from one point or surface. Adds itself to the program and runs when that is parsed; must
-/// outlive the parsing.
+/// outlive the parsing. Where there are ranks, all run it, and the first one keeps the work file,
+/// writes and prints.
 class FormFactorsCommand {
  public:
-  FormFactorsCommand(CLI::App& program, Interruption& interruption);
+  FormFactorsCommand(CLI::App& program, Interruption& interruption,
+                     radiosity::Ranks* ranks = nullptr);
   FormFactorsCommand(const FormFactorsCommand&) = delete;
   FormFactorsCommand& operator=(const FormFactorsCommand&) = delete;
 
@@ -37,7 +41,7 @@ class FormFactorsCommand {
   [[nodiscard]] bool is_compressed(radiosity::Index n_patches) const;
   void write_compressed(const radiosity::Scene& scene, const study::Patches& patches,
                         study::StudyOptions options, const study::StudyEvents& events,
-                        TerminalProgress& terminal) const;
+                        TerminalProgress& terminal, RankStart& others) const;
   void write_compressed_outputs(const FactorSummary& summary, const radiosity::Transport& transport,
                                 const Eigen::MatrixXd& table, const std::string& fingerprint,
                                 const radiosity::Progress& progress) const;
@@ -65,7 +69,13 @@ class FormFactorsCommand {
                                               const radiosity::Fingerprint& fingerprint) const;
   void print_factors(const FactorSummary& summary, const TerminalProgress& terminal) const;
 
+  /// Throws SolveError for what several ranks do not do.
+  void check_shared() const;
+  /// Bytes for a computation by way of the disk: of each rank, if there are ranks.
+  [[nodiscard]] std::size_t memory_to_use() const;
+
   Interruption& interruption_;
+  radiosity::Ranks* ranks_;
   CommonOptions common_;
   study::StudyOptions compute_;
   std::string by_;

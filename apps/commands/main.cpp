@@ -4,9 +4,11 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <new>
 #include <string>
+#include <string_view>
 
 #include "apps/commands/batch_command.h"
 #include "apps/commands/comfort_command.h"
@@ -57,6 +59,14 @@ int run(CLI::App& program, apps::Interruption& interruption, int argc, char** ar
   }
 }
 
+/// How many processes mpirun has started of this program, which would all do the same.
+int n_started() {
+  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) {
+    if (const char* size = std::getenv(name)) return std::atoi(size);  // NOLINT(cert-err34-c): ours
+  }
+  return 1;
+}
+
 std::string version_text() {
   return fmt::format(
       "radiosity {}{}\nbuilt with {}", radiosity::kVersion,
@@ -67,6 +77,16 @@ std::string version_text() {
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (const int n = n_started(); n > 1) {
+    // One of them tells it.
+    const char* rank = std::getenv("OMPI_COMM_WORLD_RANK");
+    if (rank == nullptr) rank = std::getenv("PMI_RANK");
+    if (rank != nullptr && std::string_view(rank) != "0") return kUsageExit;
+    return fail(kUsageExit,
+                fmt::format("started {} times over by mpirun, but this program knows no ranks; "
+                            "expected radiosity-mpi (CMake option RADIOSITY_BUILD_MPI)",
+                            n));
+  }
   apps::Interruption interruption;
   CLI::App program("Radiosity: how light spreads between diffuse surfaces.", "radiosity");
   program.set_version_flag("--version", version_text());

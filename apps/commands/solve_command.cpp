@@ -9,6 +9,7 @@
 #include "apps/run/lightmap_output.h"
 #include "apps/run/picture_check.h"
 #include "apps/run/picture_output.h"
+#include "apps/run/rank_memory.h"
 #include "apps/run/shown_events.h"
 #include "apps/summary/json_summary.h"
 #include "apps/summary/summary.h"
@@ -18,6 +19,7 @@
 #include "io/result/result_file.h"
 #include "io/result/scenario_csv.h"
 #include "io/scene/scenario_file.h"
+#include "radiosity/base/error.h"
 #include "radiosity/base/parallel.h"
 #include "radiosity/picture/light_atlas.h"
 #include "study/scenarios.h"
@@ -38,8 +40,8 @@ std::vector<std::string> method_names() {
 
 }  // namespace
 
-SolveCommand::SolveCommand(CLI::App& program, Interruption& interruption)
-    : interruption_(interruption) {
+SolveCommand::SolveCommand(CLI::App& program, Interruption& interruption, radiosity::Ranks* ranks)
+    : interruption_(interruption), ranks_(ranks) {
   CLI::App* command =
       program.add_subcommand("solve", "Compute the radiosity of a scene and write it to files");
   add_common_options(*command, common_);
@@ -98,7 +100,7 @@ void SolveCommand::run() const {
       scenarios_ ? io::read_scenarios(*scenarios_) : std::vector<Scenario>();
   CommonOptions common = common_;
   common.outputs = all_outputs(scenarios);
-  check_outputs(common.outputs, common_.scene);
+  on_first_rank(ranks_, [&] { check_outputs(common.outputs, common_.scene); });
   if (scenarios_) check_against_inputs(common.outputs, {*scenarios_});
   check_false_color(picture_.false_color);
   check_lightmap(lightmap_, common_.outputs);
@@ -106,15 +108,23 @@ void SolveCommand::run() const {
   const radiosity::ThreadLimit threads(common_.n_threads);
   study::StudyEvents events = shown_events(terminal, interruption_);
   const std::vector<Quantity> quantities = chosen_quantities(quantities_);
+  const study::StudyOptions compute = shared_options();
   events.divided = [&](const radiosity::Scene& scene, const study::Patches& patches) {
     check_all(scene, patches, quantities, terminal);
+    if (ranks_ == nullptr || common_.quiet) return;
+    const radiosity::Index n = patches.mesh.size();
+    tell_memory(n,
+                chosen_kind(study::transport_choice(scene, compute), n,
+                            study::factor_tolerance(compute), compute.memory),
+                *ranks_);
   };
-  study::Study assembled = assemble_scene(common, compute_, operator_, events);
+  study::Study assembled = assemble_scene(common, compute, operator_, events);
   for (const std::string& output : common_.outputs) {
     if (is_factor_file(output)) write_operator(output, assembled, events.progress);
   }
   if (scenarios_) return solve_all(std::move(assembled), scenarios, events, terminal);
-  const study::Study solved = study::with_light(std::move(assembled), compute_, events);
+  const study::Study solved = study::with_light(std::move(assembled), compute, events);
+  if (!is_first(ranks_)) return;
   const io::ResultOptions options = {.bands = solved.scene.bands,
                                      .quantities = fields(solved, quantities),
                                      .camera = solved.scene.camera};
@@ -124,6 +134,19 @@ void SolveCommand::run() const {
   }
   summary.false_color = write_results(solved, common_.outputs, options, events.progress);
   print_summary(summary, common_, terminal);
+}
+
+study::StudyOptions SolveCommand::shared_options() const {
+  study::StudyOptions options = compute_;
+  if (ranks_ == nullptr) return options;
+  if (operator_ || std::any_of(common_.outputs.begin(), common_.outputs.end(), is_factor_file)) {
+    throw radiosity::SolveError(
+        "several ranks neither read nor write a file of form factors for 'solve': expected no "
+        "--operator and no .h5 output; 'form-factors' writes one");
+  }
+  options.ranks = ranks_;
+  options.memory = memory_of_rank(*ranks_, options.memory);
+  return options;
 }
 
 std::vector<std::string> SolveCommand::all_outputs(const std::vector<Scenario>& scenarios) const {
@@ -171,6 +194,7 @@ std::optional<ShownScale> SolveCommand::write_results(const study::Study& solved
                                                       const io::ResultOptions& options,
                                                       const radiosity::Progress& progress) const {
   std::optional<ShownScale> shown;
+  if (!is_first(ranks_)) return shown;
   if (lightmap_.wanted) {
     write_lightmap(solved, outputs, lightmap_, picture_, progress, interruption_);
   }
@@ -210,7 +234,8 @@ void SolveCommand::solve_all(study::Study assembled, const std::vector<Scenario>
                   events.progress);
   };
   const study::Study study =
-      study::solve_scenarios(std::move(assembled), scenarios, compute_, events, visit);
+      study::solve_scenarios(std::move(assembled), scenarios, shared_options(), events, visit);
+  if (!is_first(ranks_)) return;
   if (table_) {
     const auto lock = interruption_.hold();
     io::write_scenario_csv(*table_, rows);

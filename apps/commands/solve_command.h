@@ -9,6 +9,7 @@
 #include "apps/terminal/interruption.h"
 #include "apps/terminal/terminal_progress.h"
 #include "io/result/result_file.h"
+#include "radiosity/base/ranks.h"
 #include "radiosity/scene/scenario.h"
 #include "study/study.h"
 
@@ -21,14 +22,17 @@ namespace apps {
 /// `radiosity solve SCENE [-o FILE]... [--scenarios FILE]`: computes the radiosity, writes it, and
 /// prints a summary.
 /// Adds itself to the program and runs when that is parsed; must outlive the parsing.
+/// Where there are ranks, all run it, and the first one writes and prints.
 class SolveCommand {
  public:
-  SolveCommand(CLI::App& program, Interruption& interruption);
+  SolveCommand(CLI::App& program, Interruption& interruption, radiosity::Ranks* ranks = nullptr);
   SolveCommand(const SolveCommand&) = delete;
   SolveCommand& operator=(const SolveCommand&) = delete;
 
  private:
   void run() const;
+  /// What the ranks have of the options; throws SolveError for what they do not do.
+  [[nodiscard]] study::StudyOptions shared_options() const;
   /// With the light and materials of each scenario.
   void solve_all(study::Study assembled, const std::vector<radiosity::Scenario>& scenarios,
                  const study::StudyEvents& events, const TerminalProgress& terminal) const;
@@ -48,6 +52,7 @@ class SolveCommand {
                  std::vector<radiosity::Quantity> quantities, TerminalProgress& terminal) const;
 
   Interruption& interruption_;
+  radiosity::Ranks* ranks_;
   CommonOptions common_;
   study::StudyOptions compute_;
   std::optional<std::string> operator_;

@@ -25,19 +25,20 @@ Index largest_problem(std::size_t memory) {
   return fits / unit * unit;
 }
 
-void check_memory(Index n_patches, Index n_polygons, std::size_t memory) {
+void check_memory(Index n_patches, Index n_polygons, std::size_t memory, int n_ranks) {
   const std::size_t limit = memory_limit(memory);
-  const std::size_t needed = dense_transport_bytes(n_patches);
+  const std::size_t needed = dense_transport_bytes(n_patches) / n_ranks;
   if (needed <= limit) return;
-  const Index fits = largest_problem(limit);
+  const Index fits = largest_problem(limit * n_ranks);
   const std::string way_out =
       n_polygons < fits
           ? "use --patches " + std::to_string(fits) + " or, for more, --transport compressed"
           : "use a scene of fewer polygons (at most about " + std::to_string(fits) + "; it has " +
                 std::to_string(n_polygons) + ")";
   throw MemoryShortage("the form factors of " + std::to_string(n_patches) + " patches need " +
-                       gigabytes(needed) + " of memory, but " + gigabytes(limit) +
-                       " can be used: " + way_out);
+                       gigabytes(needed) + " of memory" +
+                       (n_ranks > 1 ? " on each of " + std::to_string(n_ranks) + " ranks" : "") +
+                       ", but " + gigabytes(limit) + " can be used: " + way_out);
 }
 
 }  // namespace radiosity

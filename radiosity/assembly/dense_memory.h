@@ -17,7 +17,7 @@ Index largest_problem(std::size_t memory = 0);
 /// Throws MemoryShortage, with the figures and the way out, if the dense operator of `n_patches`
 /// does not fit into `memory` bytes (0 = what the machine has; never throws if it does not tell).
 /// `n_polygons` is the number of polygons of the scene, below which no choice of patches can go; 0
-/// if it is not known.
-void check_memory(Index n_patches, Index n_polygons, std::size_t memory = 0);
+/// if it is not known. Of several ranks each keeps its share, and `memory` is that of one.
+void check_memory(Index n_patches, Index n_polygons, std::size_t memory = 0, int n_ranks = 1);
 
 }  // namespace radiosity

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "radiosity/assembly/exchange_assembly.h"
+#include "radiosity/assembly/row_exchange.h"
 #include "radiosity/visibility/cluster_tree.h"
 
 namespace radiosity {
@@ -41,6 +42,15 @@ Eigen::VectorXd DenseTransport::row_error(Index i) const {
 
 ExchangeArea DenseTransport::pair(Index i, Index j) const {
   return tiles_.entry(order_.row(i), order_.row(j));
+}
+
+void DenseTransport::visit_share(Index block, const Progress& progress,
+                                 const Visitor& visit) const {
+  visit_row_share(tiles_, order_, area_, block, progress, visit);
+}
+
+void DenseTransport::complete(Index block, Eigen::MatrixXd& values) const {
+  complete_rows(*tiles_.ranks(), block, values);
 }
 
 std::unique_ptr<DenseTransport> dense_transport_of(const PatchMesh& mesh, const FactorRows& rows,

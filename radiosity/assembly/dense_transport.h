@@ -10,13 +10,15 @@
 #include "radiosity/base/progress.h"
 #include "radiosity/operator/factor_rows.h"
 #include "radiosity/operator/patch_order.h"
+#include "radiosity/operator/shared_rows.h"
 #include "radiosity/operator/transport.h"
 #include "radiosity/scene/patch_mesh.h"
 
 namespace radiosity {
 
-/// The radiosity transport operator with all form factors in memory.
-class DenseTransport final : public Transport, public FactorRows {
+/// The radiosity transport operator with all form factors in memory: of this process, or of several
+/// ranks, which then call all methods together.
+class DenseTransport final : public Transport, public FactorRows, public SharedRows {
  public:
   /// All that it consists of.
   struct Parts {
@@ -35,10 +37,17 @@ class DenseTransport final : public Transport, public FactorRows {
   [[nodiscard]] std::size_t bytes() const override { return tiles_.bytes(); }
   [[nodiscard]] const AssemblyReport& report() const override { return report_; }
   [[nodiscard]] const FactorRows* rows() const override { return this; }
+  [[nodiscard]] bool has_quick_rows() const override { return tiles_.ranks() == nullptr; }
+  [[nodiscard]] const SharedRows* shared_rows() const override {
+    return tiles_.ranks() != nullptr ? this : nullptr;
+  }
 
   [[nodiscard]] Eigen::VectorXd row(Index i) const override;
   [[nodiscard]] Eigen::VectorXd row_error(Index i) const override;
   [[nodiscard]] ExchangeArea pair(Index i, Index j) const override;
+
+  void visit_share(Index block, const Progress& progress, const Visitor& visit) const override;
+  void complete(Index block, Eigen::MatrixXd& values) const override;
 
  private:
   PatchOrder order_;  // of the tiles' rows

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "radiosity/assembly/tile_product.h"
 #include "radiosity/assembly/tile_sum.h"
@@ -17,20 +18,40 @@ bool is_before(const UncertainEntry& a, const UncertainEntry& b) {
   return a.column < b.column || (a.column == b.column && a.row < b.row);
 }
 
+/// The tiles that are kept here: from the first to before the second.
+std::pair<Index, Index> tile_range(const Strips& strips, const Ranks* ranks) {
+  if (ranks == nullptr) return {0, strips.n_tiles()};
+  const SumParts parts(strips);
+  const auto [first, last] = parts.share(ranks->rank(), ranks->size());
+  return {parts.begin(first), parts.begin(last)};
+}
+
 double variance(const UncertainEntry& entry) {
   return static_cast<double>(entry.error) * entry.error;
 }
 
 }  // namespace
 
-ExchangeMatrix::ExchangeMatrix(const Strips& strips)
+ExchangeMatrix::ExchangeMatrix(const Strips& strips, Ranks* ranks)
     : strips_(strips),
-      tiles_(strips.n_tiles()),
+      ranks_(ranks),
+      first_tile_(tile_range(strips, ranks).first),
+      tiles_(tile_range(strips, ranks).second - first_tile_),
       diagonal_(Eigen::VectorXd::Zero(size())),
       is_double_(size() <= kDoubleRows) {}
 
+Index ExchangeMatrix::place_of(Index row_strip, Index column_strip) const {
+  const Index place = Strips::tile(row_strip, column_strip) - first_tile_;
+  return place < static_cast<Index>(tiles_.size()) ? std::max<Index>(place, -1) : -1;
+}
+
+void ExchangeMatrix::unite(Eigen::VectorXd& values) const {
+  if (ranks_ == nullptr) return;
+  sum_over_ranks(*ranks_, {values.data(), static_cast<std::size_t>(values.size())});
+}
+
 void ExchangeMatrix::set(ExchangeTile tile) {
-  Tile& place = tiles_[Strips::tile(tile.row_strip, tile.column_strip)];
+  Tile& place = *find(tile.row_strip, tile.column_strip);
   place.uncertain = std::move(tile.uncertain);
   place.uncertain.shrink_to_fit();
   std::sort(place.uncertain.begin(), place.uncertain.end(), is_before);
@@ -64,7 +85,9 @@ void ExchangeMatrix::set_row(Index i, const Eigen::VectorXd& values,
   const Index n_rows = strips_.rows(strip);
   const Index row = i - strips_.begin(strip);
   for (Index other = strip; other < strips_.size(); ++other) {
-    Tile& tile = tiles_[Strips::tile(strip, other)];
+    Tile* held = find(strip, other);
+    if (held == nullptr) continue;
+    Tile& tile = *held;
     for (Index column = 0; column < strips_.rows(other); ++column) {
       const Index j = strips_.begin(other) + column;
       if (values[j] != 0) {
@@ -85,10 +108,11 @@ template <typename Change>
 void ExchangeMatrix::change_uncertain(const Change& change) {
   parallel_for(strips_.size(), [&](Index column_strip) {
     for (Index row_strip = 0; row_strip <= column_strip; ++row_strip) {
-      Tile& tile = tiles_[Strips::tile(row_strip, column_strip)];
-      for (std::size_t k = 0; k < tile.uncertain.size(); ++k) {
-        const UncertainEntry& entry = tile.uncertain[k];
-        change(tile, k, strips_.begin(row_strip) + entry.row,
+      Tile* tile = find(row_strip, column_strip);
+      if (tile == nullptr) continue;
+      for (std::size_t k = 0; k < tile->uncertain.size(); ++k) {
+        const UncertainEntry& entry = tile->uncertain[k];
+        change(*tile, k, strips_.begin(row_strip) + entry.row,
                strips_.begin(column_strip) + entry.column,
                entry.row + static_cast<Index>(entry.column) * strips_.rows(row_strip));
       }
@@ -130,7 +154,7 @@ Eigen::MatrixXd ExchangeMatrix::product_by(const Eigen::MatrixXd& x) const {
   constexpr Index kColumns = Block::ColsAtCompileTime;
   const auto add_tile = [this](Index row_strip, Index column_strip, const Block& block,
                                Block& sum) {
-    const Tile& tile = tiles_[Strips::tile(row_strip, column_strip)];
+    const Tile& tile = *find(row_strip, column_strip);
     const Index row = strips_.begin(row_strip);
     const Index column = strips_.begin(column_strip);
     Block unused;
@@ -146,7 +170,7 @@ Eigen::MatrixXd ExchangeMatrix::product_by(const Eigen::MatrixXd& x) const {
     if (tile.single) multiply(tile.single.get());
     if (tile.twice) multiply(tile.twice.get());
   };
-  return sum_over_tiles<Block>(strips_, x, add_tile);
+  return sum_over_tiles<Block>(strips_, x, add_tile, ranks_);
 }
 
 Eigen::MatrixXd ExchangeMatrix::product(const Eigen::MatrixXd& x) const {
@@ -162,7 +186,7 @@ template <typename Term>
 Eigen::MatrixXd ExchangeMatrix::sum_entries(const Eigen::MatrixXd& x, const Term& term) const {
   const auto add_tile = [&](Index row_strip, Index column_strip, const RowBlock& block,
                             RowBlock& sum) {
-    const Tile& tile = tiles_[Strips::tile(row_strip, column_strip)];
+    const Tile& tile = *find(row_strip, column_strip);
     for (std::size_t k = 0; k < tile.uncertain.size(); ++k) {
       const UncertainEntry& entry = tile.uncertain[k];
       const double factor = term(tile, k);
@@ -172,7 +196,7 @@ Eigen::MatrixXd ExchangeMatrix::sum_entries(const Eigen::MatrixXd& x, const Term
       if (row_strip != column_strip) sum.row(j) += factor * block.row(i);
     }
   };
-  return sum_over_tiles<RowBlock>(strips_, x, add_tile);
+  return sum_over_tiles<RowBlock>(strips_, x, add_tile, ranks_);
 }
 
 Eigen::MatrixXd ExchangeMatrix::error_product(const Eigen::MatrixXd& x) const {
@@ -204,20 +228,27 @@ Eigen::VectorXd ExchangeMatrix::row_sums() const {
   return product(Eigen::VectorXd::Ones(size())).col(0);
 }
 
-Eigen::VectorXd ExchangeMatrix::row(Index i) const {
-  Eigen::VectorXd result(size());
+Eigen::VectorXd ExchangeMatrix::own_row(Index i) const {
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(size());
   const Index strip = strips_.of_row(i);
   const Index local = i - strips_.begin(strip);
   for (Index other = 0; other < strips_.size(); ++other) {
-    const Tile& tile = tiles_[Strips::tile(std::min(strip, other), std::max(strip, other))];
+    const Tile* tile = find(std::min(strip, other), std::max(strip, other));
+    if (tile == nullptr) continue;
     const Index rows = strips_.rows(std::min(strip, other));
     for (Index k = 0; k < strips_.rows(other); ++k) {
       const Index place = other < strip ? k + local * rows : local + k * rows;
-      result[strips_.begin(other) + k] = tile.single  ? static_cast<double>(tile.single[place])
-                                         : tile.twice ? tile.twice[place]
-                                                      : 0.0;
+      result[strips_.begin(other) + k] = tile->single  ? static_cast<double>(tile->single[place])
+                                         : tile->twice ? tile->twice[place]
+                                                       : 0.0;
     }
   }
+  return result;
+}
+
+Eigen::VectorXd ExchangeMatrix::row(Index i) const {
+  Eigen::VectorXd result = own_row(i);
+  unite(result);
   return result;
 }
 
@@ -228,22 +259,24 @@ ExchangeArea ExchangeMatrix::entry(Index i, Index j) const {
     std::swap(row_strip, column_strip);
     std::swap(i, j);
   }
-  const Tile& tile = tiles_[Strips::tile(row_strip, column_strip)];
   const Index row = i - strips_.begin(row_strip);
   const Index column = j - strips_.begin(column_strip);
   const Index place = row + column * strips_.rows(row_strip);
-  ExchangeArea result;
-  if (tile.single) result.value = tile.single[place];
-  if (tile.twice) result.value = tile.twice[place];
-  const UncertainEntry wanted{static_cast<std::uint16_t>(row), static_cast<std::uint16_t>(column),
-                              0};
-  const auto found =
-      std::lower_bound(tile.uncertain.begin(), tile.uncertain.end(), wanted, is_before);
-  if (found != tile.uncertain.end() && !is_before(wanted, *found)) {
-    result.error = found->error;
-    result.is_certain = false;
+  Eigen::VectorXd found = Eigen::VectorXd::Zero(3);  // value, error, whether it is uncertain
+  if (const Tile* tile = find(row_strip, column_strip)) {
+    if (tile->single) found[0] = tile->single[place];
+    if (tile->twice) found[0] = tile->twice[place];
+    const UncertainEntry wanted{static_cast<std::uint16_t>(row), static_cast<std::uint16_t>(column),
+                                0};
+    const auto same =
+        std::lower_bound(tile->uncertain.begin(), tile->uncertain.end(), wanted, is_before);
+    if (same != tile->uncertain.end() && !is_before(wanted, *same)) {
+      found[1] = same->error;
+      found[2] = 1;
+    }
   }
-  return result;
+  unite(found);
+  return {.value = found[0], .error = found[1], .is_certain = found[2] == 0};
 }
 
 Eigen::VectorXd ExchangeMatrix::row_error(Index i) const {
@@ -251,13 +284,15 @@ Eigen::VectorXd ExchangeMatrix::row_error(Index i) const {
   const Index strip = strips_.of_row(i);
   const Index local = i - strips_.begin(strip);
   for (Index other = 0; other < strips_.size(); ++other) {
-    const Tile& tile = tiles_[Strips::tile(std::min(strip, other), std::max(strip, other))];
-    for (const UncertainEntry& entry : tile.uncertain) {
+    const Tile* tile = find(std::min(strip, other), std::max(strip, other));
+    if (tile == nullptr) continue;
+    for (const UncertainEntry& entry : tile->uncertain) {
       const Index own = other < strip ? entry.column : entry.row;
       const Index partner = other < strip ? entry.row : entry.column;
       if (own == local) result[strips_.begin(other) + partner] = entry.error;
     }
   }
+  unite(result);
   return result;
 }
 
@@ -265,12 +300,13 @@ std::size_t ExchangeMatrix::bytes() const {
   std::size_t sum = tiles_.size() * sizeof(Tile) + diagonal_.size() * sizeof(double);
   for (Index column_strip = 0; column_strip < strips_.size(); ++column_strip) {
     for (Index row_strip = 0; row_strip <= column_strip; ++row_strip) {
-      const Tile& tile = tiles_[Strips::tile(row_strip, column_strip)];
+      const Tile* tile = find(row_strip, column_strip);
+      if (tile == nullptr) continue;
       const auto entries =
           static_cast<std::size_t>(strips_.rows(row_strip) * strips_.rows(column_strip));
-      if (tile.single) sum += entries * sizeof(float);
-      if (tile.twice) sum += entries * sizeof(double);
-      sum += tile.uncertain.capacity() * sizeof(UncertainEntry);
+      if (tile->single) sum += entries * sizeof(float);
+      if (tile->twice) sum += entries * sizeof(double);
+      sum += tile->uncertain.capacity() * sizeof(UncertainEntry);
     }
   }
   return sum;

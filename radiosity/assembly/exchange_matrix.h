@@ -8,6 +8,7 @@
 #include "radiosity/assembly/closure.h"
 #include "radiosity/assembly/exchange_tile.h"
 #include "radiosity/base/geometry.h"
+#include "radiosity/base/ranks.h"
 #include "radiosity/operator/transport.h"
 
 namespace radiosity {
@@ -15,10 +16,12 @@ namespace radiosity {
 /// Symmetric matrix of exchange areas in dense tiles, of which only the upper triangle exists. Rows
 /// are in an order that makes tiles of neighbouring patches; blocks that are wholly 0 are not kept.
 /// Entries are float64 up to a few hundred patches, else float32 (relative rounding 6e-8); a
-/// float64 diagonal then keeps the row sums exact.
+/// float64 diagonal then keeps the row sums exact. Where there are several ranks, each keeps the
+/// tiles of its share of sums (SumParts); then all methods but `set` are called by all together,
+/// and give all the same bits as one alone would have.
 class ExchangeMatrix final : public UncertainExchange {
  public:
-  explicit ExchangeMatrix(const Strips& strips);
+  explicit ExchangeMatrix(const Strips& strips, Ranks* ranks = nullptr);
 
   [[nodiscard]] Index size() const override { return strips_.n_rows(); }
 
@@ -50,7 +53,13 @@ class ExchangeMatrix final : public UncertainExchange {
   [[nodiscard]] ExchangeArea entry(Index i, Index j) const;
   /// Row i of the standard errors, n.
   [[nodiscard]] Eigen::VectorXd row_error(Index i) const;
+  /// Of this rank.
   [[nodiscard]] std::size_t bytes() const;
+
+  /// What of row(i) is kept here, 0 elsewhere, n. By each rank for itself.
+  [[nodiscard]] Eigen::VectorXd own_row(Index i) const;
+  [[nodiscard]] const Strips& strips() const { return strips_; }
+  [[nodiscard]] Ranks* ranks() const { return ranks_; }
 
  private:
   struct Tile {
@@ -71,8 +80,23 @@ class ExchangeMatrix final : public UncertainExchange {
   void store(Tile& tile, const Eigen::MatrixXd& values) const;
   void store_entry(Tile& tile, Index n_entries, Index place, double value) const;
 
+  /// Where in `tiles_` a tile is, or -1 where another rank keeps it.
+  [[nodiscard]] Index place_of(Index row_strip, Index column_strip) const;
+  [[nodiscard]] const Tile* find(Index row_strip, Index column_strip) const {
+    const Index place = place_of(row_strip, column_strip);
+    return place < 0 ? nullptr : &tiles_[place];
+  }
+  [[nodiscard]] Tile* find(Index row_strip, Index column_strip) {
+    const Index place = place_of(row_strip, column_strip);
+    return place < 0 ? nullptr : &tiles_[place];
+  }
+  /// Adds up what all ranks have, of which one has each value.
+  void unite(Eigen::VectorXd& values) const;
+
   Strips strips_;
-  std::vector<Tile> tiles_;
+  Ranks* ranks_;
+  Index first_tile_;
+  std::vector<Tile> tiles_;  // from the first one kept here on
   Eigen::VectorXd diagonal_;
   bool is_double_;
 };

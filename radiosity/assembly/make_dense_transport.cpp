@@ -14,7 +14,8 @@ namespace radiosity {
 
 std::unique_ptr<Transport> make_dense_transport(const PatchMesh& mesh, const Visibility& visibility,
                                                 const TransportOptions& options) {
-  check_memory(mesh.size(), mesh.n_polygons(), options.memory);
+  check_memory(mesh.size(), mesh.n_polygons(), options.memory,
+               options.ranks != nullptr ? options.ranks->size() : 1);
   const auto start = std::chrono::steady_clock::now();
   const Eigen::VectorXd area = Eigen::Map<const Eigen::VectorXd>(mesh.area.data(), mesh.size());
   const WholeMesh whole(mesh);

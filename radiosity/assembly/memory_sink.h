@@ -26,12 +26,14 @@ struct Assembly {
 /// Keeps the tiles in memory.
 class MemorySink final : public TileSink {
  public:
-  MemorySink(const std::vector<double>& areas, const Eigen::VectorXd& covered)
-      : areas_(areas), covered_(covered) {}
+  /// Where there are `ranks`, of their shares only (TileShares::keeper).
+  MemorySink(const std::vector<double>& areas, const Eigen::VectorXd& covered,
+             Ranks* ranks = nullptr)
+      : areas_(areas), covered_(covered), ranks_(ranks) {}
 
   void start(const TileLayout& layout) override {
     order_ = layout.order;
-    tiles_.emplace(layout.strips);
+    tiles_.emplace(layout.strips, ranks_);
     totals_.emplace(layout, areas_);
   }
   [[nodiscard]] bool has(Index, Index) const override { return false; }
@@ -41,6 +43,7 @@ class MemorySink final : public TileSink {
   }
 
   Assembly finish() {
+    if (ranks_ != nullptr) totals_->add_over(*ranks_);
     const Eigen::VectorXd row_sums = totals_->row_sums();
     AssemblyReport report = make_report(totals_->census(), row_sums, order_, areas_, covered_);
     return {std::move(order_), std::move(*tiles_), row_sums, std::move(report)};
@@ -49,13 +52,14 @@ class MemorySink final : public TileSink {
  private:
   const std::vector<double>& areas_;
   const Eigen::VectorXd& covered_;
+  Ranks* ranks_;
   std::vector<std::int32_t> order_;
   std::optional<ExchangeMatrix> tiles_;
   std::optional<TileTotals> totals_;
 };
 
-/// assemble_tiles() into memory, of the patches of `mesh` in their whole; `coverage` is the
-/// whole's.
+/// assemble_tiles() into memory, or that of all ranks, of the patches of `mesh` in their whole;
+/// `coverage` is the whole's.
 Assembly assemble_exchange_areas(const PatchMesh& mesh, const WholeMesh& whole,
                                  const Visibility& visibility, const TransportOptions& options,
                                  const Coverage& coverage);

@@ -20,6 +20,14 @@ Index first_strip(const Strips& strips, std::size_t part, std::size_t n_parts) {
 
 }  // namespace
 
+Index owning_strip(Index row_strip, Index column_strip, Index n_strips) {
+  const Index steps = column_strip - row_strip;  // from the one on to the other
+  const Index back = n_strips - steps;
+  // Where both are as far, the strips take turns.
+  const bool is_of_row = steps == back ? row_strip % 2 == 0 : steps < back;
+  return is_of_row ? row_strip : column_strip;
+}
+
 TilePart::TilePart(const Strips& strips, WorkPart part)
     : n_strips_(strips.size()),
       first_(first_strip(strips, part.number, part.n_parts)),
@@ -27,11 +35,7 @@ TilePart::TilePart(const Strips& strips, WorkPart part)
                                             : first_strip(strips, part.number + 1, part.n_parts)) {}
 
 bool TilePart::owns(Index row_strip, Index column_strip) const {
-  const Index steps = column_strip - row_strip;  // from the one on to the other
-  const Index back = n_strips_ - steps;
-  // Where both are as far, the strips take turns.
-  const bool is_of_row = steps == back ? row_strip % 2 == 0 : steps < back;
-  const Index owner = is_of_row ? row_strip : column_strip;
+  const Index owner = owning_strip(row_strip, column_strip, n_strips_);
   return first_ <= owner && owner < last_;
 }
 

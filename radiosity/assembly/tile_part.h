@@ -8,6 +8,11 @@
 
 namespace radiosity {
 
+/// Of the two strips of a tile, row strip <= column strip, the one that has it: each strip has its
+/// tile with itself and those with the half of the others that follow it, going on with the first
+/// after the last.
+Index owning_strip(Index row_strip, Index column_strip, Index n_strips);
+
 /// Which tiles a part of the work makes. The strips are divided among the parts in their order, by
 /// about equal numbers of rows; a strip has its tile with itself and those with the half of the
 /// others that follow it, going on with the first after the last. So each tile is of one part, and

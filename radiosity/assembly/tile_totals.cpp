@@ -1,5 +1,6 @@
 #include "radiosity/assembly/tile_totals.h"
 
+#include <array>
 #include <cmath>
 
 namespace radiosity {
@@ -32,6 +33,23 @@ void TileTotals::add(const ExchangeTile& tile) {
 
 void TileTotals::add_to_row(Index row, double exchange) {
   sums_[row].fetch_add(std::llround(exchange / areas_[row] / kUnit), std::memory_order_relaxed);
+}
+
+void TileTotals::add_over(Ranks& ranks) {
+  std::vector<std::int64_t> sums(sums_.size());
+  for (std::size_t row = 0; row < sums.size(); ++row) sums[row] = sums_[row].load();
+  sum_over_ranks(ranks, sums);
+  for (std::size_t row = 0; row < sums.size(); ++row) sums_[row] = sums[row];
+  std::array counts = {census_.facing,  census_.visible, census_.hidden, census_.undecided,
+                       census_.partial, census_.known,   census_.rays};
+  sum_over_ranks(ranks, std::span<std::int64_t>(counts));
+  census_ = {.facing = counts[0],
+             .visible = counts[1],
+             .hidden = counts[2],
+             .undecided = counts[3],
+             .partial = counts[4],
+             .known = counts[5],
+             .rays = counts[6]};
 }
 
 Eigen::VectorXd TileTotals::row_sums() const {

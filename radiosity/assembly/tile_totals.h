@@ -7,6 +7,7 @@
 
 #include "radiosity/assembly/exchange_tile.h"
 #include "radiosity/base/geometry.h"
+#include "radiosity/base/ranks.h"
 
 namespace radiosity {
 
@@ -18,6 +19,9 @@ class TileTotals {
 
   /// Adds a tile. Callable from any thread.
   void add(const ExchangeTile& tile);
+
+  /// Adds what the other ranks have. Called by all of them together.
+  void add_over(Ranks& ranks);
 
   /// Σ_j G_ij over the tiles so far, m², in the order of the rows.
   [[nodiscard]] Eigen::VectorXd row_sums() const;

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "radiosity/base/progress.h"
+#include "radiosity/base/ranks.h"
 #include "radiosity/base/work_stamp.h"
 #include "radiosity/operator/known_pairs.h"
 #include "radiosity/operator/transport.h"
@@ -26,6 +27,9 @@ struct TransportOptions {
   std::uint64_t seed = 0;             ///< of the visibility samples
   std::size_t memory = 0;  ///< bytes the operator may take; 0 = what the machine has available
   KnownPairs known = {};   ///< from an operator that was not corrected to be closed
+  /// The processes that make it together, each with the same patches and options: of a dense one
+  /// each keeps its share. Null: this one alone. The result has the same bits.
+  Ranks* ranks = nullptr;
   Progress progress{};
   /// Where a compressed operator keeps its parts as they are made, so that a run that is stopped
   /// can go on: the result has the same bits. Stays when all is done. Empty: nowhere.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "radiosity/base/parallel.h"
+#include "radiosity/compressed/shared_parts.h"
 #include "radiosity/visibility/cluster_visibility.h"
 
 namespace radiosity {
@@ -43,11 +44,12 @@ std::size_t sampled_samples(int n_coefficients) {
 }  // namespace
 
 BlockMaker::BlockMaker(const ExchangeEvaluator& evaluator, const ClusterPolynomials& polynomials,
-                       const std::vector<double>& areas, const Progress& progress)
+                       const std::vector<double>& areas, const Progress& progress, Ranks* ranks)
     : evaluator_(evaluator),
       polynomials_(polynomials),
       areas_(areas),
       progress_(progress),
+      ranks_(ranks),
       shapes_(evaluator, areas),
       sampler_(evaluator.tree(), shapes_, areas) {}
 
@@ -291,6 +293,14 @@ MadeBlocks BlockMaker::make(Items items, double limit, BlockStore* store) const 
   MadeBlocks result;
   spread(items, limit, result);
   if (store != nullptr) store->start_round(items.size(), limit);
+  if (ranks_ != nullptr) {
+    const auto make_part = [&](std::size_t k) { return make_item(std::move(items[k]), limit); };
+    for (MadeBlocks& blocks :
+         make_shared_parts(*ranks_, items.size(), store, make_part, progress_)) {
+      result.append(std::move(blocks));
+    }
+    return result;
+  }
   std::vector<MadeBlocks> made(items.size());
   std::mutex mutex;
   double n_done = 0;

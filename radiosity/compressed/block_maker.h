@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "radiosity/base/progress.h"
+#include "radiosity/base/ranks.h"
 #include "radiosity/base/work_part.h"
 #include "radiosity/compressed/block_fit.h"
 #include "radiosity/compressed/block_store.h"
@@ -20,9 +21,9 @@ namespace radiosity {
 /// error that is small enough.
 class BlockMaker {
  public:
-  /// All must outlive this.
+  /// All must outlive this. Where there are ranks, all make and refine together.
   BlockMaker(const ExchangeEvaluator& evaluator, const ClusterPolynomials& polynomials,
-             const std::vector<double>& areas, const Progress& progress);
+             const std::vector<double>& areas, const Progress& progress, Ranks* ranks = nullptr);
   BlockMaker(const BlockMaker&) = delete;
   BlockMaker& operator=(const BlockMaker&) = delete;
 
@@ -72,6 +73,7 @@ class BlockMaker {
   const ClusterPolynomials& polynomials_;
   const std::vector<double>& areas_;
   const Progress& progress_;
+  Ranks* ranks_;
   ClusterShapes shapes_;
   PairSampler sampler_;
 };

@@ -97,17 +97,7 @@ void BlockStore::start_round(std::size_t n_parts, double limit) {
 
 std::optional<MadeBlocks> BlockStore::part(std::size_t number) const {
   if (offsets_[number] == 0) return std::nullopt;
-  const std::vector<std::byte> record = this->record(number);
-  const PartHeader header = header_of(record);
-  MadeBlocks blocks;
-  const std::byte* place = record.data() + sizeof(header);
-  take(place, header.n_far, blocks.far);
-  take(place, header.n_coefficients, blocks.coefficients);
-  take(place, header.n_near, blocks.near);
-  take(place, header.n_densities, blocks.densities);
-  blocks.census = header.census;
-  blocks.pairs = header.pairs;
-  return blocks;
+  return decode_part(record(number)).blocks;
 }
 
 std::vector<std::byte> BlockStore::record(std::size_t number) const {
@@ -117,7 +107,12 @@ std::vector<std::byte> BlockStore::record(std::size_t number) const {
 }
 
 void BlockStore::put(std::size_t number, const MadeBlocks& blocks) {
-  PartHeader header{.round = round_,
+  offsets_[number] = file_.append(encode_part(round_, number, blocks));
+}
+
+std::vector<std::byte> encode_part(std::uint64_t round, std::uint64_t number,
+                                   const MadeBlocks& blocks) {
+  PartHeader header{.round = round,
                     .part = number,
                     .n_far = blocks.far.size(),
                     .n_coefficients = blocks.coefficients.size(),
@@ -135,7 +130,21 @@ void BlockStore::put(std::size_t number, const MadeBlocks& blocks) {
   append(record, blocks.densities);
   header.checksum = checksum(record);
   std::memcpy(record.data(), &header.checksum, sizeof(header.checksum));
-  offsets_[number] = file_.append(record);
+  return record;
+}
+
+DecodedPart decode_part(std::span<const std::byte> record) {
+  const PartHeader header = header_of(record);
+  DecodedPart part{.number = header.part, .size = header.size, .blocks = {}};
+  MadeBlocks& blocks = part.blocks;
+  const std::byte* place = record.data() + sizeof(header);
+  take(place, header.n_far, blocks.far);
+  take(place, header.n_coefficients, blocks.coefficients);
+  take(place, header.n_near, blocks.near);
+  take(place, header.n_densities, blocks.densities);
+  blocks.census = header.census;
+  blocks.pairs = header.pairs;
+  return part;
 }
 
 /// The record at an offset; empty if the file ends before it does, or it is none.

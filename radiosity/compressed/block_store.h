@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "radiosity/base/progress.h"
@@ -15,6 +16,17 @@ namespace radiosity {
 
 /// Throws OutputError if there is a file that is no work file.
 WorkFileState block_file_state(const std::filesystem::path& path, std::uint64_t fingerprint);
+
+/// The record of a part of a round. It has all that the part is.
+std::vector<std::byte> encode_part(std::uint64_t round, std::uint64_t number,
+                                   const MadeBlocks& blocks);
+struct DecodedPart {
+  std::uint64_t number = 0;
+  std::size_t size = 0;  ///< of its record, bytes
+  MadeBlocks blocks;
+};
+/// The part of a sound record, with which the bytes begin.
+DecodedPart decode_part(std::span<const std::byte> record);
 
 /// Parts of a compressed operator in a work file: a stamp with the fingerprint of the computation,
 /// then a record for each part, in the order in which they were finished. Each has a checksum:
@@ -28,6 +40,8 @@ class BlockStore {
 
   /// The parts that follow are `n_parts` of the next round, of blocks of at most `limit`.
   void start_round(std::size_t n_parts, double limit);
+  /// Whether the file has a part of this round.
+  [[nodiscard]] bool has(std::size_t number) const { return offsets_[number] != 0; }
   /// A part of this round, if the file has it. Callable from many threads.
   [[nodiscard]] std::optional<MadeBlocks> part(std::size_t number) const;
   /// Likewise.

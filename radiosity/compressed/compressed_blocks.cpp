@@ -18,7 +18,8 @@ constexpr Index kRowGrain = 4096;
 
 }  // namespace
 
-CompressedMatrix::CompressedMatrix(CompressedBlocks blocks) : blocks_(std::move(blocks)) {
+CompressedMatrix::CompressedMatrix(CompressedBlocks blocks, Ranks* ranks)
+    : blocks_(std::move(blocks)), ranks_(ranks) {
   for (const NestedBasis::Node& node : blocks_.basis.nodes) {
     functions_.push_back({node.first, node.counts});
   }
@@ -26,6 +27,7 @@ CompressedMatrix::CompressedMatrix(CompressedBlocks blocks) : blocks_(std::move(
   far_ = find_uses(blocks_.far);
   near_ = find_uses(blocks_.near);
   find_subtrees();
+  find_shares();
 }
 
 Index CompressedMatrix::size() const {
@@ -108,12 +110,27 @@ void CompressedMatrix::find_subtrees() {
   }
 }
 
-/// visit(node) for all nodes, each before those below it.
+/// visit(node), in parallel, for all nodes of the own subtrees and above all subtrees.
+template <typename Visit>
+void CompressedMatrix::visit_own(const Visit& visit) const {
+  const auto [first, last] = own_subtrees();
+  const std::int32_t begin = first < last ? subtrees_[first] : 0;
+  const std::int32_t end = first < last ? end_[subtrees_[last - 1]] : 0;
+  parallel_for(
+      end - begin, [&](std::ptrdiff_t k) { visit(begin + k); }, kNodeGrain);
+  for (const std::int32_t k : top_) {
+    if (k < begin || k >= end) visit(k);
+  }
+}
+
+/// visit(node) for the nodes above all subtrees and in the own ones, each before those below it.
 template <typename Visit>
 void CompressedMatrix::visit_downward(const Visit& visit) const {
   for (const std::int32_t k : top_) visit(k);
-  parallel_for(static_cast<std::ptrdiff_t>(subtrees_.size()), [&](std::ptrdiff_t s) {
-    for (std::int32_t k = subtrees_[s]; k < end_[subtrees_[s]]; ++k) visit(k);
+  const auto [first, last] = own_subtrees();
+  parallel_for(last - first, [&, begin = first](std::ptrdiff_t s) {
+    const std::int32_t root = subtrees_[begin + s];
+    for (std::int32_t k = root; k < end_[root]; ++k) visit(k);
   });
 }
 
@@ -204,7 +221,7 @@ void CompressedMatrix::multiply(const double* x, double* result) const {
     return field.get() + first * kColumns;
   };
 
-  visit_upward([&](std::int32_t k) {
+  const auto add_moments = [&](std::int32_t k) {
     const NestedBasis::Node& node = nodes[k];
     double* own = at(moments, node.first);
     std::fill_n(own, node.used * kColumns, 0.0);
@@ -216,7 +233,14 @@ void CompressedMatrix::multiply(const double* x, double* result) const {
     for (const std::int32_t child : {node.left, node.right}) {
       add_product<kColumns>(transfer(node, child), at(moments, nodes[child].first), own);
     }
+  };
+  const auto [first_subtree, last_subtree] = own_subtrees();
+  parallel_for(last_subtree - first_subtree, [&, begin = first_subtree](std::ptrdiff_t s) {
+    const std::int32_t root = subtrees_[begin + s];
+    for (std::int32_t k = end_[root] - 1; k >= root; --k) add_moments(k);
   });
+  share(moments.get(), function_shares_, kColumns);
+  for (auto k = top_.rbegin(); k != top_.rend(); ++k) add_moments(*k);
 
   const auto exchange = [&](std::ptrdiff_t k) {
     const NestedBasis::Node& node = nodes[k];
@@ -228,7 +252,7 @@ void CompressedMatrix::multiply(const double* x, double* result) const {
     std::fill_n(rows, (node.end - node.begin) * std::ptrdiff_t{kColumns}, 0.0);
     add_near<kColumns>(k, x, rows);
   };
-  parallel_for(static_cast<std::ptrdiff_t>(nodes.size()), exchange, kNodeGrain);
+  visit_own(exchange);
 
   visit_downward([&](std::int32_t k) {
     const NestedBasis::Node& node = nodes[k];
@@ -242,6 +266,7 @@ void CompressedMatrix::multiply(const double* x, double* result) const {
                                        at(gathered, nodes[child].first));
     }
   });
+  share(result, row_shares_, kColumns);
 }
 
 Eigen::MatrixXd CompressedMatrix::product(const Eigen::MatrixXd& x) const {
@@ -289,14 +314,11 @@ Eigen::MatrixXd CompressedMatrix::sum_over_blocks(const Eigen::MatrixXd& x, cons
       sums[k] = node.is_leaf() ? x.col(column).segment(node.begin, node.end - node.begin).sum()
                                : sums[node.left] + sums[node.right];
     });
-    parallel_for(
-        static_cast<std::ptrdiff_t>(nodes.size()),
-        [&](std::ptrdiff_t k) {
-          gathered[k] = 0;
-          for (const Use& use : far_.of(k)) gathered[k] += add(use, sums[use.other]);
-          for (const Use& use : near_.of(k)) gathered[k] += add(use, sums[use.other]);
-        },
-        kNodeGrain);
+    visit_own([&](std::ptrdiff_t k) {
+      gathered[k] = 0;
+      for (const Use& use : far_.of(k)) gathered[k] += add(use, sums[use.other]);
+      for (const Use& use : near_.of(k)) gathered[k] += add(use, sums[use.other]);
+    });
     visit_downward([&](std::int32_t k) {
       const NestedBasis::Node& node = nodes[k];
       if (node.is_leaf()) {
@@ -306,6 +328,7 @@ Eigen::MatrixXd CompressedMatrix::sum_over_blocks(const Eigen::MatrixXd& x, cons
       gathered[node.left] += gathered[k];
       gathered[node.right] += gathered[k];
     });
+    share(result.col(column).data(), row_shares_, 1);
   }
   return result;
 }
@@ -358,22 +381,19 @@ Eigen::MatrixXd CompressedMatrix::weighted_sums(const std::vector<Place>& places
   const auto weigh = [&](double density, const Place& one, const Place& other) {
     return weight({density, (one.center - other.center).norm(), one.size, other.size});
   };
-  parallel_for(
-      n_nodes,
-      [&](std::ptrdiff_t k) {
-        gathered.row(k).setZero();
-        for (const Use& use : far_.of(k)) {
-          // The first functions are 1, and the others' means 0.
-          const double density = blocks_.coefficients[use.first];
-          gathered.row(k) += weigh(density, means[k], means[use.other]) * sums.row(use.other);
-        }
-        visit_near(static_cast<std::int32_t>(k), [&](std::int32_t row, std::int32_t column,
-                                                     float density) {
-          if (density == 0) return;
-          result.row(row) += weigh(density, places[row], places[column]) * in.row(column);
-        });
-      },
-      kNodeGrain);
+  visit_own([&](std::ptrdiff_t k) {
+    gathered.row(k).setZero();
+    for (const Use& use : far_.of(k)) {
+      // The first functions are 1, and the others' means 0.
+      const double density = blocks_.coefficients[use.first];
+      gathered.row(k) += weigh(density, means[k], means[use.other]) * sums.row(use.other);
+    }
+    visit_near(static_cast<std::int32_t>(k),
+               [&](std::int32_t row, std::int32_t column, float density) {
+                 if (density == 0) return;
+                 result.row(row) += weigh(density, places[row], places[column]) * in.row(column);
+               });
+  });
   visit_downward([&](std::int32_t k) {
     const NestedBasis::Node& node = nodes[k];
     if (node.is_leaf()) {
@@ -383,6 +403,7 @@ Eigen::MatrixXd CompressedMatrix::weighted_sums(const std::vector<Place>& places
     gathered.row(node.left) += gathered.row(k);
     gathered.row(node.right) += gathered.row(k);
   });
+  share(result.data(), row_shares_, x.cols());
   return result;
 }
 

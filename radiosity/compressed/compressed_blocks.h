@@ -11,6 +11,7 @@
 
 #include "radiosity/base/geometry.h"
 #include "radiosity/base/parallel.h"
+#include "radiosity/base/ranks.h"
 #include "radiosity/compressed/nested_basis.h"
 #include "radiosity/operator/pair_sums.h"
 
@@ -73,10 +74,11 @@ struct CompressedBlocks {
   std::vector<float> densities;  ///< 1/m²
 };
 
-/// Products with such a matrix.
+/// Products with such a matrix. Where there are ranks, all of which have it, products and errors
+/// are asked for by all together: each works on the rows of some subtrees, and all get all.
 class CompressedMatrix {
  public:
-  explicit CompressedMatrix(CompressedBlocks blocks);
+  explicit CompressedMatrix(CompressedBlocks blocks, Ranks* ranks = nullptr);
 
   [[nodiscard]] Index size() const;
   [[nodiscard]] const CompressedBlocks& blocks() const { return blocks_; }
@@ -141,6 +143,14 @@ class CompressedMatrix {
   template <int kColumns>
   void add_near(std::ptrdiff_t node, const double* x, double* sum) const;
   void find_subtrees();
+  void find_shares();
+  /// How many numbers a product goes through for a node.
+  [[nodiscard]] double cost(std::int32_t node) const;
+  /// This rank's subtrees, from the first to before the second; all, if it is alone.
+  [[nodiscard]] std::pair<Index, Index> own_subtrees() const;
+  template <typename Visit>
+  void visit_own(const Visit& visit) const;
+  void share(double* values, const std::vector<std::size_t>& shares, std::size_t width) const;
   template <typename Visit>
   void visit_upward(const Visit& visit) const;
   template <typename Visit>
@@ -159,6 +169,10 @@ class CompressedMatrix {
   std::vector<std::int32_t> end_;       // per node: after the last one below
   std::vector<std::int32_t> subtrees_;  // nodes that are worked on in parallel with all below them
   std::vector<std::int32_t> top_;       // nodes above them
+  Ranks* ranks_;
+  std::vector<Index> shares_;                 // per rank: its first subtree
+  std::vector<std::size_t> function_shares_;  // the first of its functions
+  std::vector<std::size_t> row_shares_;       // the first of its rows
 };
 
 /// visit(node) for all nodes, each after those below it.

@@ -11,7 +11,9 @@
 namespace radiosity {
 
 CompressedTransport::CompressedTransport(Parts parts)
-    : parts_(std::move(parts)), order_(parts_.order), matrix_(std::move(parts_.blocks)) {}
+    : parts_(std::move(parts)),
+      order_(parts_.order),
+      matrix_(std::move(parts_.blocks), parts_.ranks) {}
 
 void CompressedTransport::add_source(Parts::Source source) {
   const auto own =

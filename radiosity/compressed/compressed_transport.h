@@ -8,6 +8,7 @@
 
 #include "radiosity/assembly/transport_options.h"
 #include "radiosity/base/geometry.h"
+#include "radiosity/base/ranks.h"
 #include "radiosity/compressed/compressed_blocks.h"
 #include "radiosity/operator/factor_rows.h"
 #include "radiosity/operator/patch_order.h"
@@ -39,6 +40,7 @@ class CompressedTransport final : public Transport, public FactorRows, public Pa
     std::vector<Source> sources = {};
     double error_scale = 1;      ///< of the blocks' errors
     AssemblyReport report = {};  ///< with its `compression`
+    Ranks* ranks = nullptr;      ///< that have the same parts, and share the products
   };
   explicit CompressedTransport(Parts parts);
 

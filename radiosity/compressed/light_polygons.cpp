@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "radiosity/compressed/closed_blocks.h"
@@ -104,9 +105,21 @@ std::vector<LightPolygon> make_light_polygons(
     const auto polygon = undivided(evaluator, mesh, patches);
     if (!polygon) continue;
     options.progress.check();
-    lights.push_back(
-        {patches, polygon_exchange(evaluator, *polygon, patches[0], kLightShare * options.tolerance,
-                                   options.seed, options.progress)});
+    Eigen::VectorXd exchange(mesh.size());
+    const int maker =
+        options.ranks != nullptr ? static_cast<int>(lights.size()) % options.ranks->size() : 0;
+    if (options.ranks == nullptr || options.ranks->rank() == maker) {
+      exchange = polygon_exchange(evaluator, *polygon, patches[0], kLightShare * options.tolerance,
+                                  options.seed, options.progress);
+    }
+    lights.push_back({patches, std::move(exchange)});
+  }
+  if (options.ranks == nullptr) return lights;
+  for (std::size_t k = 0; k < lights.size(); ++k) {
+    Eigen::VectorXd& exchange = lights[k].exchange;
+    options.ranks->broadcast(static_cast<int>(k) % options.ranks->size(),
+                             std::as_writable_bytes(std::span(
+                                 exchange.data(), static_cast<std::size_t>(exchange.size()))));
   }
   return lights;
 }

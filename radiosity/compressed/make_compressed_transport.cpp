@@ -88,7 +88,7 @@ class CompressedAssembly {
                    {.tolerance = options.tolerance, .seed = options.seed}),
         polynomials_(mesh, evaluator_.tree()),
         progress_(options.progress),
-        maker_(evaluator_, polynomials_, mesh.area, progress_) {}
+        maker_(evaluator_, polynomials_, mesh.area, progress_, options.ranks) {}
 
   std::unique_ptr<CompressedTransport> make() {
     const auto start = std::chrono::steady_clock::now();
@@ -142,7 +142,7 @@ class CompressedAssembly {
 
   void open_store() {
     const std::filesystem::path& path = options_.work_file;
-    if (path.empty()) return;
+    if (path.empty() || !is_first(options_.ranks)) return;
     const std::uint64_t fingerprint = compressed_fingerprint(mesh_, options_, light_).value();
     if (options_.work_start == WorkStart::resumed &&
         block_file_state(path, fingerprint) == WorkFileState::other) {
@@ -188,7 +188,8 @@ class CompressedAssembly {
                                    .blocks = {polynomials_.make_basis(degrees), made_.far,
                                               made_.coefficients, made_.near, made_.densities},
                                    .area = area_,
-                                   .report = report_of_pairs()});
+                                   .report = report_of_pairs(),
+                                   .ranks = options_.ranks});
     TransportOptions asked = options_;
     asked.tolerance = tolerance;
     close_with_light(*transport, lights_, mesh_, visibility_, asked);
@@ -213,7 +214,8 @@ class CompressedAssembly {
       fields.conservativeResize(Eigen::NoChange, n + solution.radiosity.cols());
       fields.rightCols(solution.radiosity.cols()) = solution.radiosity;
     }
-    return {evaluator_, mesh_.area, likely_errors(transport), std::move(fields), options_.seed};
+    return {evaluator_,        mesh_.area,    likely_errors(transport),
+            std::move(fields), options_.seed, options_.ranks};
   }
 
   [[nodiscard]] RowCheck::Error verify(RowCheck& check,

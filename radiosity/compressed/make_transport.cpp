@@ -42,7 +42,7 @@ TransportKind chosen_kind(const TransportChoice& choice, Index n_patches, double
                           std::size_t memory) {
   if (choice.kind != TransportKind::automatic) return choice.kind;
   if (choice.by_rows) return TransportKind::dense;
-  const bool fits = dense_transport_bytes(n_patches) <= memory_limit(memory);
+  const bool fits = dense_transport_bytes(n_patches) / choice.n_ranks <= memory_limit(memory);
   const bool is_wanted = n_patches <= kMostDense || tolerance < kLeastCompressed;
   return fits && is_wanted ? TransportKind::dense : TransportKind::compressed;
 }
@@ -52,7 +52,7 @@ void check_choice(const TransportChoice& choice, Index n_patches, Index n_polygo
   const std::size_t limit = memory_limit(memory);
   switch (choice.kind) {
     case TransportKind::dense:
-      return check_memory(n_patches, n_polygons, memory);
+      return check_memory(n_patches, n_polygons, memory, choice.n_ranks);
     case TransportKind::compressed:
       if (choice.by_rows) {
         throw SolveError(

@@ -33,6 +33,7 @@ inline constexpr double kLeastCompressed = 5e-3;
 struct TransportChoice {
   TransportKind kind = TransportKind::automatic;
   bool by_rows = false;  ///< for a method that goes by rows, over and over: dense
+  int n_ranks = 1;       ///< processes that keep a dense one together, if there is memory on each
 };
 
 /// What the choice comes to for so many patches and a tolerance of the form factors, dense or

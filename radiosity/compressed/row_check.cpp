@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "radiosity/base/parallel.h"
@@ -25,8 +26,13 @@ constexpr double kShareOfArea = 1.0 / 3;
 }  // namespace
 
 RowCheck::RowCheck(const ExchangeEvaluator& evaluator, const std::vector<double>& areas,
-                   const Eigen::VectorXd& told, Eigen::MatrixXd radiosity, std::uint64_t seed)
-    : evaluator_(evaluator), areas_(areas), radiosity_(std::move(radiosity)), seed_(seed) {
+                   const Eigen::VectorXd& told, Eigen::MatrixXd radiosity, std::uint64_t seed,
+                   Ranks* ranks)
+    : evaluator_(evaluator),
+      areas_(areas),
+      radiosity_(std::move(radiosity)),
+      seed_(seed),
+      ranks_(ranks) {
   const Eigen::Map<const Eigen::VectorXd> area(areas_.data(), static_cast<Index>(areas_.size()));
   const double all_area = area.sum();
   const double in_all = area.dot(told.cwiseAbs2());
@@ -59,6 +65,8 @@ void RowCheck::add_rows(Index n, const Progress& progress) {
   gathered_.resize(rows_.size());
   parallel_for(n, [&](std::ptrdiff_t k) {
     progress.check();
+    gathered_[first + k] = Eigen::VectorXd::Zero(radiosity_.cols());
+    if (ranks_ != nullptr && k % ranks_->size() != ranks_->rank()) return;
     const std::int32_t patch = rows_[first + k];
     ExchangeEvaluator::Worker worker = evaluator_.checking_worker(kShareOfErrors);
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(radiosity_.cols());
@@ -67,6 +75,11 @@ void RowCheck::add_rows(Index n, const Progress& progress) {
     });
     gathered_[first + k] = sum;
   });
+  if (ranks_ == nullptr) return;
+  Eigen::MatrixXd all(radiosity_.cols(), n);
+  for (Index k = 0; k < n; ++k) all.col(k) = gathered_[first + k];
+  sum_over_ranks(*ranks_, std::span(all.data(), static_cast<std::size_t>(all.size())));
+  for (Index k = 0; k < n; ++k) gathered_[first + k] = all.col(k);
 }
 
 RowCheck::Error RowCheck::error(const Eigen::MatrixXd& gathered) const {

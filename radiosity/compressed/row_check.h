@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "radiosity/base/progress.h"
+#include "radiosity/base/ranks.h"
 #include "radiosity/compressed/compressed_transport.h"
 #include "radiosity/exchange/exchange_evaluator.h"
 
@@ -18,7 +19,8 @@ class RowCheck {
   /// fields, n x k, in the order of the patches: the first is 1, others have values of at least 0,
   /// or signs. All are copied but the evaluator, which must outlive this.
   RowCheck(const ExchangeEvaluator& evaluator, const std::vector<double>& areas,
-           const Eigen::VectorXd& told, Eigen::MatrixXd radiosity, std::uint64_t seed);
+           const Eigen::VectorXd& told, Eigen::MatrixXd radiosity, std::uint64_t seed,
+           Ranks* ranks = nullptr);
 
   /// Evaluates so many rows more: a third of them spread evenly over the area, the others over the
   /// square of what rows may be off by, for a few patches beside blockers can have most of it.
@@ -44,6 +46,7 @@ class RowCheck {
   std::vector<double> shares_;  // of the rows up to each, in the tree's order
   Eigen::MatrixXd radiosity_;
   std::uint64_t seed_;
+  Ranks* ranks_;                    // that share the rows, if there are any
   std::vector<std::int32_t> rows_;  // patches
   std::vector<double> weights_;     // of the rows: their share of the area over that of the rows
   std::vector<Eigen::VectorXd> gathered_;

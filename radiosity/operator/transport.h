@@ -10,6 +10,7 @@
 #include "radiosity/operator/compression_report.h"
 #include "radiosity/operator/factor_rows.h"
 #include "radiosity/operator/pair_sums.h"
+#include "radiosity/operator/shared_rows.h"
 
 namespace radiosity {
 
@@ -57,6 +58,8 @@ class Transport {
   [[nodiscard]] virtual const FactorRows* rows() const { return nullptr; }
   /// Whether a row takes much less than a product.
   [[nodiscard]] virtual bool has_quick_rows() const { return rows() != nullptr; }
+  /// Its rows, if several ranks have them.
+  [[nodiscard]] virtual const SharedRows* shared_rows() const { return nullptr; }
   /// Sums over its pairs, if it can tell them without rows.
   [[nodiscard]] virtual const PairSums* pair_sums() const { return nullptr; }
 };

@@ -130,7 +130,8 @@ DiscretisationError discretisation_error(const PatchMesh& mesh, const Transport&
   Eigen::MatrixXd left = (squared + around) / (2 * (ratio - 1) * (ratio - 1));
   const std::vector<Index> lone = find_lone(groups);
   assume_for_lone(lone, area, reflected, left);
-  if (transport.has_quick_rows() || transport.pair_sums() != nullptr) {
+  if (transport.has_quick_rows() || transport.shared_rows() != nullptr ||
+      transport.pair_sums() != nullptr) {
     left += uneven_light_error(mesh, transport, solution, quiet).cwiseAbs2();
   }
   result.error = left.cwiseSqrt();

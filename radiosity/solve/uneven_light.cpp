@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "radiosity/base/parallel.h"
@@ -45,24 +46,43 @@ struct Rows {
   Eigen::ArrayXXd distance;
 };
 
+/// Calls work(rows) for all blocks of rows, or for this rank's share, whose results `complete` then
+/// fills up.
 template <typename Work>
 void for_rows(const Transport& transport, const Places& places, const Progress& progress,
               const Work& work) {
   const Index n = transport.size();
-  parallel_for((n + kBlock - 1) / kBlock, [&](Index block) {
-    progress.check();
-    const Index first = block * kBlock;
-    const Index size = std::min(kBlock, n - first);
-    Rows rows{first, Eigen::ArrayXXd(n, size), Eigen::ArrayXXd(n, size)};
-    for (Index i = 0; i < size; ++i) {
-      rows.factors.col(i) = rows_of(transport).row(first + i).array();
+  const auto with_distances = [&](Index first, Eigen::ArrayXXd factors) {
+    Rows rows{first, std::move(factors), {}};
+    rows.distance.resize(n, rows.factors.cols());
+    for (Index i = 0; i < rows.factors.cols(); ++i) {
       rows.distance.col(i) = (places.x - places.x[first + i]).square() +
                              (places.y - places.y[first + i]).square() +
                              (places.z - places.z[first + i]).square();
     }
     rows.distance = rows.distance.sqrt();
     work(rows);
+  };
+  if (const SharedRows* shared = transport.shared_rows()) {
+    return shared->visit_share(kBlock, progress, [&](Index first, const Eigen::MatrixXd& rows) {
+      with_distances(first, rows.array());
+    });
+  }
+  parallel_for((n + kBlock - 1) / kBlock, [&](Index block) {
+    progress.check();
+    const Index first = block * kBlock;
+    const Index size = std::min(kBlock, n - first);
+    Eigen::ArrayXXd factors(n, size);
+    for (Index i = 0; i < size; ++i) {
+      factors.col(i) = rows_of(transport).row(first + i).array();
+    }
+    with_distances(first, std::move(factors));
   });
+}
+
+/// What other ranks have made of their rows.
+void complete(const Transport& transport, Eigen::MatrixXd& values) {
+  if (const SharedRows* shared = transport.shared_rows()) shared->complete(kBlock, values);
 }
 
 /// How light varies over each patch.
@@ -82,13 +102,14 @@ Variation find_variation(const Transport& transport, const Places& places, const
   const Eigen::MatrixXd b = solution.radiosity.rowwise() - mean;
   const Eigen::MatrixXd b_squared = b.cwiseAbs2();
   Variation variation{Eigen::ArrayXd(n), Eigen::MatrixXd(n, k)};
+  Eigen::MatrixXd exchange(n, 1);
   for_rows(transport, places, progress, [&](const Rows& rows) {
     const Index size = rows.factors.cols();
     Eigen::ArrayXXd varying = rows.factors;
     for (Index j = 0; j < size; ++j) {
       varying.col(j) *= (places.size[rows.first + j] / rows.distance.col(j)).min(kLargestVariation);
     }
-    variation.exchange.segment(rows.first, size) = varying.colwise().sum();
+    exchange.col(0).segment(rows.first, size) = varying.colwise().sum();
     const Eigen::MatrixXd weight = varying.square().matrix();
     const Eigen::ArrayXd sum = weight.colwise().sum();
     const Eigen::MatrixXd first_moment = weight.transpose() * b;
@@ -102,6 +123,9 @@ Variation find_variation(const Transport& transport, const Places& places, const
           square.max(0).sqrt();
     }
   });
+  complete(transport, exchange);
+  complete(transport, variation.light);
+  variation.exchange = exchange.col(0).array();
   return variation;
 }
 
@@ -181,6 +205,8 @@ Received receive(const PatchMesh& mesh, const Transport& transport, const Places
     received.local.middleRows(rows.first, size) =
         (weight.cwiseAbs2().transpose() * squared_light).cwiseSqrt();
   });
+  complete(transport, received.probes);
+  complete(transport, received.local);
   return received;
 }
 

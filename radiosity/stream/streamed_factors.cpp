@@ -6,6 +6,7 @@
 
 #include "radiosity/assembly/assembly_report.h"
 #include "radiosity/assembly/exchange_assembly.h"
+#include "radiosity/assembly/shared_tiles.h"
 #include "radiosity/assembly/tile_sum.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/whole_mesh.h"
@@ -23,6 +24,16 @@ constexpr int kClosureRounds = 6;
 /// A row sum further than this from what it should be has not been balanced. Relative.
 constexpr double kUnbalanced = 1e-10;
 
+/// Of a rank that keeps none.
+class NoTiles final : public TileSink {
+ public:
+  void start(const TileLayout& /*layout*/) override {}
+  [[nodiscard]] bool has(Index /*row_strip*/, Index /*column_strip*/) const override {
+    return false;
+  }
+  void put(ExchangeTile /*tile*/) override {}
+};
+
 double largest_gap(const RowSums& sums) {
   return sums.mask.cwiseProduct(sums.wanted - sums.present).cwiseAbs().maxCoeff();
 }
@@ -33,6 +44,7 @@ TransportOptions assembly_options(const StreamOptions& options) {
   return {.tolerance = options.tolerance,
           .closed = options.closed,
           .seed = options.seed,
+          .ranks = options.ranks,
           .progress = options.progress};
 }
 
@@ -54,7 +66,11 @@ StreamedFactors::StreamedFactors(const PatchMesh& mesh, const Visibility& visibi
   const WholeMesh whole(mesh);
   const Coverage coverage = find_coverage(whole.mesh(), plane_thickness(whole.mesh()));
   const Eigen::VectorXd covered = coverage.share.head(mesh.size());
-  assemble_tiles(whole, visibility, assembly_options(options), coverage, store);
+  if (options.ranks != nullptr) {
+    share_tiles(whole, visibility, assembly_options(options), coverage, TileKeeper::first, store);
+  } else {
+    assemble_tiles(whole, visibility, assembly_options(options), coverage, store);
+  }
   const Eigen::VectorXd row_sums = store.totals().row_sums();
   report_ =
       make_report(store.totals().census(), row_sums, store.layout().order, mesh.area, covered);
@@ -126,6 +142,14 @@ void StreamedFactors::balance(RowSums& sums) {
 void StreamedFactors::for_each_row(const RowVisitor& visit) const {
   stream_rows(*balance_, store_.layout(), mesh_.area, visit,
               {.memory = options_.buffers, .progress = options_.progress});
+}
+
+void assist_streamed_factors(const PatchMesh& mesh, const Visibility& visibility,
+                             const StreamOptions& options) {
+  const WholeMesh whole(mesh);
+  const Coverage coverage = find_coverage(whole.mesh(), plane_thickness(whole.mesh()));
+  NoTiles none;
+  share_tiles(whole, visibility, assembly_options(options), coverage, TileKeeper::first, none);
 }
 
 Eigen::VectorXd row_error_of(const StreamedFactors& factors, Index row) {

@@ -7,6 +7,7 @@
 #include "radiosity/base/fingerprint.h"
 #include "radiosity/base/geometry.h"
 #include "radiosity/base/progress.h"
+#include "radiosity/base/ranks.h"
 #include "radiosity/operator/transport.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/stream/row_stream.h"
@@ -21,6 +22,9 @@ struct StreamOptions {
   std::uint64_t seed = 0;             ///< of the visibility samples
   double min_factor = 0;    ///< pairs with both form factors below it are dropped, in [0, 1)
   std::size_t buffers = 0;  ///< bytes for buffers; the result does not depend on them
+  /// The processes that make the tiles together, for the first one's store; the others call
+  /// assist_streamed_factors() meanwhile. Null: this one alone. The result has the same bits.
+  Ranks* ranks = nullptr;
   Progress progress{};
 };
 
@@ -74,6 +78,10 @@ class StreamedFactors {
   std::optional<StoredClosure> closure_;
   std::optional<StoredBalance> balance_;
 };
+
+/// What the other ranks do while the first makes StreamedFactors: their share of the tiles.
+void assist_streamed_factors(const PatchMesh& mesh, const Visibility& visibility,
+                             const StreamOptions& options);
 
 /// The standard errors of one row, n.
 Eigen::VectorXd row_error_of(const StreamedFactors& factors, Index row);

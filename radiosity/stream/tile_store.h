@@ -4,12 +4,12 @@
 #include <optional>
 #include <vector>
 
+#include "radiosity/assembly/tile_record.h"
 #include "radiosity/assembly/tile_totals.h"
 #include "radiosity/base/geometry.h"
 #include "radiosity/base/progress.h"
 #include "radiosity/base/work_file.h"
 #include "radiosity/base/work_stamp.h"
-#include "radiosity/stream/tile_record.h"
 
 namespace radiosity {
 

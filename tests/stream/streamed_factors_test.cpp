@@ -12,9 +12,11 @@
 #include "radiosity/base/parallel.h"
 #include "radiosity/compressed/make_transport.h"
 #include "radiosity/scene/patch_mesh.h"
+#include "radiosity/stream/streamed_part.h"
 #include "radiosity/visibility/visibility.h"
 #include "tests/support/output_folder.h"
 #include "tests/support/shapes.h"
+#include "tests/support/thread_ranks.h"
 
 namespace radiosity {
 namespace {
@@ -76,6 +78,27 @@ class StreamedFactorsTest : public OutputFolder {
     return factors;
   }
 };
+
+TEST_F(StreamedFactorsTest, HaveTheSameBitsOnSeveralRanks) {
+  const PatchMesh mesh = box_in_box(4, Lid::on);
+  const StreamOptions options{.tolerance = 3e-2, .buffers = kAmple};
+  const Factors alone = compute(mesh, options);
+  const Visibility visibility(mesh);
+  for (const int n_ranks : {2, 5}) {
+    // A part of the work is there already, as where other ranks were stopped.
+    {
+      TileStore store(work_file(), stream_fingerprint(mesh, options).value(), Start::anew,
+                      mesh.area);
+      make_streamed_part(mesh, visibility, options, {.number = 1, .n_parts = 3}, store);
+    }
+    test::on_ranks(n_ranks, [&](Ranks& ranks) {
+      StreamOptions shared = options;
+      shared.ranks = &ranks;
+      if (ranks.rank() > 0) return assist_streamed_factors(mesh, visibility, shared);
+      EXPECT_TRUE(compute(mesh, shared, Start::resumed) == alone) << n_ranks;
+    });
+  }
+}
 
 double largest_asymmetry(const PatchMesh& mesh, const Eigen::MatrixXd& values) {
   const Eigen::Map<const Eigen::VectorXd> areas(mesh.area.data(), mesh.size());

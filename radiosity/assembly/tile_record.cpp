@@ -1,4 +1,4 @@
-#include "radiosity/stream/tile_record.h"
+#include "radiosity/assembly/tile_record.h"
 
 #include <bit>
 #include <cstring>

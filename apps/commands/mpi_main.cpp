@@ -1,0 +1,106 @@
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+
+#include "apps/cluster/mpi_ranks.h"
+#include "apps/cluster/quiet_rank.h"
+#include "apps/commands/form_factors_command.h"
+#include "apps/commands/solve_command.h"
+#include "apps/terminal/interruption.h"
+#include "apps/terminal/terminal_progress.h"
+#include "apps/terminal/usage_error.h"
+#include "radiosity/base/error.h"
+#include "radiosity/version.h"
+
+namespace {
+
+constexpr int kFailureExit = 1;
+constexpr int kUsageExit = 2;
+/// How long a rank that has failed waits for the others to fail alike, as all do of a bad scene.
+constexpr std::chrono::seconds kFailingTogether(5);
+
+/// How a rank has ended, and what it has to tell of that.
+struct End {
+  int exit_code = 0;
+  std::string message;
+};
+
+End failed(int exit_code, std::string_view message) {
+  return {exit_code, "radiosity-mpi: error: " + apps::one_line(message)};
+}
+
+/// Parses the command line and runs the command.
+End run(CLI::App& program, apps::Interruption& interruption, int argc, char** argv) {
+  try {
+    program.parse(argc, argv);
+    return {};
+  } catch (const CLI::Success& help_or_version) {
+    return {program.exit(help_or_version), ""};
+  } catch (const CLI::ParseError& error) {
+    return failed(kUsageExit, apps::usage_message(program, error));
+  } catch (const radiosity::FirstRankFailed&) {
+    return {};  // which tells
+  } catch (const radiosity::Interrupted&) {
+    interruption.tell();
+    return {apps::kInterruptedExit, ""};
+  } catch (const std::bad_alloc&) {
+    return failed(kFailureExit, "out of memory; fewer patches or more ranks need less");
+  } catch (const std::exception& error) {
+    return failed(kFailureExit, error.what());
+  }
+}
+
+/// Tells what has been used, on the first rank, unless that has failed. All ranks must have come to
+/// their end together, and call this.
+void tell_use(apps::MpiRanks& ranks, bool has_failed) {
+  rusage use{};
+  getrusage(RUSAGE_SELF, &use);
+  const auto [most, moved] =
+      ranks.most_of_all(static_cast<std::uint64_t>(use.ru_maxrss) * 1024, ranks.bytes_moved());
+  if (ranks.rank() > 0 || has_failed) return;
+  fmt::print(stderr,
+             "radiosity-mpi: {} ranks, each took {:.1f} MB at most, sent and received {:.1f} MB\n",
+             ranks.size(), static_cast<double>(most) * 1e-6, static_cast<double>(moved) * 1e-6);
+}
+
+bool is_quiet(const CLI::App& program) {
+  const auto commands = program.get_subcommands();
+  if (commands.empty()) return true;
+  const CLI::Option* quiet = commands.front()->get_option_no_throw("--quiet");
+  return quiet == nullptr || quiet->count() > 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  apps::Interruption interruption;
+  apps::MpiRanks ranks(argc, argv);
+  const apps::QuietRank output(ranks.rank());
+  CLI::App program(
+      "Radiosity by several processes together, on one machine or many: start it by mpirun.",
+      "radiosity-mpi");
+  program.set_version_flag("--version", fmt::format("radiosity-mpi {}", radiosity::kVersion));
+  program.require_subcommand(1);
+  const apps::SolveCommand solve(program, interruption, &ranks);
+  const apps::FormFactorsCommand form_factors(program, interruption, &ranks);
+  const End end = run(program, interruption, argc, argv);
+  std::fflush(stdout);
+  if (ranks.rank() == 0 && !end.message.empty()) output.tell(end.message);
+  const bool has_failed = end.exit_code != 0;
+  if (!ranks.end_together(has_failed ? kFailingTogether : std::chrono::seconds::max())) {
+    if (ranks.rank() > 0 && !end.message.empty()) {
+      output.tell(fmt::format("{} (rank {})", end.message, ranks.rank()));
+    }
+    ranks.abort(end.exit_code);
+  }
+  if (!is_quiet(program)) tell_use(ranks, has_failed);
+  return end.exit_code;
+}

@@ -1,0 +1,213 @@
+#!/usr/bin/env python3
+"""radiosity-mpi against radiosity: the same bytes on any number of ranks, and no hang whatever dies.
+
+Usage: mpi_program_test.py RADIOSITY RADIOSITY_MPI SCENES [--kills N] [--large]
+Exit code 77 (skipped) if there is no mpirun. --large takes minutes.
+"""
+
+import json
+import os
+import random
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+ARGUMENTS = sys.argv[1:]
+SEED = 17
+LONGEST = 30  # seconds that the others may go on after one was killed
+
+
+def option(name, default):
+    return int(ARGUMENTS[ARGUMENTS.index(name) + 1]) if name in ARGUMENTS else default
+
+
+RADIOSITY, RADIOSITY_MPI, SCENES = (Path(a).resolve() for a in ARGUMENTS[:3])
+ENVIRONMENT = os.environ | {
+    "OMPI_ALLOW_RUN_AS_ROOT": "1",
+    "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
+    "OMPI_MCA_rmaps_base_oversubscribe": "1",
+    "OMPI_MCA_btl_vader_single_copy_mechanism": "none",  # containers forbid it, which it tells
+}
+
+
+def mpirun(n_ranks, *arguments, threads=1):
+    command = ["mpirun", "--quiet", "-n", str(n_ranks), RADIOSITY_MPI, *arguments]
+    return [str(word) for word in [*command, "--threads", threads]]
+
+
+def run(command, folder, **more):
+    return subprocess.run(
+        [str(word) for word in command], cwd=folder, env=ENVIRONMENT, text=True, timeout=60,
+        stdin=subprocess.DEVNULL, capture_output=True, **more)
+
+
+def is_running(process):
+    try:
+        state = Path(f"/proc/{process}/stat").read_text().rsplit(")", 1)[1].split()[0]
+    except OSError:
+        return False
+    return state != "Z"
+
+
+def alike(summary):
+    """A summary in JSON without what depends on time, files and who keeps what."""
+    found = json.loads(summary)
+
+    def strip(node):
+        if not isinstance(node, dict):
+            return node
+        left_out = ("seconds", "bytes", "files", "outputs", "output")
+        return {key: strip(value) for key, value in node.items() if key not in left_out}
+
+    return strip(found)
+
+
+class MpiProgram(unittest.TestCase):
+    def setUp(self):
+        self.folder = Path(tempfile.mkdtemp(prefix="radiosity-mpi-"))
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def succeed(self, command):
+        done = run(command, self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done
+
+    def expect_same(self, kind, scene, options, ranks, outputs):
+        """The files and the summary of `radiosity`, byte by byte and but for times."""
+        def arguments(stem):
+            files = [word for output in outputs for word in ("-o", stem + output)]
+            return [kind, SCENES / scene, *options, "--json", "--quiet", *files]
+
+        alone = self.succeed([RADIOSITY, *arguments("one")])
+        for n in ranks:
+            together = self.succeed(mpirun(n, *arguments("all")))
+            for output in outputs:
+                same = (self.folder / ("one" + output)).read_bytes() == (
+                    self.folder / ("all" + output)).read_bytes()
+                self.assertTrue(same, f"{scene}, {n} ranks: {output} differs")
+            self.assertEqual(alike(alone.stdout), alike(together.stdout), f"{scene}, {n} ranks")
+            self.assertEqual(together.stderr, "", f"{scene}, {n} ranks")
+
+    def test_solves_the_same(self):
+        for scene, options, ranks in [
+            ("cornell-box.json", ["--patches", "900"], (1, 2, 5)),
+            ("street-canyon.json", ["--patches", "700", "--method", "jacobi"], (3,)),
+            ("furnished-room.json", ["--patches", "500", "--tolerance", "0.05"], (2,)),
+            ("street-canyon.json", ["--patches", "900", "--transport", "compressed"], (1, 2, 5)),
+        ]:
+            self.expect_same("solve", scene, options, ranks, [".vtp", ".csv"])
+
+    def test_makes_the_same_form_factors(self):
+        for scene, options, ranks in [
+            ("cornell-box.json", ["--patches", "300"], (1, 2, 5)),
+            ("street-canyon.json", ["--patches", "400", "--tolerance", "0.01"], (3,)),
+            ("cornell-box.json", ["--patches", "600", "--transport", "compressed", "--tolerance",
+                                  "0.03"], (2,)),
+        ]:
+            self.expect_same("form-factors", scene, options, ranks, [".h5"])
+
+    def job(self):
+        return ["form-factors", SCENES / "cornell-box.json", "--patches", "700", "--tolerance",
+                "0.003", "-o", "f.h5", "--quiet"]
+
+    def test_goes_on_after_a_rank_was_killed(self):
+        random.seed(SEED)
+        self.succeed([RADIOSITY, *self.job()])
+        whole = (self.folder / "f.h5").read_bytes()
+        start = time.monotonic()
+        self.succeed(mpirun(3, *self.job()))
+        takes = time.monotonic() - start
+        for kill in range(option("--kills", 2)):
+            (self.folder / "f.h5").unlink()
+            process = subprocess.Popen(
+                mpirun(3, *self.job()), cwd=self.folder, env=ENVIRONMENT,
+                stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            time.sleep(random.uniform(0.2, 1) * takes)
+            ranks = subprocess.run(["pgrep", "-P", str(process.pid)], capture_output=True,
+                                   text=True).stdout.split()
+            if ranks:
+                os.kill(int(ranks[kill % len(ranks)]), signal.SIGKILL)
+            start = time.monotonic()
+            process.wait(LONGEST)
+            self.assertLess(time.monotonic() - start, LONGEST)
+            while any(is_running(rank) for rank in ranks):
+                self.assertLess(time.monotonic() - start, LONGEST, "a rank outlives the others")
+                time.sleep(0.05)
+            self.succeed(mpirun(2 + kill % 2, *self.job(), "--resume"))
+            self.assertEqual((self.folder / "f.h5").read_bytes(), whole, f"kill {kill}")
+
+    def expect_failure(self, command, text, code=1):
+        start = time.monotonic()
+        done = run(command, self.folder)
+        self.assertEqual(done.returncode, code, done.stderr)
+        lines = [line for line in done.stderr.splitlines() if line.strip()]
+        told = [line for line in lines if line.startswith("radiosity")]
+        self.assertEqual(len(told), 1, done.stderr)
+        self.assertIn(text, told[0])
+        self.assertLess(time.monotonic() - start, LONGEST)
+
+    def test_tells_what_is_wrong_once(self):
+        box = SCENES / "cornell-box.json"
+        small = ["--patches", "200"]
+        (self.folder / "bad.json").write_text("{")
+        for arguments, text, code in [
+            (["solve", "bad.json"], "bad.json", 1),
+            (["solve", "nowhere.json"], "nowhere.json", 1),
+            (["solve", box, *small, "-o", "nowhere/b.vtp"], "nowhere", 1),
+            (["form-factors", box, *small, "-o", "nowhere/f.h5"], "nowhere", 1),
+            (["solve", box, *small, "--method", "southwell"], "--method cg", 1),
+            (["solve", box, *small, "--adaptive"], "adaptively", 1),
+            (["solve", box, *small, "-o", "f.h5"], "'form-factors' writes one", 1),
+            (["solve", box, "--patches", "20000", "--transport", "dense", "--memory", "9MB"],
+             "on each of 2 ranks", 1),
+            (["form-factors", box, *small, "-o", "f.h5", "--part", "1/2"], "--part", 2),
+            (["solve", box, "--patches", "-1"], "--patches", 2),
+        ]:
+            with self.subTest(text):
+                self.expect_failure(mpirun(2, *arguments), text, code)
+
+    def test_leaves_nothing_of_a_full_disk(self):
+        disk = Path("/dev/full")
+        if not disk.exists():
+            self.skipTest("no /dev/full")
+        (self.folder / "f.h5.partial").symlink_to(disk)
+        done = run(mpirun(2, *self.job()), self.folder)
+        self.assertNotEqual(done.returncode, 0)
+        told = [line for line in done.stderr.splitlines() if line.startswith("radiosity")]
+        self.assertEqual(len(told), 1, done.stderr)
+        self.assertFalse((self.folder / "f.h5").exists())
+
+    def test_only_the_other_program_knows_ranks(self):
+        command = ["mpirun", "--quiet", "-n", "2", RADIOSITY, "solve", SCENES / "cornell-box.json"]
+        done = run(command, self.folder)
+        self.assertNotEqual(done.returncode, 0)
+        told = [line for line in done.stderr.splitlines() if line.startswith("radiosity")]
+        self.assertEqual(len(told), 1, done.stderr)
+        self.assertIn("radiosity-mpi", told[0])
+
+    def test_runs_what_the_documentation_shows(self):
+        (self.folder / "scenes").symlink_to(SCENES)
+        text = (SCENES.parent / "docs" / "cluster.md").read_text(encoding="utf-8")
+        lines = [line[4:] for line in text.splitlines() if line.startswith("    mpirun ")]
+        self.assertGreater(len(lines), 1)
+        for line in lines:
+            words = line.replace("radiosity-mpi", str(RADIOSITY_MPI)).split()
+            self.succeed(words)
+
+    @unittest.skipUnless("--large" in ARGUMENTS, "takes minutes")
+    def test_solves_large_scenes_the_same(self):
+        for scene, n in [("cornell-box.json", 5000), ("street-canyon.json", 5000),
+                         ("furnished-room.json", 5000)]:
+            self.expect_same("solve", scene, ["--patches", str(n)], (1, 2, 3, 5), [".vtp", ".csv"])
+
+
+if __name__ == "__main__":
+    if shutil.which("mpirun") is None:
+        print("skipped: there is no mpirun")
+        sys.exit(77)
+    unittest.main(argv=sys.argv[:1], verbosity=2)
