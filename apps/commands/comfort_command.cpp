@@ -71,11 +71,7 @@ ComfortCommand::ComfortCommand(CLI::App& program, Interruption& interruption)
       ->type_name("FILE")
       ->allow_extra_args(false);
   add_heat_options(*command, common_.heat);
-  add_compute_options(*command, compute_);
-  add_transport_option(*command, compute_);
-  add_memory_option(*command, compute_);
-  add_adaptive_option(*command, compute_);
-  add_operator_option(*command, operator_);
+  add_assembly_options(*command, compute_, operator_);
   command->callback([this] { run(); });
 }
 
