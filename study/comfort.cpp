@@ -1,6 +1,7 @@
 #include "study/comfort.h"
 
 #include <cmath>
+#include <utility>
 
 #include "radiosity/base/error.h"
 #include "radiosity/base/parallel.h"
@@ -9,6 +10,8 @@
 #include "radiosity/scene/radiometry.h"
 #include "radiosity/scene/sun.h"
 #include "radiosity/solve/surface_flux.h"
+#include "study/projected_area.h"
+#include "study/seen_body.h"
 
 namespace study {
 namespace {
@@ -56,11 +59,52 @@ double black_temperature(double irradiance) {
   return std::pow(std::max(irradiance, 0.) / kStefanBoltzmann, 0.25);
 }
 
+/// What all persons have in common.
+struct ComfortScene {
+  explicit ComfortScene(const Study& study)
+      : solved(study),
+        bands(thermal_bands(study.scene.bands)),
+        gather(study.mesh, study.solution.radiosity, {study.scene, study.mesh}) {
+    const Eigen::VectorXd environment = environment_exitance(study.scene);
+    if (environment.size() > 0) around = bands.dot(environment);
+  }
+
+  const Study& solved;
+  Eigen::VectorXd bands;  // weights
+  double around = 0;      // exitance of the environment, W/m²
+  FinalGather gather;
+
+  [[nodiscard]] Index n_surfaces() const {
+    return static_cast<Index>(solved.mesh.surface_names.size());
+  }
+};
+
+ComfortPoint by_planes(const ComfortScene& scene, const Planes& planes, const Vec3& point,
+                       const Progress& progress) {
+  ComfortPoint person;
+  person.position = point;
+  person.surfaces.setZero(scene.n_surfaces());
+  double mean = 0;
+  for (std::size_t p = 0; p < kPlanes; ++p) {
+    const Destinations seen = point_factors(scene.solved.mesh, point, planes.normals[p], progress);
+    const Eigen::MatrixXd gathered =
+        scene.gather.irradiance(std::span(&point, 1), planes.normals[p]);
+    const double irradiance = gathered.row(0).dot(scene.bands) + seen.sky * scene.around;
+    person.plane_temperatures[p] = black_temperature(irradiance);
+    mean += planes.weights[p] * irradiance;
+    person.surfaces += planes.weights[p] * seen.surfaces;
+    person.backs += planes.weights[p] * seen.backs;
+    person.sky += planes.weights[p] * seen.sky;
+  }
+  person.mean_radiant_temperature = black_temperature(mean);
+  return person;
+}
+
 }  // namespace
 
-std::optional<Posture> posture_named(std::string_view name) {
-  if (name == "standing") return Posture::standing;
-  if (name == "seated") return Posture::seated;
+std::optional<BodyModel> body_model_named(std::string_view name) {
+  if (name == "six-planes") return BodyModel::six_planes;
+  if (name == "projected-area") return BodyModel::projected_area;
   return std::nullopt;
 }
 
@@ -71,6 +115,11 @@ void check_comfort(const Scene& scene, const ComfortOptions& options) {
         ": a radiant temperature wants heat: surfaces with temperatures, and \"bands\": "
         "\"grey\" or bands of heat");
   }
+  if (options.body == BodyModel::projected_area && (scene.sky || !scene.luminaires.empty())) {
+    throw SceneError(scene.source +
+                     ": projected areas of a person are not known to a sky or luminaires; expected "
+                     "six planes, or surfaces, surroundings and a sun alone");
+  }
   (void)make_planes(options);
 }
 
@@ -78,29 +127,28 @@ std::vector<ComfortPoint> comfort(const Study& solved, std::span<const Vec3> poi
                                   const ComfortOptions& options) {
   check_comfort(solved.scene, options);
   const Planes planes = make_planes(options);
-  const Eigen::VectorXd bands = thermal_bands(solved.scene.bands);
-  const Eigen::VectorXd environment = environment_exitance(solved.scene);
-  const double around = environment.size() > 0 ? bands.dot(environment) : 0;
-  const FinalGather gather(solved.mesh, solved.solution.radiosity, {solved.scene, solved.mesh});
+  const ComfortScene scene(solved);
+  const bool has_areas = options.body == BodyModel::projected_area;
+  std::optional<SeenBody> body;
+  if (has_areas) {
+    const Vec3 up = options.up.normalized();
+    body.emplace(solved, scene.bands,
+                 ProjectedArea(options.posture, up,
+                               options.facing ? std::optional(planes.normals[2]) : std::nullopt),
+                 up);
+  }
   std::vector<ComfortPoint> result(points.size());
   const Progress each{.report = {}, .stop = options.progress.stop};
   parallel_for(std::ssize(points), [&](std::ptrdiff_t k) {
-    const Vec3& point = points[static_cast<std::size_t>(k)];
-    ComfortPoint& person = result[static_cast<std::size_t>(k)];
-    person.position = point;
-    person.surfaces.setZero(static_cast<Index>(solved.mesh.surface_names.size()));
-    double mean = 0;
-    for (std::size_t p = 0; p < kPlanes; ++p) {
-      const Destinations seen = point_factors(solved.mesh, point, planes.normals[p], each);
-      const Eigen::MatrixXd gathered = gather.irradiance(std::span(&point, 1), planes.normals[p]);
-      const double irradiance = gathered.row(0).dot(bands) + seen.sky * around;
-      person.plane_temperatures[p] = black_temperature(irradiance);
-      mean += planes.weights[p] * irradiance;
-      person.surfaces += planes.weights[p] * seen.surfaces;
-      person.backs += planes.weights[p] * seen.backs;
-      person.sky += planes.weights[p] * seen.sky;
-    }
-    person.mean_radiant_temperature = black_temperature(mean);
+    const auto at = static_cast<std::size_t>(k);
+    result[at] = by_planes(scene, planes, points[at], each);
+    if (!body) return;
+    BodyRadiation seen = body->at(points[at]);
+    ComfortPoint& person = result[at];
+    person.mean_radiant_temperature = black_temperature(seen.irradiance + seen.sky * scene.around);
+    person.surfaces = std::move(seen.surfaces);
+    person.backs = seen.backs;
+    person.sky = seen.sky;
   });
   return result;
 }

@@ -52,6 +52,12 @@ ComfortCommand::ComfortCommand(CLI::App& program, Interruption& interruption)
       ->capture_default_str()
       ->type_name("P");
   command
+      ->add_option("--body", body_,
+                   "How it takes up radiation: six-planes (ISO 7726) or projected-area (Fanger)")
+      ->check(CLI::IsMember({"six-planes", "projected-area"}))
+      ->capture_default_str()
+      ->type_name("B");
+  command
       ->add_option("--facing", facing_,
                    "Direction that the person looks to; default: turned to all sides alike")
       ->check(check_way)
@@ -65,11 +71,7 @@ ComfortCommand::ComfortCommand(CLI::App& program, Interruption& interruption)
       ->type_name("FILE")
       ->allow_extra_args(false);
   add_heat_options(*command, common_.heat);
-  add_compute_options(*command, compute_);
-  add_transport_option(*command, compute_);
-  add_memory_option(*command, compute_);
-  add_adaptive_option(*command, compute_);
-  add_operator_option(*command, operator_);
+  add_assembly_options(*command, compute_, operator_);
   command->callback([this] { run(); });
 }
 
@@ -85,6 +87,7 @@ std::vector<Vec3> ComfortCommand::points(const radiosity::Progress& progress) co
 
 study::ComfortOptions ComfortCommand::comfort_options() const {
   study::ComfortOptions options{.posture = *study::posture_named(posture_),
+                                .body = *study::body_model_named(body_),
                                 .up = vector_of(up_).normalized()};
   if (facing_) options.facing = vector_of(*facing_);
   return options;
@@ -109,6 +112,7 @@ void ComfortCommand::run() const {
   const ComfortSummary summary{.study = solved,
                                .points = study::comfort(solved, places, options),
                                .posture = posture_,
+                               .body = body_,
                                .outputs = common_.outputs};
   std::vector<io::ComfortRow> rows;
   for (const study::ComfortPoint& point : summary.points) {

@@ -36,6 +36,7 @@ class ComfortCommand {
   std::vector<std::string> at_;
   std::optional<std::string> points_;
   std::string posture_ = "standing";
+  std::string body_ = "six-planes";
   std::optional<std::string> facing_;
   std::string up_ = "0,0,1";
 };

@@ -96,11 +96,7 @@ ExchangeCommand::ExchangeCommand(CLI::App& program, Interruption& interruption)
                    "others grow so that each node keeps what it exchanges")
       ->check(check_share)
       ->type_name("X");
-  add_compute_options(*command, compute_);
-  add_transport_option(*command, compute_);
-  add_memory_option(*command, compute_);
-  add_adaptive_option(*command, compute_);
-  add_operator_option(*command, operator_);
+  add_assembly_options(*command, compute_, operator_);
   command->callback([this] { run(); });
 }
 

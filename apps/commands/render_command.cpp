@@ -21,11 +21,7 @@ RenderCommand::RenderCommand(CLI::App& program, Interruption& interruption)
       ->required()
       ->check([](const std::string& path) { return check_extension(path, picture_extensions()); })
       ->type_name("FILE");
-  add_compute_options(*command, compute_);
-  add_transport_option(*command, compute_);
-  add_memory_option(*command, compute_);
-  add_adaptive_option(*command, compute_);
-  add_operator_option(*command, operator_);
+  add_assembly_options(*command, compute_, operator_);
   add_picture_options(*command, picture_);
   command->callback([this] { run(); });
 }

@@ -62,11 +62,7 @@ SolveCommand::SolveCommand(CLI::App& program, Interruption& interruption, radios
       ->check(CLI::IsMember(method_names()))
       ->default_str(std::string(radiosity::method_name(compute_.method)))
       ->type_name("M");
-  add_compute_options(*command, compute_);
-  add_transport_option(*command, compute_);
-  add_memory_option(*command, compute_);
-  add_adaptive_option(*command, compute_);
-  add_operator_option(*command, operator_);
+  add_assembly_options(*command, compute_, operator_);
   add_heat_options(*command, common_.heat);
   auto* verify = command->add_flag(
       "--verify", compute_.verifies_light,

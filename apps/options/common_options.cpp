@@ -193,6 +193,15 @@ void add_operator_option(CLI::App& command, std::optional<std::string>& file) {
       ->excludes(command.get_option("--adaptive"));
 }
 
+void add_assembly_options(CLI::App& command, study::StudyOptions& options,
+                          std::optional<std::string>& file) {
+  add_compute_options(command, options);
+  add_transport_option(command, options);
+  add_memory_option(command, options);
+  add_adaptive_option(command, options);
+  add_operator_option(command, file);
+}
+
 void add_picture_options(CLI::App& command, PictureOptions& options) {
   add_camera_options(command, options.camera);
   auto* false_color = add_false_color_options(command, options.false_color);

@@ -59,6 +59,9 @@ void add_memory_option(CLI::App& command, study::StudyOptions& options);
 void add_adaptive_option(CLI::App& command, study::StudyOptions& options);
 /// --operator, after those.
 void add_operator_option(CLI::App& command, std::optional<std::string>& file);
+/// All of these: what commands take that go on with patches and form factors in memory.
+void add_assembly_options(CLI::App& command, study::StudyOptions& options,
+                          std::optional<std::string>& file);
 void add_picture_options(CLI::App& command, PictureOptions& options);
 
 }  // namespace apps

@@ -23,7 +23,7 @@ std::string comfort_text(const ComfortSummary& summary) {
   std::string result = line("scene", one_line(study.scene.source));
   result += line("patches", fmt::format("{} on {} surfaces", study.mesh.size(),
                                         study.mesh.surface_names.size()));
-  result += line("person", summary.posture);
+  result += line("person", summary.posture + ", " + summary.body);
   std::vector<Row> rows = {
       {"at, m", "mean radiant, K", "°C", "up", "down", "front", "back", "left", "right"}};
   for (const study::ComfortPoint& point : summary.points) {
@@ -59,11 +59,9 @@ std::string comfort_json(const ComfortSummary& summary, const std::vector<std::s
                       {"backs", point.backs},
                       {"sky", point.sky}});
   }
-  const Document json = {{"patches", summary.study.mesh.size()},
-                         {"posture", summary.posture},
-                         {"points", std::move(points)},
-                         {"outputs", summary.outputs},
-                         {"warnings", warnings}};
+  const Document json = {
+      {"patches", summary.study.mesh.size()}, {"posture", summary.posture}, {"body", summary.body},
+      {"points", std::move(points)},          {"outputs", summary.outputs}, {"warnings", warnings}};
   return io::printable_json(json.dump(2, ' ', false, Document::error_handler_t::replace));
 }
 

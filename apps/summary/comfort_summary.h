@@ -13,6 +13,7 @@ struct ComfortSummary {
   const study::Study& study;
   std::vector<study::ComfortPoint> points;
   std::string posture;
+  std::string body;  ///< how it takes up radiation
   const std::vector<std::string>& outputs;
 };
 

@@ -95,11 +95,16 @@ QuantityField field_of(const study::Study& study, const std::string& name, doubl
 
 /// Mean radiant temperatures, and what a person sees, at points.
 py::dict comfort_at(const KeptStudy& kept, const Array<double>& points, const std::string& posture,
-                    const Eigen::VectorXd& up, const std::optional<Eigen::VectorXd>& facing,
-                    const py::object& report, std::size_t n_threads) {
+                    const std::string& body, const Eigen::VectorXd& up,
+                    const std::optional<Eigen::VectorXd>& facing, const py::object& report,
+                    std::size_t n_threads) {
   const auto named = study::posture_named(posture);
   if (!named) throw SceneError("found posture '" + posture + "', expected 'standing' or 'seated'");
-  study::ComfortOptions options{.posture = *named, .up = Vec3(up).normalized()};
+  const auto model = study::body_model_named(body);
+  if (!model) {
+    throw SceneError("found body '" + body + "', expected 'six-planes' or 'projected-area'");
+  }
+  study::ComfortOptions options{.posture = *named, .body = *model, .up = Vec3(up).normalized()};
   if (facing) options.facing = Vec3(*facing);
   const std::vector<Vec3> places = points_of(points);
   std::vector<study::ComfortPoint> found;

@@ -126,6 +126,7 @@ class Study:
         self,
         points: np.ndarray,
         posture: str,
+        body: str,
         up: np.ndarray,
         facing: Optional[np.ndarray],
         report: Any,

@@ -238,7 +238,15 @@ class Study:
         )
         return values[:, 0] if values.shape[1] == 1 else values
 
-    def comfort(self, points, *, posture: str = "standing", facing=None, up=(0, 0, 1)) -> "Comfort":
+    def comfort(
+        self,
+        points,
+        *,
+        posture: str = "standing",
+        body: str = "six-planes",
+        facing=None,
+        up=(0, 0, 1),
+    ) -> "Comfort":
         """The mean radiant temperature of a person at points, of a thermal scene.
 
         Parameters
@@ -246,6 +254,9 @@ class Study:
         points : array_like, (k, 3) or (3,)
             Where the middle of the person is, m.
         posture : {'standing', 'seated'}
+        body : {'six-planes', 'projected-area'}
+            How it takes up radiation: by planes in six directions (ISO 7726), or by Fanger's
+            projected area factors.
         facing : array_like, (3,), optional
             Where the person looks to; without it, to all sides alike.
         up : array_like, (3,)
@@ -258,7 +269,7 @@ class Study:
         self.solve()
         with reporter(self._progress) as report:
             found = self._assembled().comfort(
-                places, str(posture), above, way, report, self._threads
+                places, str(posture), str(body), above, way, report, self._threads
             )
         return Comfort(found)
 

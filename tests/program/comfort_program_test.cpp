@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -111,13 +112,18 @@ TEST_F(Comfort, BlackRoomsAgreeWithSumsOverTheWarmSurface) {
 TEST_F(Comfort, AnEvenRoomIsAsWarmAsItsWalls) {
   std::string text = room("none");
   text.replace(text.find("\"emissivity\": 1, \"temperature\": 290"), 15, "\"emissivity\": 0.3");
-  for (const Arguments& more : {Arguments{}, Arguments{"--posture", "seated"},
-                                Arguments{"--facing", "1,2,0"}, Arguments{"--up", "0,1,0"}}) {
+  for (const Arguments& more :
+       {Arguments{}, Arguments{"--posture", "seated"}, Arguments{"--body", "projected-area"},
+        Arguments{"--body", "projected-area", "--facing", "1,2,0"}, Arguments{"--facing", "1,2,0"},
+        Arguments{"--up", "0,1,0"}}) {
     Arguments arguments = {"--at", "1,1,1", "--at", "5.9,0.2,2.9"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const Json points = comfort(text, arguments);
     ASSERT_EQ(points.size(), 2U);
-    for (const Json& point : points) EXPECT_NEAR(point["mean_radiant_temperature"], kCool, 1e-4);
+    // Projected areas are integrated to 1e-4 of T⁴.
+    const bool has_areas = std::find(more.begin(), more.end(), "projected-area") != more.end();
+    const double exact = has_areas ? 1e-4 * kCool / 4 : 1e-4;
+    for (const Json& point : points) EXPECT_NEAR(point["mean_radiant_temperature"], kCool, exact);
   }
 }
 
@@ -135,6 +141,76 @@ TEST_F(Comfort, SurroundingsCountByWhatIsSeenOfThem) {
   EXPECT_NEAR(fourth(points[0]["mean_radiant_temperature"]),
               seen * fourth(310) + (1 - seen) * fourth(260), 1e-6 * fourth(310));
   EXPECT_NEAR(points[1]["mean_radiant_temperature"], 260, 1e-3);
+}
+
+/// The angle factor from a person, turned to all sides, to a rectangle a wide and b high (a deep on
+/// floor and ceiling) at distance c, one corner at the foot of the normal from the person's centre:
+/// fits to Fanger's diagrams (ISO 7726:1998, B.4).
+double fitted_factor(bool is_seated, bool is_wall, double a, double b, double c) {
+  struct Fit {
+    double most, a, b, c, d, e;
+  };
+  constexpr Fit kFits[2][2] = {
+      {{0.116, 1.595, 0.128, 1.226, 0.046, 0.044}, {0.120, 1.242, 0.167, 0.616, 0.082, 0.051}},
+      {{0.116, 1.396, 0.130, 0.951, 0.080, 0.055}, {0.118, 1.216, 0.169, 0.717, 0.087, 0.052}}};
+  const Fit& fit = kFits[is_seated ? 1 : 0][is_wall ? 1 : 0];
+  const double across = a / c;
+  const double along = b / c;
+  const double tau = fit.a + fit.b * across;
+  const double gamma = fit.c + fit.d * along + fit.e * across;
+  return fit.most * (1 - std::exp(-across / tau)) * (1 - std::exp(-along / gamma));
+}
+
+// By projected areas, form factors are those of Fanger's diagrams: a person in the middle of a room
+// sees each wall as four rectangles.
+TEST_F(Comfort, ProjectedAreasGiveFangersFactors) {
+  for (const char* posture : {"standing", "seated"}) {
+    const bool is_seated = std::string(posture) == "seated";
+    const Json points = comfort(
+        room("ceiling"), {"--at", "3,2,1.5", "--posture", posture, "--body", "projected-area"});
+    ASSERT_EQ(points.size(), 1U);
+    const Json& factors = points[0]["factors"];
+    double sum = points[0]["backs"].get<double>() + points[0]["sky"].get<double>();
+    for (const Json& factor : factors) sum += factor.get<double>();
+    EXPECT_NEAR(sum, 1, 1e-4);
+    EXPECT_NEAR(points[0]["sky"], 0, 1e-4);
+    // The fits were read off diagrams: to 0.01 for each of the four.
+    EXPECT_NEAR(factors["ceiling"], 4 * fitted_factor(is_seated, false, 3, 2, 1.5), 0.04);
+    EXPECT_NEAR(factors["east"], 4 * fitted_factor(is_seated, true, 2, 1.5, 3), 0.04);
+    EXPECT_NEAR(factors["north"], 4 * fitted_factor(is_seated, true, 3, 1.5, 2), 0.04);
+    EXPECT_NEAR(factors["east"], factors["west"], 1e-4);
+    // Black walls: the factors tell the temperature.
+    const double seen = factors["ceiling"];
+    EXPECT_NEAR(fourth(points[0]["mean_radiant_temperature"]),
+                seen * fourth(kWarm) + (1 - seen) * fourth(kCool), 1e-4 * fourth(kWarm));
+  }
+}
+
+// Whichever way it is turned with its scene, and where walls are missing; a person shows its front
+// to the ceiling's light as to the floor's.
+TEST_F(Comfort, ProjectedAreasSeeSurroundingsBacksAndTheSun) {
+  const std::string floor = R"("surfaces": [{"name": "floor", "material": "warm",
+      "polygons": [[[-2,-2,0],[2,-2,0],[2,2,0],[-2,2,0]]]},
+      {"name": "away", "material": "warm", "polygons": [[[3,-9,0],[3,9,0],[3,9,9],[3,-9,9]]]}]})";
+  const std::string head = R"({"bands": "grey", "environment": {"temperature": 260}, "materials":
+      {"warm": {"emissivity": 1, "temperature": 310}}, )";
+  const Arguments person = {"--at", "0,0,1", "--body", "projected-area", "--facing", "1,0,0"};
+  const Json plain = comfort(head + floor, person);
+  ASSERT_EQ(plain.size(), 1U);
+  const double seen = plain[0]["factors"]["floor"];
+  const double backs = plain[0]["backs"];
+  EXPECT_GT(seen, 0.1);
+  EXPECT_GT(backs, 0.1);
+  EXPECT_NEAR(seen + backs + plain[0]["sky"].get<double>(), 1, 1e-12);
+  const double without_sun = fourth(plain[0]["mean_radiant_temperature"]);
+  EXPECT_NEAR(without_sun, seen * fourth(310) + (1 - seen - backs) * fourth(260),
+              1e-6 * fourth(310));
+  // Straight from behind, where f_p is 0.347 of a standing person and the black floor, lit edge-on,
+  // gets nothing; ∫ f_p dω is π within what measurements of a body differ (Fanger: 1 to 2 %).
+  const Json sunny =
+      comfort(head + R"("sun": {"direction": [1, 0, 0], "irradiance": 500}, )" + floor, person);
+  EXPECT_NEAR((fourth(sunny[0]["mean_radiant_temperature"]) - without_sun) * 5.670374419e-8,
+              0.347 * 500, 0.03 * 0.347 * 500);
 }
 
 TEST_F(Comfort, TablesHoldAllPoints) {
@@ -168,6 +244,7 @@ TEST_F(Comfort, BadInputIsRefused) {
   error({"--at", "1,2,3", "--facing", "0,0,0"}, 2, "expected a direction");
   error({"--at", "1,2,3", "--facing", "0,0,2"}, 1, "cannot face upwards");
   error({"--at", "1,2,3", "--posture", "lying"}, 2, "lying");
+  error({"--at", "1,2,3", "--body", "sphere"}, 2, "sphere");
   error({"--at", "1,2,3", "-o", result("a.vtp")}, 2, ".csv");
   error({"--points", write_file("p.csv", "x,y\n1,2\n")}, 1, "p.csv:1: has no column z");
   error({"--points", write_file("p.csv", "1,2,up\n")}, 1, "p.csv:1: expected a number");

@@ -41,10 +41,7 @@ class Heat : public Program {
  protected:
   /// The surfaces that --json tells.
   Json solve(const std::string& text, const std::string& more = "--as-is") const {
-    const Outcome outcome =
-        run({"solve", write_file("scene.json", text), more, "--tolerance", "1e-6", "--json"});
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    return outcome.exit_code == 0 ? Json::parse(outcome.out) : Json();
+    return Program::solve({write_file("scene.json", text), more, "--tolerance", "1e-6"});
   }
   std::string error_of(const std::string& text) const {
     const Outcome outcome = run({"solve", write_file("bad.json", text), "--as-is"});

@@ -37,13 +37,6 @@ class Luminaires : public Program {
         [[0, 0, 0], [0, 2, 0], [0, 2, 2], [0, 0, 2]], [[2, 0, 0], [2, 0, 2], [2, 2, 2], [2, 2, 0]]]}],
       "luminaires": [)" + luminaires + "]}");
   }
-  [[nodiscard]] Json solve(Arguments arguments) const {
-    arguments.insert(arguments.begin(), "solve");
-    arguments.emplace_back("--json");
-    const Outcome outcome = run(arguments);
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    return outcome.exit_code == 0 ? Json::parse(outcome.out) : Json();
-  }
 };
 
 double mean_lux(const Json& json, int surface) {

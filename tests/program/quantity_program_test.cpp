@@ -24,13 +24,6 @@ class Quantities : public Program {
                {"name": "lamp", "material": "lamp",
                 "polygons": [[[0, 0, 0], [1, 0, 0], [1, 2, 0], [0, 2, 0]]]}]})");
   }
-  Json solve(Arguments arguments) const {
-    arguments.insert(arguments.begin(), "solve");
-    arguments.emplace_back("--json");
-    const Outcome outcome = run(arguments);
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    return Json::parse(outcome.out);
-  }
 };
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }

@@ -19,12 +19,6 @@ constexpr const char* kBox = RADIOSITY_SCENES "/cornell-box.json";
 
 class ReuseProgram : public Program {
  protected:
-  Json json_of(Arguments arguments) const {
-    arguments.emplace_back("--json");
-    const Outcome outcome = run(arguments);
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    return outcome.exit_code == 0 ? Json::parse(outcome.out) : Json();
-  }
   /// Form factors of the room, of some kind.
   std::string made(const std::string& kind, const std::string& name = "o.h5") const {
     const Outcome outcome = run(

@@ -25,13 +25,6 @@ class Sun : public Program {
       "sun": {"direction": [0, 0, -1], "irradiance": 500},
       "camera": {"position": [1, -5, 4], "look_at": [1, 1, 0], "up": [0, 0, 1]}})");
   }
-  Json solve(Arguments arguments) const {
-    arguments.insert(arguments.begin(), "solve");
-    arguments.emplace_back("--json");
-    const Outcome outcome = run(arguments);
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    return Json::parse(outcome.out);
-  }
 };
 
 TEST_F(Sun, IsInTheEnergyAndInWhatArrives) {

@@ -33,12 +33,6 @@ class SymmetryProgram : public Program {
                         << "}";
     return path;
   }
-  Json json_of(Arguments arguments) const {
-    arguments.emplace_back("--json");
-    const Outcome outcome = run(arguments);
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    return outcome.exit_code == 0 ? Json::parse(outcome.out) : Json();
-  }
 };
 
 TEST_F(SymmetryProgram, KeepsFormFactorsWithTheirImages) {

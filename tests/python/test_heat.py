@@ -347,6 +347,12 @@ def test_a_person_between_warm_and_cool_halves(enclosure):
         assert comfort.mean_radiant_temperature == pytest.approx([300, 300], abs=1e-4)
         assert comfort.plane_radiant_temperatures == pytest.approx(np.full((2, 6), 300), abs=1e-3)
         assert comfort.factors.sum(axis=1) == pytest.approx([1, 1], abs=1e-9)
+    fanger = study.comfort(middle, body="projected-area", facing=(1, 2, 0.5))
+    # Integrated to 1e-4 of T⁴.
+    assert fanger.mean_radiant_temperature == pytest.approx([300], abs=1e-4 * 300 / 4)
+    assert fanger.factors.sum(axis=1) == pytest.approx([1], abs=1e-9)
+    with pytest.raises(rad.SceneError, match="body"):
+        study.comfort(middle, body="sphere")
     with pytest.raises(rad.SceneError, match="posture"):
         study.comfort(middle, posture="lying")
     with pytest.raises(rad.SceneError, match="cannot face"):

@@ -66,6 +66,18 @@ Program::Program() {
   fs::create_directory(folder() / "results");
 }
 
+nlohmann::json Program::json_of(Arguments arguments) const {
+  arguments.emplace_back("--json");
+  const Outcome outcome = run(arguments);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  return outcome.exit_code == 0 ? nlohmann::json::parse(outcome.out) : nlohmann::json();
+}
+
+nlohmann::json Program::solve(Arguments arguments) const {
+  arguments.insert(arguments.begin(), "solve");
+  return json_of(std::move(arguments));
+}
+
 std::vector<std::string> Program::results() const {
   std::vector<std::string> names;
   for (const auto& entry : fs::directory_iterator(folder() / "results")) {

@@ -3,6 +3,7 @@
 #include <sys/types.h>
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,10 @@ class Program : public OutputFolder {
 
   Running start(const Arguments& arguments) const { return {arguments, folder() / "printed"}; }
   Outcome run(const Arguments& arguments) const { return start(arguments).wait(); }
+  /// What a run without an error tells with --json; null if there is one, which fails the test.
+  nlohmann::json json_of(Arguments arguments) const;
+  /// The same of `solve`.
+  nlohmann::json solve(Arguments arguments) const;
 
   /// File names that the program left in the results folder.
   std::vector<std::string> results() const;
