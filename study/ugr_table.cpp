@@ -1,5 +1,7 @@
 #include "study/ugr_table.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -162,12 +164,41 @@ std::vector<UgrReflectances> usual_ugr_reflectances() {
   return {{0.7, 0.5, 0.2}, {0.7, 0.3, 0.2}, {0.5, 0.5, 0.2}, {0.5, 0.3, 0.2}, {0.3, 0.3, 0.2}};
 }
 
+namespace {
+
+void check_options(const UgrTableOptions& options) {
+  constexpr double kMostAcross = 1000;  // luminaires
+  constexpr double kRounding = 1e-6;
+  for (const UgrRoom& room : options.rooms) {
+    for (const double side : {room.across, room.along}) {
+      const double n = side / options.spacing;
+      if (n >= 1 - kRounding && n <= kMostAcross && std::abs(n - std::round(n)) <= kRounding * n) {
+        continue;
+      }
+      throw radiosity::SceneError(fmt::format(
+          "a room of {:g} H by {:g} H with luminaires {:g} H apart: expected sides of 1 "
+          "to {:g} times as much",
+          room.across, room.along, options.spacing, kMostAcross));
+    }
+  }
+  for (const UgrReflectances& rho : options.reflectances) {
+    for (const double value : rho) {
+      if (value >= 0 && value < 1) continue;
+      throw radiosity::SceneError(
+          fmt::format("a reflectance of the UGR table is {:g}, expected one in [0, 1)", value));
+    }
+  }
+}
+
+}  // namespace
+
 UgrTable make_ugr_table(const radiosity::Photometry& photometry, const UgrTableOptions& options,
                         const StudyEvents& events) {
   if (!(photometry.along_c0 > 0 && photometry.along_c90 > 0)) {
     throw radiosity::SceneError(photometry.file.string() +
                                 ": has no luminous opening, whose luminance UGR is made of");
   }
+  check_options(options);
   const auto n_rooms = static_cast<Index>(options.rooms.size());
   UgrTable table{.made_by = options, .along_c0 = {}, .along_c90 = {}};
   table.along_c0.resize(n_rooms, static_cast<Index>(options.reflectances.size()));

@@ -46,7 +46,7 @@ struct UgrTable {
 /// mean of the indirect illuminance of the walls. Not as there: the light is that of the file's
 /// candela and goes between patches, not zones; p is by Guth's formula (radiosity::position_index).
 /// What the luminaire gives upwards falls onto the ceiling just above it. Throws SceneError if it
-/// has no luminous opening; Interrupted. Reports "rooms".
+/// has no luminous opening, and for options that make no rooms; Interrupted. Reports "rooms".
 UgrTable make_ugr_table(const radiosity::Photometry& photometry,
                         const UgrTableOptions& options = {}, const StudyEvents& events = {});
 

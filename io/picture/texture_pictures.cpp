@@ -1,5 +1,8 @@
 #include "io/picture/texture_pictures.h"
 
+#include <fmt/format.h>
+
+#include <cstdint>
 #include <utility>
 
 #include "io/base/byte_reader.h"
@@ -23,7 +26,12 @@ std::shared_ptr<const TextureImage> TexturePictures::read(const std::filesystem:
   std::error_code ignored;
   const std::filesystem::path key = std::filesystem::weakly_canonical(path, ignored);
   if (const auto known = known_.find(key); known != known_.end()) return known->second;
+  constexpr std::uint64_t kMostBytes = 4 * kMostTexels;
   ByteReader bytes(path, 0, progress);
+  if (bytes.size() > kMostBytes) {
+    fail(path, fmt::format("has {} bytes, more than the {} that are read of a picture",
+                           bytes.size(), kMostBytes));
+  }
   const char* first = bytes.take(bytes.size());
   try {
     return known_.emplace(key, decode({first, bytes.size()})).first->second;

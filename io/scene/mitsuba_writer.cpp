@@ -238,8 +238,11 @@ void write_mitsuba(const fs::path& path, const Scene& scene, const PatchMesh& me
       emitter = "    <emitter type=\"area\">" +
                 spectrum("radiance", scene.bands, radiance.row(first)) + "</emitter>\n";
     }
-    const std::string bsdf =
-        bsdf_of(spectrum("reflectance", scene.bands, reflectance.row(first)), is_two_sided);
+    // Of one with a texture the mean, as in scenes that are saved.
+    const radiosity::Material& material = scene.materials[scene.surfaces[s].material];
+    const Eigen::VectorXd rho =
+        material.texture ? material.reflectance : Eigen::VectorXd(reflectance.row(first));
+    const std::string bsdf = bsdf_of(spectrum("reflectance", scene.bands, rho), is_two_sided);
     xml += shape(mesh_path(path, s), identifier(s, mesh.surface_names[s]), bsdf, emitter);
   }
   if (scene.sun) xml += sun_emitter(*scene.sun, scene.bands);

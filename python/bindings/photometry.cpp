@@ -4,10 +4,14 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <array>
+#include <vector>
+
 #include "io/light/photometric_file.h"
 #include "python/bindings/arrays.h"
 #include "python/bindings/work.h"
 #include "radiosity/scene/photometry.h"
+#include "study/ugr_table.h"
 
 namespace python {
 namespace {
@@ -33,6 +37,26 @@ Array<double> intensities(const Photometry& photometry, const Array<double>& dir
   return owned_array(std::move(values));
 }
 
+/// The tables along C0 and along C90 of rooms, n x 2, and reflectances, k x 3.
+py::tuple ugr_table(const Photometry& photometry, const Eigen::MatrixXd& rooms,
+                    const Eigen::MatrixXd& reflectances, double height, double spacing,
+                    const py::object& report, std::size_t n_threads) {
+  study::UgrTableOptions options{.height = height, .spacing = spacing};
+  if (rooms.rows() > 0) options.rooms.clear();
+  for (Index k = 0; k < rooms.rows(); ++k) options.rooms.push_back({rooms(k, 0), rooms(k, 1)});
+  if (reflectances.rows() > 0) options.reflectances.clear();
+  for (Index k = 0; k < reflectances.rows(); ++k) {
+    options.reflectances.push_back({reflectances(k, 0), reflectances(k, 1), reflectances(k, 2)});
+  }
+  study::UgrTable table;
+  run_work({report, n_threads}, [&](const study::StudyEvents& events) {
+    table = study::make_ugr_table(photometry, options, events);
+  });
+  std::vector<std::array<double, 2>> sides;
+  for (const study::UgrRoom& room : table.made_by.rooms) sides.push_back({room.across, room.along});
+  return py::make_tuple(sides, table.made_by.reflectances, table.along_c0, table.along_c90);
+}
+
 const char* type_name(PhotometricWeb::Type type) {
   return type == PhotometricWeb::Type::c ? "C" : type == PhotometricWeb::Type::b ? "B" : "A";
 }
@@ -54,6 +78,7 @@ void bind_photometry(py::module_& module) {
       .def_property_readonly(
           "peak", [](const Photometry& self) { return peak_intensity(self.web).intensity; })
       .def("intensity", &intensities)
+      .def("ugr_table", &ugr_table)
       .def("spread", [](const Photometry& self, double plane, double share) {
         return spread(self.web, plane, share);
       });

@@ -34,7 +34,7 @@ from ._operator import (
     load,
     transport,
 )
-from ._photometry import Photometry, read_photometry
+from ._photometry import Photometry, UgrTable, read_photometry
 from ._solve import Energy, Light, importance, solve
 from ._study import Camera, Comfort, DaylightFactors, Measured, Study
 from ._view import view
@@ -62,6 +62,7 @@ __all__ = [
     "SolveError",
     "Study",
     "Transport",
+    "UgrTable",
     "__version__",
     "exchange",
     "factors_from_points",

@@ -39,6 +39,15 @@ class Photometry:
     peak: float
     def intensity(self, directions: np.ndarray) -> np.ndarray: ...
     def spread(self, plane: float, share: float) -> float: ...
+    def ugr_table(
+        self,
+        rooms: np.ndarray,
+        reflectances: np.ndarray,
+        height: float,
+        spacing: float,
+        report: Any,
+        n_threads: int,
+    ) -> tuple: ...
 
 class Patches:
     vertices: np.ndarray

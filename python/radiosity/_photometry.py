@@ -1,12 +1,22 @@
 """Photometric files of luminaires."""
 
 import os
+from typing import NamedTuple
 
 import numpy as np
 
 from . import _arguments, _core
 from ._errors import InputError
 from ._progress import reporter
+
+
+class UgrTable(NamedTuple):
+    """UGR of n rooms and k reflectances."""
+
+    rooms: np.ndarray  #: across and along the line of sight, in units of the height, (n, 2)
+    reflectances: np.ndarray  #: of ceiling, walls and floor, (k, 3)
+    along_c0: np.ndarray  #: (n, k)
+    along_c90: np.ndarray  #: (n, k)
 
 
 class Photometry:
@@ -67,6 +77,50 @@ class Photometry:
         """
         plane = _arguments.number("plane", plane)
         return self._core.spread(plane, _arguments.number("share", share, least=0))
+
+    def ugr_table(
+        self,
+        rooms=None,
+        reflectances=None,
+        *,
+        height: float = 2.0,
+        spacing: float = 0.25,
+        threads: int = 0,
+        progress=None,
+    ) -> UgrTable:
+        """UGR of rooms full of the luminaire, as `radiosity inspect --ugr-table`.
+
+        Parameters
+        ----------
+        rooms : array_like, (n, 2), optional
+            Across and along the line of sight, in units of `height`; else those of CIE 117.
+        reflectances : array_like, (k, 3), optional
+            Of ceiling, walls and floor; else those of CIE 117.
+        height : float
+            Of the luminaires above the eye, m.
+        spacing : float
+            Of the luminaires, in units of `height`.
+        threads : int
+            0: as many as there are cores.
+        progress : callable or True, optional
+            As of `read_scene`.
+        """
+        rows = []
+        for name, given, n in (("rooms", rooms, 2), ("reflectances", reflectances, 3)):
+            array = np.empty((0, n)) if given is None else _arguments.real_array(name, given)
+            array = np.atleast_2d(array)
+            if array.ndim != 2 or array.shape[1] != n:
+                raise InputError(f"{name}: found the shape {array.shape}, expected (any, {n})")
+            rows.append(np.ascontiguousarray(array))
+        with reporter(progress) as report:
+            found = self._core.ugr_table(
+                *rows,
+                _arguments.number("height", height, above=0),
+                _arguments.number("spacing", spacing, above=0),
+                report,
+                _arguments.count("threads", threads),
+            )
+        return UgrTable(*(np.array(part) for part in found))
 
     def __repr__(self) -> str:
         return f"<radiosity.Photometry: {self.format}, {self.flux:.6g} lm>"

@@ -59,8 +59,21 @@ struct LinearMap {
   }
 };
 
-/// By least squares; exact of three corners that are not on a line.
+/// Of three corners that are not on a line.
+LinearMap through(const Outline& places, const Outline& coordinates) {
+  Eigen::Matrix2d sides;
+  sides << places[1] - places[0], places[2] - places[0];
+  Eigen::Matrix2d ways;
+  ways << coordinates[1] - coordinates[0], coordinates[2] - coordinates[0];
+  LinearMap map;
+  map.matrix.leftCols<2>() = ways * sides.inverse();
+  map.matrix.col(2) = coordinates[0] - map.matrix.leftCols<2>() * places[0];
+  return map;
+}
+
+/// By least squares.
 LinearMap fitted(const Outline& places, const Outline& coordinates) {
+  if (places.size() == 3) return through(places, coordinates);
   const auto n = static_cast<Index>(places.size());
   Eigen::MatrixXd system(n, 3);
   Eigen::MatrixXd values(n, 2);
@@ -126,7 +139,7 @@ TextureMean mean_by_triangles(const Texture& texture, const Outline& places,
     }
     const double weight = piece.size() > 2 ? area_of(piece) : 0;
     if (!(weight > 0)) continue;
-    const LinearMap map = fitted(triangle, {coordinates[0], coordinates[k - 1], coordinates[k]});
+    const LinearMap map = through(triangle, {coordinates[0], coordinates[k - 1], coordinates[k]});
     const TextureMean mean = texture_mean(texture, mapped(map, piece));
     sum.mean += weight * mean.mean;
     sum.square += weight * mean.square;

@@ -65,9 +65,12 @@ class EndlessTexture {
            (rest <= width_ ? inside(rest, y) : Sums(2 * whole - inside(2 * width_ - rest, y)));
   }
 
+  /// By whole numbers.
+  [[nodiscard]] Sums texel(double column, double row) const {
+    return image_.texel(place(column, width_, across_), place(row, height_, down_));
+  }
   [[nodiscard]] Sums at(const Vector2d& point) const {
-    return image_.texel(place(std::floor(point.x()), width_, across_),
-                        place(std::floor(point.y()), height_, down_));
+    return texel(std::floor(point.x()), std::floor(point.y()));
   }
 
  private:
@@ -109,9 +112,40 @@ struct Crossings {
   void advance() { next += d > 0 ? 1 : -1; }
 };
 
-/// ∫ F dy along an edge; `origin` is where F is measured from, which keeps digits.
-Sums edge_integral(const EndlessTexture& texture, const Vector2d& from, const Vector2d& to,
-                   double origin) {
+/// Integrals of rows from one column on, which keeps digits. Places that are asked for one after
+/// the other are close by each other, so that few texels are between them.
+class RowIntegral {
+ public:
+  RowIntegral(const EndlessTexture& texture, double origin) : texture_(texture), origin_(origin) {}
+
+  /// ∫ of row `row` from the origin to x.
+  Sums operator()(double x, double row) {
+    constexpr double kFar = 64;  // columns
+    const double column = std::floor(x);
+    if (row != row_) {
+      row_ = row;
+      column_ = origin_;
+      sum_.setZero();
+    }
+    if (std::abs(column - column_) > kFar) {
+      column_ = column;
+      sum_ = texture_.integral(column, row) - texture_.integral(origin_, row);
+    }
+    for (; column_ < column; ++column_) sum_ += texture_.texel(column_, row);
+    while (column_ > column) sum_ -= texture_.texel(--column_, row);
+    return sum_ + (x - column) * texture_.texel(column, row);
+  }
+
+ private:
+  const EndlessTexture& texture_;
+  double origin_;
+  double row_ = std::numeric_limits<double>::quiet_NaN();
+  double column_ = 0;
+  Sums sum_ = Sums::Zero();  // from the origin to column_
+};
+
+/// ∫ F dy along an edge.
+Sums edge_integral(RowIntegral& integral, const Vector2d& from, const Vector2d& to) {
   Sums sum = Sums::Zero();
   const Vector2d way = to - from;
   if (way.y() == 0) return sum;
@@ -126,8 +160,7 @@ Sums edge_integral(const EndlessTexture& texture, const Vector2d& from, const Ve
     if (!(end > t)) continue;  // of rounding
     const Vector2d middle = from + (t + end) / 2 * way;
     const double row = std::floor(middle.y());
-    sum +=
-        (end - t) * way.y() * (texture.integral(middle.x(), row) - texture.integral(origin, row));
+    sum += (end - t) * way.y() * integral(middle.x(), row);
     t = end;
   }
   return sum;
@@ -237,9 +270,10 @@ TextureMean texture_mean(const Texture& texture, std::span<const Vector2d> outli
   if (!(std::abs(area) > kFlatOutline * length * length)) {
     return scaled(point_sum(endless, texels), texture.factor);
   }
+  RowIntegral integral(endless, std::floor(lowest.x()));
   Sums sum = Sums::Zero();
   for (std::size_t k = 0; k < texels.size(); ++k) {
-    sum += edge_integral(endless, texels[k], texels[(k + 1) % texels.size()], lowest.x());
+    sum += edge_integral(integral, texels[k], texels[(k + 1) % texels.size()]);
   }
   return scaled(sum / area, texture.factor);
 }

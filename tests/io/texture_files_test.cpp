@@ -10,6 +10,8 @@
 #include "io/picture/decode_picture.h"
 #include "io/picture/image_file.h"
 #include "io/picture/texture_pictures.h"
+#include "io/scene/mitsuba_writer.h"
+#include "io/scene/scene_writer.h"
 #include "meshing/adaptive/adaptive.h"
 #include "meshing/patches/patches.h"
 #include "radiosity/scene/patch_texture.h"
@@ -209,6 +211,22 @@ TEST_F(TextureFiles, AreTimesKdScaledMovedAndWrapped) {
   EXPECT_TRUE(rho("map_Kd -clamp on four.png\n", right).isApprox(Eigen::Vector3d(.5, 1, .5)));
   (void)file("a b.png", png(1, 1, {188, 0, 255}));
   EXPECT_TRUE(rho("map_Kd a b.png\n").isApprox(Eigen::Vector3d(linear(188), 0, 1)));
+}
+
+// Saved scenes and Mitsuba's have the mean of each material.
+TEST_F(TextureFiles, AreMeansInOtherFiles) {
+  const Scene scene = square(kWhole, "f 1/1 2/2 3/3 4/4\n", "Kd .8 .4 .2\nmap_Kd four.png\n");
+  const PatchMesh mesh = meshing::make_patches(scene, {.max_edge = 1.0});
+  io::write_scene(folder() / "saved.json", scene);
+  const Scene saved = io::read_scene(folder() / "saved.json");
+  EXPECT_TRUE(saved.materials[0].reflectance.isApprox(Eigen::Vector3d(.4, .2, .1), 1e-12));
+  EXPECT_FALSE(saved.materials[0].texture);
+  io::write_mitsuba(folder() / "m.xml", scene, mesh, {.position = {1, 1, 5}});
+  std::ifstream stream(folder() / "m.xml");
+  const std::string xml(std::istreambuf_iterator<char>(stream), {});
+  const std::size_t place = xml.find("name=\"reflectance\" value=\"");
+  ASSERT_NE(place, std::string::npos) << xml;
+  EXPECT_NEAR(std::stod(xml.substr(place + 26)), 0.4, 1e-6);
 }
 
 TEST_F(TextureFiles, ArePaintedOverByScenarios) {

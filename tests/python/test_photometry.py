@@ -64,3 +64,16 @@ def test_bad_files_are_told(tmp_path):
     (tmp_path / "a.ies").write_text("IESNA91\nTILT=NONE\n1 x\n")
     with pytest.raises(rad.SceneError, match="a.ies:3: expected a number"):
         rad.read_photometry(tmp_path / "a.ies")
+
+
+def test_ugr_tables_have_the_shape_that_is_asked(scenes):
+    lamp = rad.read_photometry(scenes / "office-panel.ies")
+    table = lamp.ugr_table([[2, 3], [4, 2]], [[0.7, 0.5, 0.2]], spacing=1, threads=1)
+    assert table.along_c0.shape == table.along_c90.shape == (2, 1)
+    assert table.along_c0[0, 0] > table.along_c90[0, 0]
+    twice = lamp.ugr_table([2, 3], [0.7, 0.5, 0.2], spacing=1, threads=1)
+    assert twice.along_c0[0, 0] == pytest.approx(table.along_c0[0, 0], abs=1e-9)
+    with pytest.raises(rad.InputError, match="rooms"):
+        lamp.ugr_table([[1, 2, 3]])
+    with pytest.raises(rad.SceneError, match="apart"):
+        lamp.ugr_table([[2, 2.3]])

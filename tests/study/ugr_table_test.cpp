@@ -72,6 +72,15 @@ TEST(UgrTable, ScalesAsItsFormula) {
   EXPECT_NEAR(make_ugr_table(large, wide).along_c0(0, 0), base, 1e-3);
 }
 
+TEST(UgrTable, RefusesRoomsThatAreNone) {
+  for (const UgrTableOptions& bad : {room(2, 2.3, 0.25), room(0, 2, 1), room(2, 2, -1)}) {
+    EXPECT_THROW((void)make_ugr_table(panel(0), bad), radiosity::SceneError);
+  }
+  UgrTableOptions white = room(2, 2, 1);
+  white.reflectances = {{1, 0.5, 0.2}};
+  EXPECT_THROW((void)make_ugr_table(panel(0), white), radiosity::SceneError);
+}
+
 TEST(UgrTable, NeedsALuminousOpening) {
   radiosity::Photometry point = panel(0);
   point.along_c90 = 0;

@@ -6,6 +6,8 @@
 
 #include "io/picture/tone_mapping.h"
 #include "radiosity/base/parallel.h"
+#include "radiosity/scene/patch_material.h"
+#include "radiosity/scene/patch_texture.h"
 #include "viewer/desk/shown_scale.h"
 
 namespace viewer {
@@ -57,6 +59,17 @@ Painting painted_field(const PaintingTask& task, ShownField field) {
   return painting;
 }
 
+/// What patches with textures reflect, each its mean.
+void paint_textures(const radiosity::Scene& scene, const radiosity::PatchMesh& mesh,
+                    Eigen::MatrixXd& colors) {
+  for (Index i = 0; i < mesh.size(); ++i) {
+    const auto& texture = scene.materials[material_of(scene, mesh, i)].texture;
+    if (!texture) continue;
+    const Eigen::Array3d mean = patch_texture(scene, mesh, i, *texture).mean;
+    colors.row(i) = surface_colors(mean.matrix().transpose(), scene.bands).cast<double>().row(0);
+  }
+}
+
 /// What the patches reflect, brighter where they face upwards, so that one sees their shape.
 Painting painted_unlit(const PaintingTask& task) {
   const Model& model = task.known.model;
@@ -74,6 +87,7 @@ Painting painted_unlit(const PaintingTask& task) {
     for (Index i = 0; i < mesh.size(); ++i) {
       colors.row(i) = of_materials.row(model.scene->surfaces[mesh.surface[i]].material);
     }
+    if (has_textures(*model.scene)) paint_textures(*model.scene, mesh, colors);
     const double brightest = colors.maxCoeff();
     if (brightest > 0) colors *= 0.8 / brightest;
   }
