@@ -54,7 +54,9 @@ struct SolveOptions {
   /// ρ + T positive semidefinite, its row sums at most 1. Empty: none. Not with Gauss-Seidel and
   /// Southwell.
   Eigen::SparseMatrix<double> transmission = {};
-  /// Whether exitance may be negative: heat that is taken away.
+  /// Whether the light is heat: exitance may be negative, which is taken away, and patches that
+  /// pass all they receive on to each other are refused even where none falls on them, for nothing
+  /// fixes their temperatures.
   bool has_sinks = false;
   /// Called at the beginning and after each step, of Southwell after each shot. A column that has
   /// converged waits for the others.

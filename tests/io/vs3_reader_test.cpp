@@ -2,6 +2,7 @@
 
 #include "io/mesh/vs3_reader.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -155,6 +156,82 @@ TEST(FlatDifference, HasTheAreaThatIsLeft) {
     }
     // Some 25 cuts of up to 2 sizes may each lose a strip of the thickness.
     EXPECT_NEAR(sum, expected, 1e-7 * size * size) << trial;
+  }
+}
+
+/// Lines of a file of rectangles in one plane.
+struct Vs3Writer {
+  Eigen::Isometry3d place;
+  std::string vertices = {};
+  std::string surfaces = {};
+  int n_vertices = 0;
+  int n_surfaces = 0;
+
+  /// Returns its number.
+  int add(char kind, const Eigen::Vector2d& low, const Eigen::Vector2d& size, int base,
+          int combined, const std::string& name) {
+    const bool is_turned = kind == 'N';
+    std::string corners;
+    for (int k = 0; k < 4; ++k) {
+      const int at = is_turned ? 3 - k : k;
+      const Vec3 x = place * Vec3(low.x() + (at == 1 || at == 2 ? size.x() : 0),
+                                  low.y() + (at >= 2 ? size.y() : 0), 0);
+      ++n_vertices;
+      vertices += fmt::format("V {} {} {} {}\n", n_vertices, x.x(), x.y(), x.z());
+      corners += fmt::format(" {}", n_vertices);
+    }
+    ++n_surfaces;
+    surfaces +=
+        fmt::format("{} {}{} {} {} 0.5 {}\n", kind, n_surfaces, corners, base, combined, name);
+    return n_surfaces;
+  }
+};
+
+// Bases turned and placed anywhere, with random parts and holes in cells of a grid: what is left of
+// the base has the area that is left, each of its points once.
+TEST_F(Vs3, RandomFilesKeepTheirAreas) {
+  constexpr unsigned kVs3Seed = 20261127;
+  SCOPED_TRACE("seed " + std::to_string(kVs3Seed));
+  std::mt19937_64 random(kVs3Seed);
+  std::uniform_real_distribution<double> share(0, 1);
+  for (int trial = 0; trial < 40; ++trial) {
+    const double scale = std::pow(10, 4 * share(random) - 2);
+    Vs3Writer writer{Eigen::Isometry3d::Identity()};
+    const Vec3 axis = Vec3(share(random), share(random), share(random) + 0.1).normalized();
+    writer.place.translate(5 * scale * Vec3(share(random), share(random), share(random)));
+    writer.place.rotate(Eigen::AngleAxisd(7 * share(random), axis));
+    const Eigen::Vector2d side = scale * Eigen::Vector2d(1 + share(random), 1 + share(random));
+    const int base = writer.add('S', {0, 0}, side, 0, 0, "base");
+    double left = side.prod();
+    double in_parts = 0;
+    int first_part = 0;
+    for (int cell = 0; cell < 6; ++cell) {
+      if (share(random) < 0.3) continue;
+      const Eigen::Vector2d room(side.x() / 3, side.y() / 2);
+      const Eigen::Vector2d corner(room.x() * (cell % 3), room.y() * (cell / 3));
+      const Eigen::Vector2d size =
+          room.cwiseProduct(Eigen::Vector2d(0.1 + 0.8 * share(random), 0.1 + 0.8 * share(random)));
+      const Eigen::Vector2d low =
+          corner + (room - size).cwiseProduct(Eigen::Vector2d(share(random), share(random)));
+      const bool is_hole = share(random) < 0.4;
+      const int part = writer.add(is_hole ? 'N' : 'S', low, size, base, is_hole ? 0 : first_part,
+                                  fmt::format("part{}", cell));
+      left -= size.prod();
+      if (is_hole) continue;
+      in_parts += size.prod();
+      if (first_part == 0) first_part = part;
+    }
+    const Scene scene =
+        read("r.vs3", "T random\nF 3\n" + writer.vertices + writer.surfaces + "E\n");
+    // Cuts may each lose a strip of 1e-5 of the base's size.
+    const double exact = 1e-4 * side.prod();
+    const Vec3 normal = writer.place.linear().col(2);
+    EXPECT_NEAR(area_of(scene, 0).dot(normal), left, exact) << trial;
+    ASSERT_EQ(scene.surfaces.size(), first_part > 0 ? 2U : 1U) << trial;
+    if (first_part > 0) {
+      EXPECT_NEAR(area_of(scene, 1).dot(normal), in_parts, exact) << trial;
+    }
+    EXPECT_EQ(scene.surfaces[0].name, "base");
   }
 }
 
