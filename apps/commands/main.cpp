@@ -59,12 +59,11 @@ int run(CLI::App& program, apps::Interruption& interruption, int argc, char** ar
   }
 }
 
-/// How many processes mpirun has started of this program, which would all do the same.
+/// How many processes mpirun has started of this program, which would all do the same. Not srun,
+/// which is a way to start parts, too.
 int n_started() {
-  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) {
-    if (const char* size = std::getenv(name)) return std::atoi(size);  // NOLINT(cert-err34-c): ours
-  }
-  return 1;
+  const char* size = std::getenv("OMPI_COMM_WORLD_SIZE");
+  return size != nullptr ? std::atoi(size) : 1;  // NOLINT(cert-err34-c): mpirun's
 }
 
 std::string version_text() {
@@ -80,7 +79,6 @@ int main(int argc, char** argv) {
   if (const int n = n_started(); n > 1) {
     // One of them tells it.
     const char* rank = std::getenv("OMPI_COMM_WORLD_RANK");
-    if (rank == nullptr) rank = std::getenv("PMI_RANK");
     if (rank != nullptr && std::string_view(rank) != "0") return kUsageExit;
     return fail(kUsageExit,
                 fmt::format("started {} times over by mpirun, but this program knows no ranks; "
