@@ -14,6 +14,7 @@
 #include "radiosity/base/error.h"
 #include "radiosity/picture/render.h"
 #include "radiosity/scene/patch_mesh.h"
+#include "viewer/desk/couplings.h"
 #include "viewer/work/standing.h"
 
 namespace viewer {
@@ -41,6 +42,7 @@ void greet(Desk& desk) {
   desk.views = session.model().scene ? session.model().scene->views : std::vector<SavedView>{};
   desk.tape = {};
   desk.meter.reset();
+  desk.network.reset();
   desk.plan.reset();
   desk.plan.set_wanted(has_light_plan(session) && session.model().mesh->size() <= kMostMeasured);
   desk.look.grid = {};
@@ -48,12 +50,8 @@ void greet(Desk& desk) {
   desk.is_meter_in_hand = false;
   desk.look.hidden = {};
   desk.marks.mark({});
-  desk.luminaires.clear();
   desk.chosen_luminaire.reset();
   desk.hovered_luminaire.reset();
-  if (const auto& scene = session.model().scene) {
-    desk.luminaires = luminaire_facts(*scene, session.mix());
-  }
   const Domain domain = domain_of(session);
   const Show shown = desk.look.show;
   const bool is_of_last_file = shown == Show::watched || shown == Show::unshot || is_plane(shown);
@@ -84,9 +82,19 @@ bool update_saving(Desk& desk) {
 bool update_meter(Desk& desk) {
   bool has_changed = desk.meter.update(desk.session, up_direction(desk.up));
   has_changed |= desk.plan.update(desk.session);
+  has_changed |= desk.network.update(desk.session);
   const auto error = desk.meter.take_error();
   if (error) desk.session.tell_error(*error);
   return has_changed || error;
+}
+
+/// Keeps what is known of the luminaires in step with the scene.
+void follow_scene(Desk& desk) {
+  const auto& scene = desk.session.model().scene;
+  if (desk.luminaires_of == scene) return;
+  desk.luminaires_of = scene;
+  desk.luminaires.clear();
+  if (scene) desk.luminaires = luminaire_facts(*scene, desk.session.mix());
 }
 
 /// Keeps what is marked in the list of surfaces: where the picture was clicked, and in step with
@@ -135,6 +143,7 @@ bool update(Desk& desk) {
     // Divided otherwise: the question is about the same place.
     desk.session.select(same_place(*session.model().mesh, *desk.facts));
   }
+  follow_scene(desk);
   const std::string pinned =
       follow_model(desk.pinning, desk.look, session.model(), session.versions().model);
   if (!pinned.empty()) desk.session.tell(pinned);
@@ -269,7 +278,10 @@ std::string hovered_text(const Desk& desk) {
   const radiosity::PatchMesh& mesh = *desk.session.model().mesh;
   const Index patch = *desk.hovered;
   if (patch >= mesh.size()) return "";  // of the scene before
-  const std::string& surface = mesh.surface_names[mesh.surface[static_cast<std::size_t>(patch)]];
+  const std::int32_t index = mesh.surface[static_cast<std::size_t>(patch)];
+  const std::string coupled = coupling_text(desk.network.network(), mesh.surface_names, index);
+  const std::string& surface =
+      mesh.surface_names[index] + (coupled.empty() ? "" : " (" + coupled + ")");
   if (!desk.legend || desk.legend->values.size() != mesh.size()) return surface;
   const int digits = standing(desk.session).is_rough ? kRoughDigits : kDigits;
   const std::string unit = desk.legend->unit.empty() ? "" : " " + desk.legend->unit;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -25,6 +26,7 @@
 #include "viewer/desk/tape.h"
 #include "viewer/desk/watching.h"
 #include "viewer/work/light_meter.h"
+#include "viewer/work/network_finder.h"
 #include "viewer/work/plan_meter.h"
 #include "viewer/work/session.h"
 
@@ -79,14 +81,15 @@ struct Desk {
   bool shows_panels = true;
   bool shows_help = false;
   int console_lines = kConsoleLines;
-  std::optional<int> tour_step = {};                  ///< that is shown
-  std::optional<std::string> copied = {};             ///< text that shall go to the clipboard
-  bool asks_light_path = false;                       ///< for each patch that is selected
-  std::vector<LuminaireFacts> luminaires = {};        ///< of the scene
-  std::optional<std::size_t> chosen_luminaire = {};   ///< whose photometric solid is shown
-  std::optional<std::size_t> hovered_luminaire = {};  ///< whose mark is under the mouse
-  std::optional<radiosity::Index> hovered;            ///< patch under the mouse
-  std::optional<double> hovered_reading = {};         ///< of the work plane, if that is before it
+  std::optional<int> tour_step = {};            ///< that is shown
+  std::optional<std::string> copied = {};       ///< text that shall go to the clipboard
+  bool asks_light_path = false;                 ///< for each patch that is selected
+  std::vector<LuminaireFacts> luminaires = {};  ///< of the scene
+  std::shared_ptr<const radiosity::Scene> luminaires_of = {};  ///< that scene
+  std::optional<std::size_t> chosen_luminaire = {};            ///< whose photometric solid is shown
+  std::optional<std::size_t> hovered_luminaire = {};           ///< whose mark is under the mouse
+  std::optional<radiosity::Index> hovered;                     ///< patch under the mouse
+  std::optional<double> hovered_reading = {};  ///< of the work plane, if that is before it
   std::optional<int> function_key = {};        ///< the last one that was pressed, for scripts
   int shown_file = 0;                          ///< of Session::Versions
   Session::Versions facts_versions = {};       ///< at which the facts were found
@@ -95,8 +98,9 @@ struct Desk {
   std::optional<std::string> save_error = {};  ///< why the latest one could not be
   /// Not to be overwritten, beside what is open and what it refers to.
   std::vector<std::filesystem::path> kept_files = {};
-  PlanMeter plan = {};    ///< what the scene itself asks to be measured
-  LightMeter meter = {};  ///< among the last, so that they end first
+  PlanMeter plan = {};         ///< what the scene itself asks to be measured
+  NetworkFinder network = {};  ///< couplings of a thermal scene
+  LightMeter meter = {};       ///< among the last, so that they end first
   Worker saver = Worker();
   Worker summer = Worker();  ///< sums up surfaces
   Examples examples = {};

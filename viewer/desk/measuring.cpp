@@ -182,7 +182,9 @@ std::optional<radiosity::GridSummary> plane_summary(const Desk& desk) {
                  measured_values(desk.session, readings->plane->irradiance));
 }
 
-bool is_measuring(const Desk& desk) { return desk.meter.is_busy() || desk.plan.is_busy(); }
+bool is_measuring(const Desk& desk) {
+  return desk.meter.is_busy() || desk.plan.is_busy() || desk.network.is_busy();
+}
 
 std::string readings_note(const Desk& desk) {
   if (desk.meter.is_current(desk.session)) return "";

@@ -2,6 +2,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -302,7 +303,7 @@ constexpr Key kKeys[] = {{"left drag", "turn about the point under the mouse"},
 
 }  // namespace
 
-void draw_ask_panel(Desk& desk) {
+void draw_ask_panel(Desk& desk, const std::function<void()>& draw_deeds) {
   if (!ImGui::CollapsingHeader("Ask", ImGuiTreeNodeFlags_DefaultOpen)) return;
   draw_tape(desk);
   if (!desk.facts) {
@@ -310,6 +311,7 @@ void draw_ask_panel(Desk& desk) {
     return;
   }
   const PatchFacts facts = *desk.facts;  // a partner that is clicked changes it
+  draw_deeds();
   draw_patch(desk, facts);
   if (facts.has_light && facts.has_factors) {
     if (step_facts(desk.session, desk.look)) ImGui::TextDisabled("Of the solution:");

@@ -17,8 +17,10 @@ const ImVec4 kMetInk(0.45F, 0.9F, 0.5F, 1);
 
 void draw_lines(const char* name, std::span<const GridLine> lines) {
   constexpr ImGuiTableFlags kFlags =
-      ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerH;
+      ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerH;
   if (lines.empty() || !ImGui::BeginTable(name, 3, kFlags)) return;
+  // A long name is cut rather than what is told of it.
+  ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch);
   for (const GridLine& line : lines) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();

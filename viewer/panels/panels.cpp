@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "viewer/panels/couplings_panel.h"
 #include "viewer/panels/grids_panel.h"
 #include "viewer/panels/status_line.h"
 #include "viewer/work/standing.h"
@@ -58,10 +59,12 @@ void Panels::draw(Desk& desk, std::span<const KeyPress> keys, int width, int hei
       draw_status(desk, bottom, w, status);
     }
     const bool has_left = w > (kLeftWidth + kLeastPicture) * size;
+    is_narrow_ = !has_left;
     const bool has_right = w > (kLeftWidth + kRightWidth + kLeastPicture) * size;
-    if (has_left) {
-      left = kLeftWidth * size;
-      begin_panel("Look and what if", 0, top, left, bottom - top);
+    // In a narrow window they come over the picture when they are called.
+    if (has_left || is_called_) {
+      begin_panel("Look and what if", 0, top, std::min(kLeftWidth * size, w), bottom - top);
+      if (has_left) left = kLeftWidth * size;
       draw_scene_panel(desk);
       views_.draw(desk);
       draw_part(desk, TourTarget::look, [&] { draw_look_panel(desk); });
@@ -119,8 +122,9 @@ void Panels::draw_part(const Desk& desk, TourTarget target, const Draw& draw) {
 
 void Panels::draw_ask(Desk& desk) {
   surfaces_.draw(desk);
-  draw_part(desk, TourTarget::ask, [&] { draw_ask_panel(desk); });
+  draw_part(desk, TourTarget::ask, [&] { draw_ask_panel(desk, [&] { lamp_maker_.draw(desk); }); });
   if (desk.session.is_thermal()) draw_heat_panel(desk);
+  draw_couplings_panel(desk);
 }
 
 void Panels::draw_file_menu(Desk& desk) {
@@ -191,6 +195,7 @@ void Panels::draw_menu(Desk& desk) {
     ImGui::MenuItem("Panels", "Tab", &desk.shows_panels);
     ImGui::EndMenu();
   }
+  if (is_narrow_) ImGui::MenuItem("Panels", nullptr, &is_called_);
   if (ImGui::BeginMenu("Help")) {
     if (ImGui::MenuItem("Tour")) show_tour(desk, 0);
     ImGui::MenuItem("Keys and mouse", "?", &desk.shows_help);

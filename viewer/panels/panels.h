@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 
@@ -10,6 +11,7 @@
 #include "viewer/panels/daylight_panel.h"
 #include "viewer/panels/file_browser.h"
 #include "viewer/panels/gallery.h"
+#include "viewer/panels/lamp_maker.h"
 #include "viewer/panels/measure_panel.h"
 #include "viewer/panels/recent_files.h"
 #include "viewer/panels/save_dialog.h"
@@ -55,6 +57,7 @@ class Panels {
   ViewsPanel views_;
   MeasurePanel measure_;
   DaylightPanel daylight_;
+  LampMaker lamp_maker_;
   SurfacesPanel surfaces_;
   WatchPanel watch_;
   ConsolePanel console_;
@@ -62,6 +65,8 @@ class Panels {
   TourBox tour_;
   int n_patches_;
   bool is_adaptive_;
+  bool is_narrow_ = false;  // the window has no room for panels beside the picture
+  bool is_called_ = false;  // they are wanted all the same
 };
 
 /// Parts of the panels that remember nothing.
@@ -69,7 +74,8 @@ void draw_scene_panel(Desk& desk);
 void draw_look_panel(Desk& desk);
 void draw_compare_panel(Desk& desk);
 void draw_what_if_panel(Desk& desk);
-void draw_ask_panel(Desk& desk);
+/// `draw_deeds` draws what can be done with a patch that is asked, where it does not move.
+void draw_ask_panel(Desk& desk, const std::function<void()>& draw_deeds);
 void draw_heat_panel(const Desk& desk);
 void draw_help(Desk& desk, double scale);
 

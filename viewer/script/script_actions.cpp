@@ -14,6 +14,7 @@
 #include "viewer/script/camera_actions.h"
 #include "viewer/script/comparison_actions.h"
 #include "viewer/script/console_actions.h"
+#include "viewer/script/coupling_actions.h"
 #include "viewer/script/daylight_actions.h"
 #include "viewer/script/grid_actions.h"
 #include "viewer/script/help_actions.h"
@@ -159,6 +160,15 @@ std::size_t emitter_of(const Stage& stage, ScriptArguments& arguments) {
   std::string known;
   for (const Emitter& other : stage.desk.session.mix().emitters) known += " '" + other.name + "'";
   throw std::invalid_argument(fmt::format("no emitter is called '{}'; there are{}", name, known));
+}
+
+void make_lamp(Stage& stage, ScriptArguments& arguments) {
+  Session& session = stage.desk.session;
+  const std::string name = arguments.name("surface");
+  if (!session.is_open()) throw std::runtime_error("there is no scene");
+  const auto surface = surface_named(*session.model().mesh, name);
+  if (!surface) throw std::invalid_argument(fmt::format("no surface is called '{}'", name));
+  session.make_lamp(*surface, arguments.number("lumens"));
 }
 
 void set_emitter(Stage& stage, ScriptArguments& arguments) {
@@ -321,6 +331,7 @@ std::map<std::string, ActionKind> general_actions() {
                     })}},
       {"set-emitter", {"emitter", at_once(set_emitter)}},
       {"toggle-emitter", {"emitter", at_once(toggle_emitter)}},
+      {"make-lamp", {"surface", at_once(make_lamp)}},
       {"set-reflectance", {"material", at_once(set_reflectance)}},
       {"reset-emitter", {"emitter", at_once([](Stage& stage, ScriptArguments& arguments) {
                            stage.desk.session.reset_emitter(emitter_of(stage, arguments));
@@ -366,6 +377,7 @@ const std::map<std::string, ActionKind>& action_kinds() {
     all.merge(camera_actions());
     all.merge(comparison_actions());
     all.merge(console_actions());
+    all.merge(coupling_actions());
     all.merge(daylight_actions());
     all.merge(grid_actions());
     all.merge(help_actions());

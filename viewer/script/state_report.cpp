@@ -14,6 +14,7 @@
 #include "viewer/desk/measuring.h"
 #include "viewer/desk/pinning.h"
 #include "viewer/desk/show_info.h"
+#include "viewer/script/coupling_actions.h"
 #include "viewer/script/daylight_actions.h"
 #include "viewer/script/grid_actions.h"
 #include "viewer/script/lamp_report.h"
@@ -338,6 +339,7 @@ json state_report(const Desk& desk) {
           {"work_plane", work_plane_json(desk)},
           {"grids", grids_json(desk)},
           {"daylight", daylight_json(desk)},
+          {"couplings", couplings_json(desk)},
           {"meters", meters_json(desk)},
           {"surfaces", surfaces_json(desk)},
           {"region",

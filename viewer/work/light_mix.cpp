@@ -97,8 +97,9 @@ bool is_same_sky(const radiosity::Sky& a, const radiosity::Sky& b) {
   const radiosity::SkyDistribution& p = a.distribution;
   const radiosity::SkyDistribution& q = b.distribution;
   return p.kind == q.kind && p.a == q.a && p.b == q.b && p.c == q.c && p.d == q.d && p.e == q.e &&
-         a.towards_sun == b.towards_sun && a.zenith_radiance == b.zenith_radiance &&
-         a.ground_reflectance == b.ground_reflectance && a.up == b.up;
+         (!p.needs_sun() || a.towards_sun == b.towards_sun) &&
+         a.zenith_radiance == b.zenith_radiance && a.ground_reflectance == b.ground_reflectance &&
+         a.up == b.up;
 }
 
 void add_surfaces(const Scene& scene, LightMix& mix) {

@@ -13,6 +13,8 @@ Eigen::MatrixXd first_radiosity(const Model& model, const radiosity::Solution& s
   if (emitter.kind == Emitter::Kind::surfaces) {
     return emitter_exitance(*model.mesh, solution.exitance, emitter);
   }
+  if (!model.outer)
+    return Eigen::MatrixXd::Zero(solution.reflectance.rows(), solution.reflectance.cols());
   return emitter.factor() * solution.reflectance.cwiseProduct(*model.outer->irradiance[e]);
 }
 

@@ -92,6 +92,10 @@ class Session {
   [[nodiscard]] const LightMix& original_mix() const { return original_mix_; }
   void set_emitter(std::size_t emitter, double scale, bool is_on);
   void set_reflectance(std::size_t material, const Eigen::VectorXd& reflectance);
+  /// Makes a surface a lamp of so many lumens (`with_lamp`), and solves again; lamps and materials
+  /// stay as they are, but that cannot be undone. Throws as with_lamp does; SceneError if no scene
+  /// is open.
+  void make_lamp(std::int32_t surface, double lumens);
   /// Other sun and sky, at full strength. Throws std::invalid_argument unless there are as many.
   void set_daylight(const std::optional<radiosity::Sun>& sun,
                     const std::optional<radiosity::Sky>& sky);

@@ -1,15 +1,51 @@
 // What a person changes about an open scene's light.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
 #include <stdexcept>
 #include <utility>
 
+#include "radiosity/base/error.h"
+#include "viewer/work/lamp.h"
 #include "viewer/work/session.h"
 
 namespace viewer {
 
 using Item = MixHistory::Item;
+
+namespace {
+
+/// Undims what a surface belongs to.
+void light_fully(std::int32_t surface, LightMix& mix) {
+  for (Emitter& emitter : mix.emitters) {
+    if (std::find(emitter.surfaces.begin(), emitter.surfaces.end(), surface) ==
+        emitter.surfaces.end()) {
+      continue;
+    }
+    emitter.scale = 1;
+    emitter.is_on = true;
+  }
+}
+
+/// A mix as another one is as far as they have emitters and materials in common.
+LightMix with_choices_of(LightMix mix, const LightMix& other) {
+  mix.sun = other.sun;
+  mix.sky = other.sky;
+  for (Emitter& emitter : mix.emitters) {
+    for (const Emitter& like : other.emitters) {
+      if (like.kind != emitter.kind || like.name != emitter.name) continue;
+      emitter.scale = like.scale;
+      emitter.is_on = like.is_on;
+    }
+  }
+  const std::size_t n = std::min(mix.reflectance.size(), other.reflectance.size());
+  for (std::size_t m = 0; m < n; ++m) mix.reflectance[m] = other.reflectance[m];
+  return mix;
+}
+
+}  // namespace
 
 void Session::set_emitter(std::size_t emitter, double scale, bool is_on) {
   const Emitter& now = mix_.emitters.at(emitter);
@@ -50,7 +86,9 @@ void Session::set_daylight(const std::optional<radiosity::Sun>& sun,
   LightMix mix = mix_;
   mix.sun = sun;
   mix.sky = sky;
-  if (mix.has_daylight_of(mix_)) return;
+  // Of a sky that does not depend on the sun it is kept all the same, for others that do.
+  const bool is_same_place = !sky || sky->towards_sun == mix_.sky->towards_sun;
+  if (mix.has_daylight_of(mix_) && is_same_place) return;
   mix_history_.note({.kind = Item::Kind::daylight}, mix_);
   take_mix(std::move(mix));
 }
@@ -58,6 +96,35 @@ void Session::set_daylight(const std::optional<radiosity::Sun>& sun,
 void Session::reset_daylight() {
   mix_history_.begin_step();
   set_daylight(original_mix_.sun, original_mix_.sky);
+}
+
+void Session::make_lamp(std::int32_t surface, double lumens) {
+  if (!model_.scene) throw radiosity::SceneError("only a surface of a scene can be made a lamp");
+  auto scene = std::make_shared<const radiosity::Scene>(with_lamp(*model_.scene, surface, lumens));
+  LightMix mix = with_choices_of(make_mix(*scene), mix_);
+  mix.reflectance.back() = mix_.reflectance[model_.scene->surfaces[surface].material];
+  original_mix_ = with_choices_of(make_mix(*scene), original_mix_);
+  for (LightMix* of : {&mix, &original_mix_}) light_fully(surface, *of);
+  mix_ = std::move(mix);
+  model_.scene = std::move(scene);
+  model_.outer.reset();  // which goes by the emitters
+  mix_history_.clear();
+  emitter_lights_.reset();
+  forget_light_path();
+  forget_iteration();
+  previewing_.cancel();
+  lighting_.cancel();
+  light_.reset();
+  is_quick_running_ = false;
+  ++versions_.light;
+  // A compressed operator is made for the light that there was.
+  const bool is_usable = model_.transport && !model_.transport->report().compression;
+  if (is_usable) {
+    relight();
+  } else {
+    ++versions_.mix;
+    restart(options_);
+  }
 }
 
 void Session::reset_emitter(std::size_t emitter) {
