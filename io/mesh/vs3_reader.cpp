@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -20,6 +21,8 @@ using radiosity::Vec3;
 
 /// How far a part may be off the plane and the outline of its base, of its own size.
 constexpr double kOffBase = 1e-5;
+/// How far a mask stands in front of its base, of its own size, so that it has something to face.
+constexpr double kMaskDistance = 1e-7;
 
 class Vs3Scene {
  public:
@@ -50,7 +53,7 @@ class Vs3Scene {
     for (std::size_t i = 0; i < n; ++i) {
       const Vs3Surface& surface = file_.surfaces[i];
       if (surface.base < 0) {
-        if (surface.kind == Vs3Surface::Kind::null) fail_at(i, "is a null surface without a base");
+        if (covers_base(surface)) fail_at(i, "covers a part of its base, but has none");
         continue;
       }
       const auto base = static_cast<std::size_t>(surface.base);
@@ -59,8 +62,8 @@ class Vs3Scene {
       if (base >= i && !is_obstruction) {
         fail_at(i, fmt::format("has the base {}, expected an earlier surface", base + 1));
       }
-      if (file_.surfaces[base].kind == Vs3Surface::Kind::null) {
-        fail_at(i, fmt::format("has the base {}, which is a null surface", base + 1));
+      if (covers_base(file_.surfaces[base])) {
+        fail_at(i, fmt::format("has the base {}, which is a null or masking surface", base + 1));
       }
       check_part(i, base);
       parts_[base].push_back(i);
@@ -77,10 +80,10 @@ class Vs3Scene {
         fail_at(i, fmt::format("does not lie in the plane of its base {}", base + 1));
       }
     }
-    const bool is_null = file_.surfaces[i].kind == Vs3Surface::Kind::null;
-    if ((normal_of(i).dot(normal) > 0) == is_null) {
-      fail_at(i, fmt::format("must face {} as its base {}", is_null ? "the other way" : "the same",
-                             base + 1));
+    const bool covers = covers_base(file_.surfaces[i]);
+    if ((normal_of(i).dot(normal) > 0) == covers) {
+      fail_at(i, covers ? fmt::format("must face its base {}, the other way", base + 1)
+                        : fmt::format("must face the same way as its base {}", base + 1));
     }
     for (std::size_t k = 0; k < outline.size(); ++k) {
       const Vec3 edge = outline[(k + 1) % outline.size()] - outline[k];
@@ -149,21 +152,37 @@ class Vs3Scene {
     return static_cast<int>(scene_.materials.size()) - 1;
   }
 
+  /// Of a part, as its base faces.
+  [[nodiscard]] std::vector<Vec3> outline_on_base(std::size_t part) const {
+    std::vector<Vec3> outline = file_.surfaces[part].corners;
+    if (covers_base(file_.surfaces[part])) std::reverse(outline.begin(), outline.end());
+    return outline;
+  }
+
   void add_polygons(std::size_t i) {
     const auto& corners = file_.surfaces[i].corners;
+    if (file_.surfaces[i].kind == Vs3Surface::Kind::mask) return add_mask(i);
     if (parts_[i].empty()) return add_polygon(corners, i);
     std::vector<ConvexPolygon> holes;
-    for (const std::size_t part : parts_[i]) {
-      std::vector<Vec3> hole = file_.surfaces[part].corners;
-      if (file_.surfaces[part].kind == Vs3Surface::Kind::null) {
-        hole.assign(file_.surfaces[part].corners.rbegin(), file_.surfaces[part].corners.rend());
-      }
-      holes.emplace_back(hole);
-    }
+    for (const std::size_t part : parts_[i]) holes.emplace_back(outline_on_base(part));
     const double thickness = kOffBase * radiosity::bounding_disc(corners).radius;
     const auto pieces = flat_difference(ConvexPolygon(corners), holes, normal_of(i), thickness);
-    if (pieces.empty()) fail_at(i, "is wholly covered by the parts that lie in it");
     for (const ConvexPolygon& piece : pieces) add_polygon(piece.points(), i);
+    bool is_masked = false;
+    for (const std::size_t part : parts_[i]) {
+      if (file_.surfaces[part].kind != Vs3Surface::Kind::mask) continue;
+      add_polygon(outline_on_base(part), i);  // what the mask faces
+      is_masked = true;
+    }
+    if (pieces.empty() && !is_masked) fail_at(i, "is wholly covered by the parts that lie in it");
+  }
+
+  void add_mask(std::size_t i) {
+    std::vector<Vec3> corners = file_.surfaces[i].corners;
+    const double distance = kMaskDistance * radiosity::bounding_disc(corners).radius;
+    const Vec3 off_base = -distance * normal_of(i);
+    for (Vec3& corner : corners) corner += off_base;
+    add_polygon(corners, i);
   }
 
   void add_polygon(std::span<const Vec3> corners, std::size_t i) {

@@ -64,14 +64,14 @@ class Vs3Parser {
           read_surface(Vs3Surface::Kind::obstruction);
           break;
         case 'm':
-          lines_.fail(
-              "a masking surface (M) is not supported: it would face its base at no distance");
+          read_surface(Vs3Surface::Kind::mask);
+          break;
         case 'e':
         case '*':
           return finished();
         default:
-          lines_.fail(
-              fmt::format("expected one of T, C, F, V, S, N, O, E, found {}", lines_.shown(word)));
+          lines_.fail(fmt::format("expected one of T, C, F, V, S, M, N, O, E, found {}",
+                                  lines_.shown(word)));
       }
     }
     return finished();
@@ -208,8 +208,8 @@ class Vs3Parser {
   void check_combination(const Vs3Surface& surface) const {
     if (surface.combined_with < 0) return;
     const Vs3Surface& other = file_.surfaces[static_cast<std::size_t>(surface.combined_with)];
-    if (surface.kind == Vs3Surface::Kind::null || other.kind == Vs3Surface::Kind::null) {
-      lines_.fail("a null surface (N) cannot be combined");
+    if (covers_base(surface) || covers_base(other)) {
+      lines_.fail("a masking surface (M) or null surface (N) cannot be combined");
     }
     if (other.combined_with >= 0) {
       lines_.fail(fmt::format("combined with surface {}, which is itself combined with {}",

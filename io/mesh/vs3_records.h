@@ -19,7 +19,8 @@ struct View3dControl {
 
 /// A surface as a .vs3 file gives it.
 struct Vs3Surface {
-  enum class Kind { radiating, null, obstruction };
+  /// A mask faces what it covers of its base and nothing else; a null surface takes it away.
+  enum class Kind { radiating, mask, null, obstruction };
   Kind kind = Kind::radiating;
   std::vector<radiosity::Vec3> corners;  ///< three or four, in the file's unit
   int base = -1;                         ///< index of the surface that it is a part of, or -1
@@ -28,6 +29,11 @@ struct Vs3Surface {
   std::string name;  ///< "" if there is none
   long line = 0;     ///< for messages
 };
+
+/// Whether it lies on its base, face to face.
+inline bool covers_base(const Vs3Surface& surface) {
+  return surface.kind == Vs3Surface::Kind::mask || surface.kind == Vs3Surface::Kind::null;
+}
 
 /// A scene of View3D. Indices of surfaces are in range, those of combined ones lead to an earlier
 /// radiating one that is combined with none.

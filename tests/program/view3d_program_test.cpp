@@ -231,6 +231,24 @@ TEST_F(Vs3Program, SharesTheFactorsOfABase) {
   EXPECT_NEAR(whole.lines[2][0], 0.19982490, 1e-6);
 }
 
+/// A mask faces what it covers of its base, which nothing else sees: the base exchanges with others
+/// what it does with a hole there.
+TEST_F(Vs3Program, GivesWhatView3dGivesOfAMask) {
+  const std::string part =
+      kSquares + std::string("V 13 .25 .25 0\nV 14 .75 .25 0\nV 15 .5 .75 0\n");
+  const View3dFile masked = factors_of(part + "M 3 15 14 13 0 1 0 .5 mask\n");
+  expect_same(masked, reference("mask.txt"), kTheirError);
+  const View3dFile holed = factors_of(part + "N 3 15 14 13 0 1 0 .5 hole\n");
+  constexpr double kDecimals = 2e-6;  // of numbers with six of them
+  EXPECT_NEAR(masked.lines[1][1], 0.875 * holed.lines[1][1], kDecimals);
+  EXPECT_NEAR(masked.lines[2][0], holed.lines[2][0], kDecimals);
+  // Of all of its base it sees all, and is seen by nothing else.
+  const View3dFile covered = factors_of(kSquares + std::string("M 3 4 3 2 1 1 0 .5 mask\n"));
+  EXPECT_EQ(covered.lines[1], (std::vector<double>{0, 0, 1}));
+  EXPECT_EQ(covered.lines[2], (std::vector<double>{0, 0, 0}));
+  EXPECT_EQ(covered.lines[3], (std::vector<double>{1, 0, 0}));
+}
+
 std::string cube_vs3(const std::string& control) {
   return "C " + control +
          "\nF 3\nV 1 0 0 0\nV 2 1 0 0\nV 3 1 1 0\nV 4 0 1 0\nV 5 0 0 1\nV 6 1 0 1\nV 7 1 1 1\n"
