@@ -13,6 +13,7 @@
 #include "apps/terminal/machine.h"
 #include "apps/terminal/number_list.h"
 #include "apps/terminal/output_files.h"
+#include "io/base/extension.h"
 #include "io/result/node_numbers.h"
 #include "radiosity/base/error.h"
 #include "radiosity/base/machine_memory.h"
@@ -69,8 +70,8 @@ ExchangeCommand::ExchangeCommand(CLI::App& program, Interruption& interruption)
   add_common_options(*command, common_);
   command
       ->add_option("-o,--output", common_.outputs,
-                   "File of couplings: .csv, .h5 (HDF5), .esatan (GR conductors) or .sinda; may be "
-                   "repeated")
+                   "File of couplings: .csv, .h5 (HDF5), .esatan (GR conductors), .sinda or "
+                   ".oppenheim (resistances of surfaces and of space); may be repeated")
       ->check(
           [](const std::string& path) { return check_extension(path, io::network_extensions()); })
       ->type_name("FILE")
@@ -89,7 +90,10 @@ ExchangeCommand::ExchangeCommand(CLI::App& program, Interruption& interruption)
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{999'999'999}))
       ->capture_default_str()
       ->type_name("N");
-  command->add_flag("--sigma", has_sigma_, "Conductors in .sinda times sigma, W/K4");
+  command->add_flag("--sigma", sinda_.has_sigma, "Conductors in .sinda times sigma, W/K4");
+  command->add_flag("--positive", sinda_.is_positive,
+                    "Conductors in .sinda with numbers above 0; default: below, as those of "
+                    "radiation");
   command
       ->add_option("--min-coupling", min_coupling_,
                    "Leave out couplings of less than this share of what either node emits; the "
@@ -119,6 +123,13 @@ io::NamedNetwork ExchangeCommand::make_network(const study::Study& study,
     for (Index i = 0; i < n; ++i) {
       named.names.push_back(fmt::format("{}/{}", mesh.surface_names[mesh.surface[i]], i));
     }
+  }
+  const auto& outputs = common_.outputs;
+  if (std::any_of(outputs.begin(), outputs.end(), [](const std::string& output) {
+        return io::lower_case_extension(output) == ".oppenheim";
+      })) {
+    named.black = radiosity::exchange_network(*study.transport, Eigen::VectorXd::Ones(mesh.size()),
+                                              node, n, {.progress = progress});
   }
   named.numbers.resize(static_cast<std::size_t>(n));
   std::iota(named.numbers.begin(), named.numbers.end(), 1);
@@ -161,7 +172,7 @@ void ExchangeCommand::run() const {
   }
   for (const std::string& output : common_.outputs) {
     const auto lock = interruption_.hold();
-    io::write_network(output, named, has_sigma_);
+    io::write_network(output, named, sinda_);
   }
   print(common_.json ? exchange_json(summary, terminal.warnings()) : exchange_text(summary));
 }

@@ -35,7 +35,7 @@ class ExchangeCommand {
   std::string by_ = "surface";
   std::optional<std::string> nodes_;  // file
   std::int64_t space_node_ = 99999;
-  bool has_sigma_ = false;
+  io::SindaStyle sinda_;
   double min_coupling_ = 0;
 };
 

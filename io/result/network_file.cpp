@@ -77,9 +77,8 @@ void write_network_hdf5(const std::filesystem::path& path, const NamedNetwork& n
 
 /// Each pair of coupled nodes once, and each node with space.
 void for_each_coupling(
-    const NamedNetwork& named,
+    const NamedNetwork& named, const ExchangeNetwork& network,
     const std::function<void(std::int64_t from, std::int64_t to, double coupling)>& visit) {
-  const ExchangeNetwork& network = named.network;
   for (Index s = 0; s < network.area.size(); ++s) {
     for (Index t = s + 1; t < network.area.size(); ++t) {
       if (network.couplings(s, t) > 0) {
@@ -108,21 +107,44 @@ void write_esatan(const std::filesystem::path& path, const NamedNetwork& named) 
     stream << "# Radiative couplings, m2, of nodes\n";
     write_nodes(stream, named, "#");
     stream << "$CONDUCTORS\n";
-    for_each_coupling(named, [&](std::int64_t from, std::int64_t to, double coupling) {
-      stream << fmt::format("GR({}, {}) = {};\n", from, to, coupling);
-    });
+    for_each_coupling(named, named.network,
+                      [&](std::int64_t from, std::int64_t to, double coupling) {
+                        stream << fmt::format("GR({}, {}) = {};\n", from, to, coupling);
+                      });
   });
 }
 
-void write_sinda(const std::filesystem::path& path, const NamedNetwork& named, bool has_sigma) {
+void write_sinda(const std::filesystem::path& path, const NamedNetwork& named,
+                 const SindaStyle& style) {
   write_stream_atomically(path, [&](std::ofstream& stream) {
-    stream << "C Radiative couplings, " << (has_sigma ? "W/K4" : "m2") << ", of nodes\n";
+    stream << "C Radiative couplings, " << (style.has_sigma ? "W/K4" : "m2") << ", of nodes\n";
     write_nodes(stream, named, "C");
     stream << "HEADER CONDUCTOR DATA, RADIATION\n";
     std::int64_t number = 0;
-    for_each_coupling(named, [&](std::int64_t from, std::int64_t to, double coupling) {
-      stream << fmt::format("{}, {}, {}, {}\n", --number, from, to,
-                            has_sigma ? radiosity::kStefanBoltzmann * coupling : coupling);
+    for_each_coupling(named, named.network,
+                      [&](std::int64_t from, std::int64_t to, double coupling) {
+                        number += style.is_positive ? 1 : -1;
+                        stream << fmt::format(
+                            "{}, {}, {}, {}\n", number, from, to,
+                            style.has_sigma ? radiosity::kStefanBoltzmann * coupling : coupling);
+                      });
+  });
+}
+
+void write_oppenheim(const std::filesystem::path& path, const NamedNetwork& named) {
+  write_stream_atomically(path, [&](std::ofstream& stream) {
+    stream << "kind,from,to,conductance\n";
+    for (std::size_t s = 0; s < named.numbers.size(); ++s) {
+      const double emitting = named.network.emitting[static_cast<Index>(s)];
+      const double area = named.network.area[static_cast<Index>(s)];
+      stream << fmt::format("surface,E{0},J{0},{1}\n", named.numbers[s],
+                            emitting * area / (area - emitting));
+    }
+    const ExchangeNetwork& black = named.black.value();
+    const bool has_space = black.to_space.any();
+    for_each_coupling(named, black, [&](std::int64_t from, std::int64_t to, double coupling) {
+      const char node = has_space && to == named.space ? 'E' : 'J';
+      stream << fmt::format("space,J{},{}{},{}\n", from, node, to, coupling);
     });
   });
 }
@@ -130,18 +152,22 @@ void write_sinda(const std::filesystem::path& path, const NamedNetwork& named, b
 }  // namespace
 
 const std::vector<std::string>& network_extensions() {
-  static const std::vector<std::string> extensions = {".csv", ".h5", ".esatan", ".sinda"};
+  static const std::vector<std::string> extensions = {".csv", ".h5", ".esatan", ".sinda",
+                                                      ".oppenheim"};
   return extensions;
 }
 
-void write_network(const std::filesystem::path& path, const NamedNetwork& named, bool has_sigma) {
+void write_network(const std::filesystem::path& path, const NamedNetwork& named,
+                   const SindaStyle& sinda) {
   const std::string extension = lower_case_extension(path);
   if (extension == ".h5") {
     write_network_hdf5(path, named);
   } else if (extension == ".esatan") {
     write_esatan(path, named);
   } else if (extension == ".sinda") {
-    write_sinda(path, named, has_sigma);
+    write_sinda(path, named, sinda);
+  } else if (extension == ".oppenheim") {
+    write_oppenheim(path, named);
   } else {
     write_network_csv(path, named);
   }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,9 +16,17 @@ struct NamedNetwork {
   std::vector<std::string> names;     ///< of the nodes
   std::vector<std::int64_t> numbers;  ///< of the nodes, each another, above 0
   std::int64_t space = 99999;         ///< number of the node that stands for space
+  /// The same of nodes that are black, without reflections: the couplings are A_s F_st.
+  std::optional<radiosity::ExchangeNetwork> black = std::nullopt;
 };
 
-/// ".csv", ".h5", ".esatan", ".sinda".
+/// How conductors of .sinda are told.
+struct SindaStyle {
+  bool has_sigma = false;    ///< couplings times σ, W/K⁴
+  bool is_positive = false;  ///< their numbers above 0, not below it as those of radiation
+};
+
+/// ".csv", ".h5", ".esatan", ".sinda", ".oppenheim".
 const std::vector<std::string>& network_extensions();
 
 /// Writes the network as the extension of the file says:
@@ -26,11 +35,14 @@ const std::vector<std::string>& network_extensions();
 /// - .h5: /couplings, /error, /gebhart, /script_f (s x s), /to_space, /to_backs, /area, /emitting,
 ///   /node (s) and /names, in m² (docs/command-line.md);
 /// - .esatan: the lines GR(i, j) = m²; of a block $CONDUCTORS;
-/// - .sinda: HEADER CONDUCTOR DATA with lines -k, i, j, m², negative numbers for radiation; with
-///   `has_sigma` the couplings are times σ, W/K⁴.
-/// Of the last two each pair stands once, and what is coupled to backs is not told. Throws
+/// - .sinda: HEADER CONDUCTOR DATA with lines -k, i, j, m²;
+/// - .oppenheim: kind,from,to,conductance, m², of Oppenheim's network (1956): "surface" from the
+///   black-body emission E of each node to its radiosity J, ε A / (1 - ε), inf of black ones; and
+///   "space" from J to J, A_s F_st, or to E of space. The nodes E and J have one number. Needs
+///   `black`.
+/// Of the last three each pair stands once, and what is coupled to backs is not told. Throws
 /// OutputError.
 void write_network(const std::filesystem::path& path, const NamedNetwork& named,
-                   bool has_sigma = false);
+                   const SindaStyle& sinda = {});
 
 }  // namespace io

@@ -3,14 +3,22 @@
 #include <gtest/gtest.h>
 #include <hdf5.h>
 
+#include <Eigen/LU>
+#include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
+#include <tuple>
+#include <vector>
 
+#include "radiosity/base/geometry.h"
 #include "tests/support/program.h"
 
 namespace {
 
 using namespace radiosity::test;
+using radiosity::Index;
 using Json = nlohmann::json;
 
 class Exchange : public Program {
@@ -73,6 +81,66 @@ TEST_F(Exchange, OfOpposedSquaresHasItsClosedForm) {
   H5Dclose(set);
   H5Fclose(file);
   EXPECT_EQ(couplings[1], json["couplings"][0][1].get<double>());
+}
+
+/// What flows into a node of Oppenheim's network that is held at 0, where node 1 is held at 1.
+double heat_through(const std::string& network, const std::string& into) {
+  std::map<std::string, Index> place;
+  std::vector<std::tuple<Index, Index, double>> wires;
+  std::istringstream lines(network);
+  std::string line;
+  std::getline(lines, line);
+  EXPECT_EQ(line, "kind,from,to,conductance");
+  while (std::getline(lines, line)) {
+    std::vector<std::string> fields;
+    std::istringstream words(line);
+    for (std::string word; std::getline(words, word, ',');) fields.push_back(word);
+    for (int k = 1; k < 3; ++k) place.emplace(fields[k], static_cast<Index>(place.size()));
+    wires.emplace_back(place[fields[1]], place[fields[2]], std::min(std::stod(fields[3]), 1e12));
+  }
+  const auto n = static_cast<Index>(place.size());
+  Eigen::MatrixXd flow = Eigen::MatrixXd::Zero(n, n);
+  for (const auto& [a, b, conductance] : wires) {
+    flow(a, a) += conductance;
+    flow(b, b) += conductance;
+    flow(a, b) -= conductance;
+    flow(b, a) -= conductance;
+  }
+  Eigen::MatrixXd held = flow;
+  Eigen::VectorXd given = Eigen::VectorXd::Zero(n);
+  for (const auto& [name, k] : place) {
+    if (name[0] != 'E') continue;
+    held.row(k).setZero();
+    held(k, k) = 1;
+    given[k] = name == "E1" ? 1 : 0;
+  }
+  const Eigen::VectorXd potential = held.partialPivLu().solve(given);
+  return -flow.row(place.at(into)).dot(potential);
+}
+
+// Surfaces of one patch each have one radiosity, so Oppenheim's network is exact: what flows is
+// what the couplings tell. Of black ones, too.
+TEST_F(Exchange, NetworkOfOppenheimTellsTheCouplings) {
+  const Outcome outcome = run({"exchange", write_squares(), "--as-is", "--quiet", "-o",
+                               result("gr.oppenheim"), "-o", result("gr.sinda"), "--positive"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const std::string network = contents(result("gr.oppenheim"));
+  EXPECT_NEAR(number_behind(network, "\nsurface,E1,J1,"), 4, 1e-12);
+  EXPECT_NEAR(number_behind(network, "\nspace,J1,J2,"), 0.19982490, 1e-8);
+  EXPECT_NEAR(heat_through(network, "E2"), kCoupling, 1e-8);
+  EXPECT_NEAR(heat_through(network, "E99999"), kHotToSpace, 1e-8);
+  EXPECT_NEAR(number_behind(contents(result("gr.sinda")), "\n1, 1, 2, "), kCoupling, 1e-8);
+
+  const std::string cube = write_file("cube.off",
+                                      "OFF\n8 6 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n"
+                                      "1 1 1\n0 1 1\n4 0 1 2 3\n4 4 7 6 5\n4 0 4 5 1\n4 1 5 6 2\n"
+                                      "4 2 6 7 3\n4 3 7 4 0\n");
+  const Outcome black = run({"exchange", cube, "--as-is", "--by", "patch", "--quiet", "-o",
+                             result("cube.oppenheim"), "-o", result("cube.csv")});
+  ASSERT_EQ(black.exit_code, 0) << black.err;
+  const std::string csv = contents(result("cube.csv"));
+  const double coupling = number_behind(csv, ",1,2,");
+  EXPECT_NEAR(heat_through(contents(result("cube.oppenheim")), "E2"), coupling, 1e-8);
 }
 
 TEST_F(Exchange, TakesNodesAndSigma) {
