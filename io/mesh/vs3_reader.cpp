@@ -21,8 +21,13 @@ using radiosity::Vec3;
 
 /// How far a part may be off the plane and the outline of its base, of its own size.
 constexpr double kOffBase = 1e-5;
-/// How far a mask stands in front of its base, of its own size, so that it has something to face.
+/// How far a mask stands in front of its base, of its own size, so that it has something to face;
+/// farther where its corners are rounded, as what lies closer than they are known touches.
 constexpr double kMaskDistance = 1e-7;
+constexpr double kRoundedMaskDistance = 1e-5;
+
+/// Whether written digits hold the number without rounding: it has few binary ones.
+bool is_exact(double x) { return x * 1024 == std::floor(x * 1024); }
 
 class Vs3Scene {
  public:
@@ -179,7 +184,11 @@ class Vs3Scene {
 
   void add_mask(std::size_t i) {
     std::vector<Vec3> corners = file_.surfaces[i].corners;
-    const double distance = kMaskDistance * radiosity::bounding_disc(corners).radius;
+    const bool are_exact = std::all_of(corners.begin(), corners.end(), [](const Vec3& corner) {
+      return is_exact(corner.x()) && is_exact(corner.y()) && is_exact(corner.z());
+    });
+    const double distance = (are_exact ? kMaskDistance : kRoundedMaskDistance) *
+                            radiosity::bounding_disc(corners).radius;
     const Vec3 off_base = -distance * normal_of(i);
     for (Vec3& corner : corners) corner += off_base;
     add_polygon(corners, i);
