@@ -58,10 +58,8 @@ void CompressedTransport::add_lacking(const Parts::Source& source, const Eigen::
 }
 
 Eigen::MatrixXd CompressedTransport::apply_error(const Eigen::MatrixXd& radiosity) const {
-  Eigen::MatrixXd power = radiosity.cwiseAbs();
-  power.array().colwise() *= parts_.area.array();
-  return parts_.error_scale *
-         order_.to_patches(matrix_.squared_errors(order_.to_rows(power))).cwiseSqrt();
+  const Eigen::MatrixXd power = order_.to_rows(radiosity.cwiseAbs(), parts_.area);
+  return parts_.error_scale * order_.to_patches(matrix_.squared_errors(power)).cwiseSqrt();
 }
 
 double CompressedTransport::error() const {

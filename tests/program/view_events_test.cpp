@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -17,19 +16,8 @@ namespace {
 
 using nlohmann::json;
 
-class ViewEvents : public ViewProgram {
+class ViewEvents : public ViewProgramByHand {
  protected:
-  void SetUp() override {
-    ViewProgram::SetUp();
-    if (std::system("command -v xdotool > /dev/null") != 0) GTEST_SKIP() << "there is no xdotool";
-  }
-
-  /// What xdotool is to do. Keys are 5 ms apart where they follow each other: two presses of one
-  /// within a millisecond are one to GLFW.
-  static void act(const std::string& what) {
-    EXPECT_EQ(std::system(("xdotool " + what).c_str()), 0) << what;
-  }
-
   /// Opens a dialog by its key, types the name of a file, and presses more keys.
   static void type_file(const std::string& dialog, const std::string& file,
                         const std::string& keys) {

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "tests/support/view_program.h"
@@ -15,17 +14,8 @@ using nlohmann::json;
 
 const std::string kOffice = std::string(RADIOSITY_SCENES) + "/office.json";
 
-class ViewLuminaires : public ViewProgram {
+class ViewLuminaires : public ViewProgramByHand {
  protected:
-  void SetUp() override {
-    ViewProgram::SetUp();
-    if (std::system("command -v xdotool > /dev/null") != 0) GTEST_SKIP() << "there is no xdotool";
-  }
-
-  static void act(const std::string& what) {
-    EXPECT_EQ(std::system(("xdotool " + what).c_str()), 0) << what;
-  }
-
   json press(int function_key) const {
     const std::string name = std::to_string(function_key) + ".json";
     act("key F" + std::to_string(function_key));

@@ -73,6 +73,15 @@ json ViewProgram::report(const std::string& name) const {
   return json::parse(contents(result(name)));
 }
 
+void ViewProgramByHand::SetUp() {
+  ViewProgram::SetUp();
+  if (std::system("command -v xdotool > /dev/null") != 0) GTEST_SKIP() << "there is no xdotool";
+}
+
+void ViewProgramByHand::act(const std::string& what) {
+  EXPECT_EQ(std::system(("xdotool " + what).c_str()), 0) << what;
+}
+
 /// The colour in the picture's part of a window, x and y in [0, 1].
 std::array<int, 3> color_at(const Picture& picture, const json& report, double x, double y) {
   const json& region = report["region"];

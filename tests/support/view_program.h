@@ -59,6 +59,16 @@ class ViewProgram : public Program {
   Environment state_;
 };
 
+/// The same under real keys and clicks, which xdotool makes.
+class ViewProgramByHand : public ViewProgram {
+ protected:
+  void SetUp() override;
+
+  /// What xdotool is to do. Keys are 5 ms apart where they follow each other: two presses of one
+  /// within a millisecond are one to GLFW.
+  static void act(const std::string& what);
+};
+
 /// The colour in the picture's part of a window, x and y in [0, 1].
 std::array<int, 3> color_at(const Picture& picture, const nlohmann::json& report, double x,
                             double y);
