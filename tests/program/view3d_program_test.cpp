@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <array>
 #include <cstring>
 #include <fstream>
@@ -247,6 +248,25 @@ TEST_F(Vs3Program, GivesWhatView3dGivesOfAMask) {
   EXPECT_EQ(covered.lines[1], (std::vector<double>{0, 0, 1}));
   EXPECT_EQ(covered.lines[2], (std::vector<double>{0, 0, 0}));
   EXPECT_EQ(covered.lines[3], (std::vector<double>{1, 0, 0}));
+}
+
+// Turned, moved and with six digits, as files have them.
+TEST_F(Vs3Program, MasksMayBeRounded) {
+  const Eigen::AngleAxisd turn(0.7, Eigen::Vector3d(1, -2, 3).normalized());
+  const double corners[11][3] = {{0, 0, 0},     {1, 0, 0},     {1, 1, 0},   {0, 1, 0},
+                                 {0, 0, 1},     {1, 0, 1},     {1, 1, 1},   {0, 1, 1},
+                                 {.25, .25, 0}, {.75, .25, 0}, {.5, .75, 0}};
+  std::string vs3 = "F 3\n";
+  for (int k = 0; k < 11; ++k) {
+    const Eigen::Vector3d p = turn * Eigen::Vector3d(corners[k][0], corners[k][1], corners[k][2]) +
+                              Eigen::Vector3d(3, -1, 2);
+    vs3 += "V " + std::to_string(k + 1);
+    for (int c = 0; c < 3; ++c) vs3 += " " + std::to_string(p[c]);
+    vs3 += "\n";
+  }
+  vs3 += "S 1 1 2 3 4 0 0 .5 low\nS 2 7 6 5 8 0 0 .5 high\nM 3 11 10 9 0 1 0 .5 mask\n";
+  // Corners are off by 5e-7, areas by 1e-6 and factors by some of that.
+  expect_same(factors_of(vs3), reference("mask.txt"), 1e-5);
 }
 
 std::string cube_vs3(const std::string& control) {
