@@ -87,8 +87,8 @@ DiscretisationError estimate_discretisation(const PatchMesh& mesh, const Transpo
   DiscretisationError result = discretisation_error(mesh, transport, solution, events.progress);
   if (result.n_unknown == mesh.size() && !solution.reflectance.isZero(0)) {
     events.warn(
-        "each surface has one patch only, so how far their size makes the result wrong is not "
-        "known and not in the errors given; --patches N makes more");
+        "each surface has one patch only: without coarser ones to compare with, what their size "
+        "makes wrong may be more than the errors given say; --patches N makes more");
   }
   return result;
 }
