@@ -1,6 +1,6 @@
 // Form factors of parts of symmetric wholes and of the wholes: processor time, memory, and the
 // largest difference of a row, of exact pairs. Usage: symmetry_bench [N], patches along an edge,
-// default 12.
+// default 5.
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -24,7 +24,8 @@ struct Made {
 
 Made make(const PatchMesh& mesh) {
   const double start = bench::processor_seconds();
-  Made made{make_dense_transport(mesh, Visibility(mesh), {.closed = Closed::no})};
+  Made made{
+      make_dense_transport(mesh, Visibility(mesh), {.tolerance = 1e-7, .closed = Closed::no})};
   made.seconds = bench::processor_seconds() - start;
   return made;
 }
@@ -49,7 +50,7 @@ void compare(const char* name, const PatchMesh& mesh, const Symmetry& symmetry) 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const int n = argc > 1 ? std::atoi(argv[1]) : 12;
+  const int n = argc > 1 ? std::atoi(argv[1]) : 5;
   compare("eighth of a cube", test::cube_corner(n), test::three_mirrors());
   compare("cylinders' sector", test::prism_sector(24, 0.4, 1, 2, 2 * n), test::folds_about_z(24));
   Symmetry sphere = test::folds_about_z(24);

@@ -42,7 +42,7 @@ io::ZoneFactors zone_factors(const radiosity::Scene& scene, const radiosity::Pat
   const std::string extension = io::lower_case_extension(scene.source);
   if (extension == ".idf" || extension == ".epjson") {
     for (const auto& surface : io::read_energyplus_model(scene.source, {}).surfaces) {
-      table.zones.push_back(surface.zone);
+      table.zones.push_back(surface.enclosure);
     }
   } else {
     const std::string name =

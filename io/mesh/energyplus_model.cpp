@@ -29,6 +29,13 @@ struct Zone {
   std::string name;
   Vec3 origin = Vec3::Zero();
   double turn = 0;  // about z, radian
+  bool is_divided = false;
+};
+
+/// A part of a zone.
+struct Space {
+  std::string name;
+  std::string zone;  // in lower case
 };
 
 /// The side of a construction towards the zone.
@@ -47,6 +54,7 @@ class ModelReader {
   EnergyPlusModel run() {
     read_rules();
     read_zones();
+    read_spaces();
     read_linings();
     refuse_other_surfaces();
     each("BuildingSurface:Detailed",
@@ -120,6 +128,33 @@ class ModelReader {
       }
       if (!zones_.emplace(folded(name), zone).second) item.fail("stands twice");
     });
+  }
+
+  void read_spaces() {
+    each("Space", [&](const JsonItem& item, const std::string& name) {
+      const Space space{.name = name, .zone = folded(word(item, "zone_name"))};
+      zone_of(item).is_divided = true;
+      if (!spaces_.emplace(folded(name), space).second) item.fail("stands twice");
+    });
+  }
+
+  /// That which an object names.
+  Zone& zone_of(const JsonItem& item) {
+    const std::string wanted = word(item, "zone_name");
+    const auto zone = zones_.find(folded(wanted));
+    if (zone != zones_.end()) return zone->second;
+    item.fail(fmt::format("is of the zone \"{}\", which there is not", wanted));
+  }
+
+  [[nodiscard]] std::string enclosure_of(const JsonItem& item, const Zone& zone) const {
+    const std::string wanted = word(item, "space_name");
+    if (wanted.empty()) return zone.is_divided ? zone.name + "-Remainder" : zone.name;
+    const auto space = spaces_.find(folded(wanted));
+    if (space != spaces_.end() && space->second.zone == folded(zone.name)) {
+      return space->second.name;
+    }
+    item.fail(
+        fmt::format("is in the space \"{}\", which its zone \"{}\" has not", wanted, zone.name));
   }
 
   void read_linings() {
@@ -220,13 +255,10 @@ class ModelReader {
 
   void add_surface(const JsonItem& item, const std::string& name) {
     EnergyPlusSurface surface = make_surface(item, name);
-    const std::string wanted = word(item, "zone_name");
-    const auto zone = zones_.find(folded(wanted));
-    if (zone == zones_.end()) {
-      item.fail(fmt::format("is of the zone \"{}\", which there is not", wanted));
-    }
-    surface.zone = zone->second.name;
-    set_corners(listed_corners(item), zone->second, surface);
+    const Zone& zone = zone_of(item);
+    surface.enclosure = enclosure_of(item, zone);
+    set_corners(listed_corners(item), zone, surface);
+    walls_in_.push_back(&zone);
     model_.surfaces.push_back(std::move(surface));
   }
 
@@ -258,17 +290,19 @@ class ModelReader {
       item.fail(fmt::format("has the multiplier {}; expected each window by itself", multiplier));
     }
     window.base = static_cast<int>(base->second);
-    window.zone = model_.surfaces[base->second].zone;
-    set_corners(window_corners(item), zones_.at(folded(window.zone)), window);
+    window.enclosure = model_.surfaces[base->second].enclosure;
+    set_corners(window_corners(item), *walls_in_[base->second], window);
     model_.surfaces.push_back(std::move(window));
   }
 
   JsonItem root_;
   bool is_clockwise_ = false;
   bool is_relative_ = false;
-  std::map<std::string, Zone> zones_;          // these by names in lower case
+  std::map<std::string, Zone> zones_;  // these by names in lower case
+  std::map<std::string, Space> spaces_;
   std::map<std::string, Lining> linings_;      // of constructions
   std::map<std::string, std::size_t> places_;  // of surfaces in the model
+  std::vector<const Zone*> walls_in_;          // of all but windows
   std::size_t n_unlined_ = 0;
   EnergyPlusModel model_;
 };

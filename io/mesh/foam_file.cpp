@@ -123,7 +123,7 @@ void FoamTokens::fail(const std::string& message) const {
   io::fail(fmt::format("{}:{}", path_.string(), line), message);
 }
 
-std::vector<FoamPatch> read_radiating_patches(const std::filesystem::path& boundary) {
+std::vector<FoamPatch> read_foam_patches(const std::filesystem::path& boundary) {
   FoamTokens tokens(boundary);
   std::vector<FoamPatch> patches;
   const Index n = tokens.count();
@@ -141,12 +141,18 @@ std::vector<FoamPatch> read_radiating_patches(const std::filesystem::path& bound
       }
     }
     tokens.expect("}");
-    const auto& groups = patch.groups;
-    if (std::find(groups.begin(), groups.end(), "viewFactorWall") != groups.end()) {
-      patches.push_back(std::move(patch));
-    }
+    patches.push_back(std::move(patch));
   }
   tokens.expect(")");
+  return patches;
+}
+
+std::vector<FoamPatch> read_radiating_patches(const std::filesystem::path& boundary) {
+  std::vector<FoamPatch> patches = read_foam_patches(boundary);
+  std::erase_if(patches, [](const FoamPatch& patch) {
+    const auto& groups = patch.groups;
+    return std::find(groups.begin(), groups.end(), "viewFactorWall") == groups.end();
+  });
   if (patches.empty()) {
     fail(boundary, "has no patch of the group viewFactorWall, which those that radiate belong to");
   }

@@ -41,8 +41,10 @@ struct FoamPatch {
   radiosity::Index n = 0;
 };
 
-/// The patches that radiate, those of the group viewFactorWall, in their order, of a case's
-/// constant/polyMesh/boundary. Throws SceneError; if there is none, too.
+/// All patches in their order, of a case's constant/polyMesh/boundary. Throws SceneError.
+std::vector<FoamPatch> read_foam_patches(const std::filesystem::path& boundary);
+
+/// Those that radiate, of the group viewFactorWall. Throws SceneError; if there is none, too.
 std::vector<FoamPatch> read_radiating_patches(const std::filesystem::path& boundary);
 
 }  // namespace io

@@ -23,6 +23,7 @@ constexpr auto kRulesFields = std::to_array<std::string_view>(
     {"starting_vertex_position", "vertex_entry_direction", "coordinate_system"});
 constexpr auto kZoneFields = std::to_array<std::string_view>(
     {"name", "direction_of_relative_north", "x_origin", "y_origin", "z_origin"});
+constexpr auto kSpaceFields = std::to_array<std::string_view>({"name", "zone_name"});
 constexpr auto kConstructionFields = std::to_array<std::string_view>(
     {"name", "outside_layer", "layer_2", "layer_3", "layer_4", "layer_5", "layer_6", "layer_7",
      "layer_8", "layer_9", "layer_10"});
@@ -57,6 +58,7 @@ struct FixedKind {
 /// Types whose fields have fixed places.
 constexpr auto kKinds = std::to_array<FixedKind>({{"GlobalGeometryRules", kRulesFields},
                                                   {"Zone", kZoneFields},
+                                                  {"Space", kSpaceFields},
                                                   {"Construction", kConstructionFields},
                                                   {"Construction:AirBoundary", kName},
                                                   {"Material", kMaterialFields},

@@ -7,7 +7,7 @@
 
 namespace io {
 
-/// Form factors between the surfaces of zones.
+/// Form factors between the surfaces of zones, or of the spaces that zones are divided into.
 struct ZoneFactors {
   std::vector<std::string> surfaces;  ///< their names
   std::vector<std::string> zones;     ///< the name of each one's zone

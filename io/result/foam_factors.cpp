@@ -29,20 +29,34 @@ std::string all_faces(Index n) {
   return text + ')';
 }
 
-/// Whether each list of a finalAgglom is 0, 1, 2...
-bool keeps_faces(const std::filesystem::path& path) {
+/// Throws SceneError unless each list of a finalAgglom is 0, 1, 2... as far as its patch has faces.
+void check_single_faces(const std::filesystem::path& path, const std::vector<FoamPatch>& patches) {
   FoamTokens tokens(path);
-  const Index n_patches = tokens.count();
+  const bool has_all = tokens.count() == std::ssize(patches);
   tokens.expect("(");
-  for (Index p = 0; p < n_patches; ++p) {
-    const Index n = tokens.count();
+  for (const FoamPatch& patch : patches) {
+    const Index n = has_all ? tokens.count() : -1;
+    if (n != patch.n) {
+      fail(path,
+           "is not of this mesh: its lists are not as long as the patches of polyMesh/boundary");
+    }
     tokens.expect("(");
     for (Index i = 0; i < n; ++i) {
-      if (tokens.number() != static_cast<double>(i)) return false;
+      if (tokens.number() == static_cast<double>(i)) continue;
+      fail(path, "puts faces together; form factors are made between single ones");
     }
     tokens.expect(")");
   }
-  return true;
+}
+
+/// Each face of each patch by itself, of those that do not radiate, too.
+void write_single_faces(const std::filesystem::path& path) {
+  const auto patches = read_foam_patches(path.parent_path() / "polyMesh" / "boundary");
+  write_stream_atomically(path, [&](std::ofstream& stream) {
+    stream << head("labelListList", path) << patches.size() << "\n(\n";
+    for (const FoamPatch& patch : patches) stream << all_faces(patch.n) << '\n';
+    stream << ")\n";
+  });
 }
 
 /// A list of lists, one on each line; `item` is what each entry that is not 0 is told by.
@@ -70,14 +84,16 @@ void write_lists(const std::filesystem::path& path, const char* type, const Elem
 }  // namespace
 
 std::vector<std::filesystem::path> foam_companions(const std::filesystem::path& path) {
-  return {path.parent_path() / "globalFaceFaces", path.parent_path() / "mapDist"};
+  const std::filesystem::path folder = path.parent_path();
+  std::vector<std::filesystem::path> files{folder / "globalFaceFaces", folder / "mapDist"};
+  if (!std::filesystem::exists(folder / "finalAgglom")) files.push_back(folder / "finalAgglom");
+  return files;
 }
 
 void check_foam_case(const std::filesystem::path& path, Index n_elements) {
   const std::filesystem::path folder = path.parent_path();
-  const std::filesystem::path agglomeration = folder / "finalAgglom";
-  if (std::filesystem::exists(agglomeration) && !keeps_faces(agglomeration)) {
-    fail(agglomeration, "puts faces together; form factors are made between single ones");
+  if (std::filesystem::exists(folder / "finalAgglom")) {
+    check_single_faces(folder / "finalAgglom", read_foam_patches(folder / "polyMesh" / "boundary"));
   }
   Index n_faces = 0;
   for (const FoamPatch& patch : read_radiating_patches(folder / "polyMesh" / "boundary")) {
@@ -103,6 +119,7 @@ void write_foam_factors(const std::filesystem::path& path, const ElementRows& ro
     stream << head("mapDistribute", companions[1]) << rows.n_elements << "\n1(" << faces << ")\n1("
            << faces << ")\n0 0\n\n0()\n0()\n";
   });
+  if (companions.size() > 2) write_single_faces(companions[2]);
 }
 
 }  // namespace io

@@ -177,6 +177,49 @@ TEST_F(SolverFiles, EnergyPlusGetsAllPairsOfAZone) {
   }
 }
 
+// EnergyPlus knows the space's name, not the zone's, where a zone is divided.
+TEST_F(SolverFiles, EnergyPlusGetsTheSpacesOfAZone) {
+  std::string text =
+      "GlobalGeometryRules, UpperLeftCorner, Counterclockwise, World;\nZone, Hall;\n"
+      "Zone, Loft;\nSpace, Front part, HALL;\n";
+  const auto add = [&](const std::string& name, const std::string& where, int x) {
+    for (const bool is_floor : {true, false}) {
+      text += "BuildingSurface:Detailed, " + name + (is_floor ? " floor" : " roof") +
+              ", Wall, W, " + where + ", Outdoors, , SunExposed, WindExposed, 0.5, 4";
+      for (const int corner : {0, 1, 2, 3}) {
+        const int along = corner == 1 || corner == 2 ? 1 : 0;
+        const int across = corner / 2;
+        // Seen from outside: the floor from below.
+        text += ", " + std::to_string(x + (is_floor ? across : along)) + ", " +
+                std::to_string(is_floor ? along : across) + (is_floor ? ", 0" : ", 1");
+      }
+      text += ";\n";
+    }
+  };
+  add("A", "Hall, front PART", 0);
+  add("B", "hall, ", 1);
+  add("C", "Loft, ", 2);
+  write({write_file("house.idf", text), "-o", result("f.epJSON")});
+  const Json objects =
+      Json::parse(contents(result("f.epJSON"))).at("ZoneProperty:UserViewFactors:BySurfaceName");
+  std::map<std::string, std::string> first;
+  for (const Json& object : objects) {
+    EXPECT_EQ(object["view_factors"].size(), 4U);
+    first[object["zone_or_zonelist_or_space_or_spacelist_name"]] =
+        object["view_factors"][1]["to_surface"];
+    EXPECT_NEAR(object["view_factors"][1]["view_factor"].get<double>(), 0.199824895698, 1e-3);
+  }
+  const std::map<std::string, std::string> expected{
+      {"Front part", "A roof"}, {"Hall-Remainder", "B roof"}, {"Loft", "C roof"}};
+  EXPECT_EQ(first, expected);
+  for (const char* other : {"Cellar", "Front part"}) {
+    std::string wrong = text;
+    wrong.replace(wrong.find("Loft, , Outdoors"), 6, std::string("Loft, ") + other);
+    expect_error(run({"form-factors", write_file("wrong.idf", wrong), "-o", result("g.idf")}), 1,
+                 std::string("is in the space \"") + other + "\", which its zone \"Loft\" has not");
+  }
+}
+
 /// A case of OpenFOAM of 2 x 1 x 1 cells, its mesh as written by hand: a box of 2 x 1 x 1 m.
 void write_case(const fs::path& folder) {
   fs::create_directories(folder / "constant/polyMesh");
@@ -267,9 +310,16 @@ TEST_F(SolverFiles, OpenFoamGetsItsFacesInTheirOrder) {
   const std::string map = contents(folder / "constant/mapDist");
   EXPECT_NE(map.find("class       mapDistribute;"), std::string::npos);
   EXPECT_NE(map.find("1(9(0 1 2 3 4 5 6 7 8))"), std::string::npos);
+  // Without finalAgglom the model ends; of each patch each face by itself.
+  const fs::path agglomeration = folder / "constant/finalAgglom";
+  const Matrix single{{0, 1}, {0, 1}, {0}, {0, 1, 2, 3, 4}};
+  EXPECT_EQ(read_foam_lists(contents(agglomeration)), single);
+  const std::string own = contents(agglomeration) + "// the case's own\n";
+  std::ofstream(agglomeration) << own;
   // More patches than faces change nothing but rounding.
   write({(folder / "case.foam").string(), "--patches", "200", "--tolerance", "1e-6", "-o", f});
   EXPECT_EQ(read_foam_lists(contents(f)).size(), 9U);
+  EXPECT_EQ(contents(agglomeration), own);
 }
 
 TEST_F(SolverFiles, WhatCannotBeWrittenIsRefused) {
@@ -289,8 +339,15 @@ TEST_F(SolverFiles, WhatCannotBeWrittenIsRefused) {
   write_case(folder);
   error({"-o", (folder / "constant/F").string()}, 1,
         "the case has 9 faces that radiate, the scene 4 polygons");
-  std::ofstream(folder / "constant/finalAgglom") << "FoamFile { format ascii; }\n1(2(0 0))";
+  const auto agglomerate = [&](const std::string& lists) {
+    std::ofstream(folder / "constant/finalAgglom") << "FoamFile { format ascii; }\n" << lists;
+  };
+  agglomerate("4(2(0 0) 2(0 1) 1(0) 5(0 1 2 3 4))");
   error({"-o", (folder / "constant/F").string()}, 1, "puts faces together");
+  for (const char* lists : {"1(2(0 1))", "4(2(0 1) 2(0 1) 1(0) 4(0 1 2 3))"}) {
+    agglomerate(lists);
+    error({"-o", (folder / "constant/F").string()}, 1, "is not of this mesh");
+  }
   std::string two_sided = kPolygons;
   two_sided.insert(two_sided.find("\"name\": \"b\""), "\"two_sided\": true, ");
   expect_error(run({"form-factors", write_file("two.json", two_sided), "-o", result("a.dat")}), 1,
