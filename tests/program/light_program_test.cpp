@@ -164,6 +164,17 @@ TEST_F(Light, OfAFurnaceIsTheSameOfAllKinds) {
   EXPECT_EQ(json["grids"][0]["quantities"].size(), 4U);
 }
 
+// Its luminance is its exitance over π, from wherever.
+TEST_F(Light, OfAFurnaceIsOneLuminance) {
+  const Json json =
+      light({write_cube(0.5, 1), "--grid", ".2,.2,0,.6,0,0,0,.6,0", "--spacing", ".3", "--patches",
+             "100", "--luminance-from", ".5,.4,.9", "--luminance-from", ".1,.1,.2"});
+  ASSERT_EQ(json["grids"][0]["quantities"].size(), 3U);
+  const Json& quantity = json["grids"][0]["quantities"][2];
+  EXPECT_EQ(quantity["name"], "luminance 0.1,0.1,0.2");
+  EXPECT_NEAR(quantity["new"]["Em"].get<double>(), 179 / (1 - 0.5), 1e-3 * 358);
+}
+
 // Luminaires of photometric files light, dazzle and age like lamps.
 TEST_F(Light, OfLuminairesIsToldAndAges) {
   const Json json = light({RADIOSITY_SCENES "/office.json", "--patches", "300", "--grid",
