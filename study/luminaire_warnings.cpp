@@ -8,6 +8,7 @@
 
 #include "radiosity/base/geometry.h"
 #include "radiosity/visibility/coverage.h"
+#include "radiosity/visibility/luminaire_light.h"
 
 namespace study {
 namespace {
@@ -60,6 +61,13 @@ void warn_of_luminaires(const Scene& scene, const PatchMesh& mesh, const Visibil
     if (!problem.empty()) {
       events.warn(fmt::format("luminaire '{}' lights nothing: {}", luminaire.name, problem));
     }
+  }
+  const LuminaireLight light(scene, mesh);
+  if (const auto& cut = light.cut_openings(); !cut.empty()) {
+    events.warn(fmt::format(
+        "{} of {} luminaires, such as '{}', have a luminous opening that a surface cuts "
+        "through, and count as points",
+        cut.size(), scene.luminaires.size(), scene.luminaires[cut.front()].name));
   }
 }
 

@@ -7,7 +7,7 @@
 namespace study {
 
 /// Of luminaires whose light meets no emitting side: outside of the room, or inside of a solid or a
-/// wall.
+/// wall. And of those whose opening a surface cuts through.
 void warn_of_luminaires(const radiosity::Scene& scene, const radiosity::PatchMesh& mesh,
                         const radiosity::Visibility& visibility, const StudyEvents& events);
 

@@ -7,6 +7,7 @@
 
 #include "radiosity/base/error.h"
 #include "radiosity/meter/luminaire_glare.h"
+#include "radiosity/meter/luminance_meter.h"
 #include "radiosity/picture/point_grid.h"
 #include "radiosity/solve/surface_flux.h"
 
@@ -91,6 +92,17 @@ void warn_of_sources(const MeasuredObserver& observer, const StudyEvents& events
                   radiosity::kSmallestGlareSource, radiosity::kLargestGlareSource));
 }
 
+/// What eyes see of a grid, if there are any.
+void add_luminances(const radiosity::GridPlan& plan, const LitScene& solved,
+                    const std::vector<radiosity::Lighting>& lights, const Eigen::VectorXd& weights,
+                    radiosity::GridLight& light, const StudyEvents& events) {
+  if (plan.luminance_from.empty()) return;
+  const radiosity::LuminanceMeter meter(solved.mesh, solved.visibility, lights, weights);
+  for (auto& quantity : radiosity::measure_luminance(plan, light, meter, events.progress)) {
+    light.quantities.push_back(std::move(quantity));
+  }
+}
+
 /// Of new lamps.
 std::vector<MeasuredObserver> measured_observers(const LitScene& solved,
                                                  const radiosity::LightPlan& plan,
@@ -161,6 +173,7 @@ MeasuredPlan measure_plan(const LitScene& solved, const radiosity::LightPlan& pl
     const bool has_floor = grid.surface.empty() && radiosity::find_floor(solved.mesh, up).is_found;
     result.grids.push_back({grid, radiosity::measure_grid(grid, solved.mesh, solved.visibility,
                                                           photometer, has_floor, events.progress)});
+    add_luminances(grid, solved, lights, weights, result.grids.back().light, events);
     warn_of_places(result.grids.back(), events);
   }
   result.observers = measured_observers(solved, plan, photometer, weights, events);

@@ -40,11 +40,11 @@ class IncidentLights {
   IncidentLights(const PatchMesh& mesh, const Progress& progress)
       : mesh_(mesh), progress_(progress) {}
 
-  const Eigen::MatrixXd& of(const Scene& scene) {
+  const IncidentIrradiance& of(const Scene& scene) {
     std::vector<double> dimming;
     for (const Luminaire& luminaire : scene.luminaires) dimming.push_back(luminaire.dimming);
     if (!is_made_ || dimming != dimming_) {
-      incident_ = incident_irradiance(scene, mesh_, progress_);
+      incident_ = incident_on_patches(scene, mesh_, progress_);
     }
     is_made_ = true;
     dimming_ = std::move(dimming);
@@ -56,7 +56,7 @@ class IncidentLights {
   const Progress& progress_;
   bool is_made_ = false;
   std::vector<double> dimming_;
-  Eigen::MatrixXd incident_;
+  IncidentIrradiance incident_;
 };
 
 /// Indices of scenarios that share a solve.
@@ -141,20 +141,29 @@ Study solve_scenarios(Study study, const std::vector<Scenario>& scenarios,
     }
     Eigen::MatrixXd emitted(study.mesh.size(), n_bands * static_cast<Index>(group.size()));
     Eigen::MatrixXd from_without;  // in columns like those
+    Eigen::MatrixXd incident_error;
     for (std::size_t k = 0; k < group.size(); ++k) {
       study.scene = scene_of(scene, scenarios[group[k]]);
       emitted.middleCols(static_cast<Index>(k) * n_bands, n_bands) =
           exitance(study.scene, study.mesh);
+      const IncidentIrradiance& beside = incident.of(study.scene);
       const Eigen::MatrixXd here =
-          make_conditions(study.scene, study.mesh, *study.transport, incident.of(study.scene))
-              .incident;
+          make_conditions(study.scene, study.mesh, *study.transport, beside.irradiance).incident;
       if (here.size() == 0) continue;
+      if (beside.error.size() > 0) {
+        if (incident_error.size() == 0) {
+          incident_error = Eigen::MatrixXd::Zero(emitted.rows(), emitted.cols());
+        }
+        incident_error.middleCols(static_cast<Index>(k) * n_bands, n_bands) =
+            beside.error.replicate(1, n_bands);
+      }
       from_without.conservativeResize(emitted.rows(), emitted.cols());
       from_without.middleCols(static_cast<Index>(k) * n_bands, n_bands) = here;
     }
     Conditions conditions = make_conditions(study.scene, study.mesh, *study.transport);
     conditions.exitance = std::move(emitted);
     conditions.incident = std::move(from_without);
+    conditions.incident_error = std::move(incident_error);
     const Light light = solve_light(study.mesh, *study.transport, conditions, options, events);
     study.discretisation = light.discretisation;
     for (std::size_t k = 0; k < group.size(); ++k) {

@@ -11,6 +11,7 @@
 #include "radiosity/scene/emissivity_table.h"
 #include "radiosity/scene/radiometry.h"
 #include "radiosity/solve/conditions.h"
+#include "radiosity/solve/incident_error.h"
 #include "radiosity/solve/solve.h"
 #include "radiosity/solve/solve_conditions.h"
 #include "radiosity/stream/streaming_memory.h"
@@ -168,16 +169,18 @@ FormFactors make_form_factors(const Scene& scene, const PatchMesh& mesh,
 
 Light solve_light(const Scene& scene, const PatchMesh& mesh, const Transport& transport,
                   const StudyOptions& options, const StudyEvents& events) {
-  return solve_light(scene, mesh, transport, incident_irradiance(scene, mesh, events.progress),
+  return solve_light(scene, mesh, transport, incident_on_patches(scene, mesh, events.progress),
                      options, events);
 }
 
 Light solve_light(const Scene& scene, const PatchMesh& mesh, const Transport& transport,
-                  const Eigen::MatrixXd& sun, const StudyOptions& options,
+                  const IncidentIrradiance& from_without, const StudyOptions& options,
                   const StudyEvents& events) {
+  const Eigen::MatrixXd& sun = from_without.irradiance;
   if (!has_emissivity_tables(scene)) {
-    return solve_light(mesh, transport, make_conditions(scene, mesh, transport, sun), options,
-                       events);
+    Conditions conditions = make_conditions(scene, mesh, transport, sun);
+    conditions.incident_error = from_without.error.replicate(1, scene.bands.count());
+    return solve_light(mesh, transport, conditions, options, events);
   }
   const SettledEmissivity settled = settle_emissivity(scene, mesh, transport, sun, options, events);
   Light light = solve_light(mesh, transport,
@@ -198,6 +201,8 @@ Light solve_light(const PatchMesh& mesh, const Transport& transport, const Condi
   warn_of_unconverged(solution, solving, events);
   DiscretisationError discretisation = estimate_discretisation(mesh, transport, solution, events);
   solution = with_discretisation_error(std::move(solution), discretisation);
+  solution = with_incident_error(std::move(solution), transport, conditions.incident_error,
+                                 events.progress);
   if (conditions.emissivity.size() > 0 && solution.radiosity.cols() == 1) {
     solution.temperature = temperatures(mesh, solution, conditions.emissivity);
   }

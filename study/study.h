@@ -13,6 +13,7 @@
 #include "radiosity/solve/conditions.h"
 #include "radiosity/solve/discretisation_error.h"
 #include "radiosity/solve/solution.h"
+#include "radiosity/visibility/incident_irradiance.h"
 #include "radiosity/visibility/visibility.h"
 #include "study/known_factors.h"
 #include "study/settled_emissivity.h"
@@ -86,10 +87,11 @@ Light solve_light(const radiosity::Scene& scene, const radiosity::PatchMesh& mes
                   const radiosity::Transport& transport, const StudyOptions& options = {},
                   const StudyEvents& events = {});
 
-/// The same with the direct irradiance of the sun and luminaires at hand (incident_irradiance).
+/// The same with the light from without at hand (incident_on_patches).
 Light solve_light(const radiosity::Scene& scene, const radiosity::PatchMesh& mesh,
-                  const radiosity::Transport& transport, const Eigen::MatrixXd& sun,
-                  const StudyOptions& options, const StudyEvents& events);
+                  const radiosity::Transport& transport,
+                  const radiosity::IncidentIrradiance& from_without, const StudyOptions& options,
+                  const StudyEvents& events);
 
 /// The same of any conditions, n x k emitted of n x b; tells temperatures if they are of heat.
 /// Throws SolveError where heat is given to surfaces that nothing takes it from, with their names,

@@ -61,12 +61,16 @@ Image draw(const Study& study, const Camera& camera, Shading shading,
                     static_cast<double>(options.width) / options.height);
   const Solution& solution = study.solution;
   Image image;
-  if (shading == Shading::interpolated) {
+  const TextureMap textures(study.scene, study.mesh);
+  if (shading == Shading::interpolated && textures.is_empty()) {
     image = render(study.mesh, study.visibility, solution.radiosity, camera, options);
+  } else if (shading == Shading::interpolated) {
+    image = render_textured(study.mesh, study.visibility, solution.radiosity, own_light(solution),
+                            solution.irradiance, textures, camera, options);
   } else {
     const FinalGather gather(study.mesh, solution.radiosity, {study.scene, study.mesh});
-    image = render_gathered(gather, study.visibility, {own_light(solution), solution.reflectance},
-                            camera, options);
+    image = render_gathered(gather, study.visibility,
+                            {own_light(solution), solution.reflectance, textures}, camera, options);
   }
   options.progress.check();
   refuse_empty(image);

@@ -74,6 +74,7 @@ void hang(const radiosity::Photometry& photometry, const UgrRoom& room,
   Luminaire luminaire;
   luminaire.axes = radiosity::aimed_axes(-Vec3::UnitZ(), turn, Vec3::UnitZ(), Vec3::UnitX());
   luminaire.watts_per_lumen = Eigen::VectorXd::Ones(1);
+  luminaire.divisions = {1, 1};  // as in the tabular method
   for (long row = 0; row < n_along; ++row) {
     for (long column = 0; column < n_across; ++column) {
       luminaire.position = {step.x() * (static_cast<double>(column) + 0.5),
@@ -136,7 +137,8 @@ void fill_row(const radiosity::Photometry& photometry, const UgrTableOptions& op
       {.tolerance = kTableTolerance, .closed = radiosity::Closed::yes, .progress = progress});
   for (const bool looks_along_c0 : {true, false}) {
     hang(photometry, room, options, looks_along_c0 ? radiosity::kPi / 2 : 0, scene);
-    const Eigen::MatrixXd direct = radiosity::LuminaireLight(scene, mesh).irradiance(progress);
+    const Eigen::MatrixXd direct =
+        radiosity::LuminaireLight(scene, mesh).irradiance(progress).irradiance;
     const double sum = dazzle(scene, mesh, room, options);
     Eigen::MatrixXd& values = looks_along_c0 ? table.along_c0 : table.along_c90;
     for (std::size_t k = 0; k < options.reflectances.size(); ++k) {

@@ -53,6 +53,11 @@ std::string check_facing(const std::string& text) {
   return fmt::format("found '{}', expected three numbers x,y,z, not all 0", text);
 }
 
+std::string check_eye(const std::string& text) {
+  if (as_numbers(text, 3)) return "";
+  return fmt::format("found '{}', expected three numbers x,y,z", text);
+}
+
 std::string check_factor(const std::string& text) {
   const auto number = as_number(text);
   if (number && *number > 0 && *number <= 1) return "";
@@ -176,6 +181,15 @@ void add_light_options(CLI::App& command, LightOptions& options) {
       ->allow_extra_args(false)
       ->group(group);
   command
+      .add_option(
+          "--luminance-from", options.luminance_from,
+          "Luminance, cd/m2, of what an eye at x,y,z sees in the direction of each point; may "
+          "be repeated")
+      ->check(check_eye)
+      ->type_name("x,y,z")
+      ->allow_extra_args(false)
+      ->group(group);
+  command
       .add_option("--observer", options.observers,
                   "Glare (UGR) for an eye at x,y,z that looks along dx,dy,dz, z upwards; may be "
                   "repeated")
@@ -215,6 +229,9 @@ LightPlan light_plan(const Scene& scene, const LightOptions& options) {
     for (const std::string& text : options.vertical) grid.vertical.push_back(direction_of(text));
     for (const std::string& text : options.semi_cylindrical) {
       grid.semi_cylindrical.push_back(direction_of(text));
+    }
+    for (const std::string& text : options.luminance_from) {
+      grid.luminance_from.emplace_back(as_numbers(text, 3)->data());
     }
   }
   return plan;

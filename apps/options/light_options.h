@@ -23,6 +23,7 @@ struct LightOptions {
   bool is_cylindrical = false;         ///< at all points
   std::vector<std::string> vertical;   ///< directions, at all points
   std::vector<std::string> semi_cylindrical;
+  std::vector<std::string> luminance_from;   ///< points, of all grids
   std::optional<double> maintenance_factor;  ///< in place of the scene's
 };
 

@@ -218,13 +218,13 @@ void add_grids(Html& page, const LightSummary& summary) {
     page.add("<h3>{}</h3>\n", escaped(grid.plan.name));
     add_grid_facts(page, grid);
     std::vector<std::vector<std::string>> rows = {
-        {"Quantity, lx", "Lamps", "E<sub>m</sub>", "of it direct", "error", "E<sub>min</sub>",
+        {"Quantity", "Lamps", "E<sub>m</sub>", "of it direct", "error", "E<sub>min</sub>",
          "E<sub>max</sub>", "U<sub>0</sub>", "U<sub>d</sub>", "E<sub>min</sub> at, m"}};
     for (const LightRow& row : all) {
       if (&row.grid != &grid) continue;
       rows.push_back(
-          {"<span class=\"name\">" + escaped(row.quantity.name) + "</span>", age_name(row.age),
-           io::value_text(row.total.mean), io::value_text(row.direct),
+          {"<span class=\"name\">" + escaped(row.quantity.name_with_unit()) + "</span>",
+           age_name(row.age), io::value_text(row.total.mean), io::value_text(row.direct),
            fmt::format("± {:.2g}", row.error), io::value_text(row.total.least),
            io::value_text(row.total.greatest), fmt::format("{:.2f}", row.total.least_to_mean()),
            fmt::format("{:.2f}", row.total.least_to_greatest()), place(grid, row.total.least_at)});
@@ -309,8 +309,9 @@ io::GridChart grid_chart(const study::MeasuredPlan& measured, const study::Measu
   return {.grid = *grid.light.where.grid,
           .places = grid.light.places,
           .values = quantity.total(measured.light(study::LampAge::maintained)),
-          .title = fmt::format("{}: {}{}, lx", io::printable(grid.plan.name),
-                               measured.has_maintenance ? "maintained " : "", quantity.name)};
+          .title = fmt::format("{}: {}{}", io::printable(grid.plan.name),
+                               measured.has_maintenance ? "maintained " : "",
+                               quantity.name_with_unit())};
 }
 
 std::string light_report_html(const LightReport& report) {

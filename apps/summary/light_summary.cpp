@@ -25,11 +25,11 @@ std::string place_text(const LightRow& row) {
 }
 
 std::string grid_table(const study::MeasuredPlan& measured) {
-  std::vector<Row> rows = {{"grid", "quantity, lx", "lamps", "Em", "direct", "error", "Emin",
-                            "Emax", "U0", "Ud", "Emin at, m"}};
+  std::vector<Row> rows = {{"grid", "quantity", "lamps", "Em", "direct", "error", "Emin", "Emax",
+                            "U0", "Ud", "Emin at, m"}};
   for (const LightRow& row : light_rows(measured)) {
     const auto number = [](double value) { return io::value_text(value); };
-    rows.push_back({one_line(row.grid.plan.name), row.quantity.name, age_name(row.age),
+    rows.push_back({one_line(row.grid.plan.name), row.quantity.name_with_unit(), age_name(row.age),
                     number(row.total.mean), number(row.direct), fmt::format("{:.1g}", row.error),
                     number(row.total.least), number(row.total.greatest),
                     fmt::format("{:.3f}", row.total.least_to_mean()),
@@ -142,7 +142,7 @@ Json grid_json(const study::MeasuredPlanGrid& grid, const std::vector<LightRow>&
     if (&row.grid != &grid) continue;
     Json& list = json["quantities"];
     if (list.empty() || list.back()["name"] != row.quantity.name) {
-      list.push_back({{"name", row.quantity.name}});
+      list.push_back({{"name", row.quantity.name}, {"unit", row.quantity.unit}});
     }
     list.back()[age_name(row.age)] = row_json(row);
   }

@@ -136,6 +136,12 @@ GridPlan read_grid(const JsonItem& item, const std::filesystem::path& folder, do
   if (const auto semi = item.find("semi_cylindrical")) {
     plan.semi_cylindrical = read_directions(*semi);
   }
+  if (const auto eyes = item.find("luminance_from")) {
+    if (eyes->size() == 0) eyes->fail("has no point");
+    for (std::size_t k = 0; k < eyes->size(); ++k) {
+      plan.luminance_from.push_back(unit * (*eyes)[k].point());
+    }
+  }
   if (const auto required = item.find("required")) plan.required = read_requirement(*required);
   return plan;
 }
@@ -208,6 +214,7 @@ Json grid_json(const GridPlan& plan) {
   if (!plan.semi_cylindrical.empty()) {
     json["semi_cylindrical"] = vectors_json(plan.semi_cylindrical);
   }
+  if (!plan.luminance_from.empty()) json["luminance_from"] = vectors_json(plan.luminance_from);
   if (const Json required = requirement_json(plan.required); !required.empty()) {
     json["required"] = required;
   }

@@ -274,7 +274,7 @@ Json luminaires_json(const Scene& scene, const std::filesystem::path& folder) {
                  {"c0", numbers(luminaire.axes.col(0))},
                  {"watts_per_lumen", numbers(luminaire.watts_per_lumen)}};
     if (luminaire.lumens > 0) item["lumens"] = luminaire.lumens;
-    if (luminaire.divisions != std::array{1, 1}) item["points"] = luminaire.divisions;
+    if (luminaire.divisions != std::array{0, 0}) item["points"] = luminaire.divisions;
     if (luminaire.dimming != 1) item["dimming"] = luminaire.dimming;
     if (luminaire.maintenance_factor != 1) {
       item["maintenance_factor"] = luminaire.maintenance_factor;

@@ -85,7 +85,7 @@ inline constexpr auto kCamera = std::to_array<std::string_view>(
 
 inline constexpr auto kGrid = std::to_array<std::string_view>(
     {"name", "surface", "offset", "corner", "sides", "points", "normals", "spacing", "border", "up",
-     "cylindrical", "vertical", "semi_cylindrical", "required"});
+     "cylindrical", "vertical", "semi_cylindrical", "luminance_from", "required"});
 
 inline constexpr auto kRequired = std::to_array<std::string_view>({"Em", "U0", "Ud", "UGR"});
 

@@ -18,6 +18,7 @@
 #include "radiosity/solve/solution.h"
 #include "radiosity/solve/solve_conditions.h"
 #include "radiosity/visibility/incident_light.h"
+#include "radiosity/visibility/sun_edges.h"
 
 namespace meshing {
 namespace {
@@ -35,6 +36,11 @@ constexpr int kMaxRounds = 40;
 constexpr long kPartsMore = 3;
 /// At most this share of the patches is spent on textures, ...
 constexpr long kTextureShare = 4;
+/// The part of them that may be spent on the edges of the sun's shadows, and on textures.
+constexpr long kSunShare = 3;
+/// Tolerances that the sun's light may be off within patches: what leaves them as a whole is exact,
+/// so that it is the picture that suffers, which refinement_indicator weighs by 1/100, squared.
+constexpr double kSunTolerances = 10;
 /// ... where their reflectance varies by more than that (standard deviation).
 constexpr double kTextureDeviation = 0.05;
 /// Of the solutions on the way.
@@ -69,6 +75,7 @@ class Refiner {
   AdaptiveMesh run() {
     const auto start = std::chrono::steady_clock::now();
     follow_textures();
+    follow_sun();
     Stage stage = make_stage(nullptr, {});
     AdaptiveMesh result{.mesh = {}, .visibility = Visibility(PatchMesh{}), .transport = nullptr};
     for (;; ++result.refinement.n_rounds) {
@@ -112,6 +119,40 @@ class Refiner {
       });
       const Index affordable = std::max<Index>(1, (most - mesh.size()) / kPartsMore);
       if (static_cast<Index>(marked.size()) > affordable) marked.resize(affordable);
+      patches_.refine(marked);
+    }
+  }
+
+  /// Divides patches that edges of the sun's shadows cut, those first that matter most, likewise,
+  /// until the sun's light that is reflected at first is right to ten tolerances, as a root mean
+  /// square over all places.
+  void follow_sun() {
+    if (!scene_.sun) return;
+    const auto most = static_cast<Index>(max_patches_ / kSunShare);
+    while (patches_.mesh().size() < most) {
+      const PatchMesh& mesh = patches_.mesh();
+      const SunEdges edges = find_sun_edges(scene_, mesh, options_.progress);
+      std::vector<std::pair<double, Index>> cut;  // squared errors
+      double left = 0;
+      double area = 0;
+      for (Index i = 0; i < mesh.size(); ++i) {
+        const double error = mesh.area[i] * square(edges.deviation[i]);
+        area += mesh.area[i];
+        left += error;
+        if (error > 0) cut.emplace_back(-error, i);
+      }
+      std::sort(cut.begin(), cut.end());
+      // A patch that is divided has half of its squared error or less.
+      const double allowed = area * square(kSunTolerances * options_.tolerance * edges.typical);
+      const Index affordable = std::max<Index>(1, (most - mesh.size()) / kPartsMore);
+      std::vector<Index> marked;
+      for (const auto& [error, i] : cut) {
+        if (left <= allowed || static_cast<Index>(marked.size()) == affordable) break;
+        left += error / 2;
+        marked.push_back(i);
+      }
+      if (marked.empty()) return;
+      std::sort(marked.begin(), marked.end());
       patches_.refine(marked);
     }
   }

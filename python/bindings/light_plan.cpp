@@ -73,13 +73,15 @@ std::vector<Vec3> directions_of(const Array<double>& array) {
 
 LightPlan points_plan(const Array<double>& points, const Array<double>& normals,
                       const std::optional<Eigen::VectorXd>& up, bool is_cylindrical,
-                      const Array<double>& vertical, const Array<double>& semi_cylindrical) {
+                      const Array<double>& vertical, const Array<double>& semi_cylindrical,
+                      const Array<double>& luminance_from) {
   GridPlan grid{.name = "points",
                 .points = points_of(points),
                 .normals = directions_of(normals),
                 .is_cylindrical = is_cylindrical,
                 .vertical = directions_of(vertical),
-                .semi_cylindrical = directions_of(semi_cylindrical)};
+                .semi_cylindrical = directions_of(semi_cylindrical),
+                .luminance_from = points_of(luminance_from)};
   if (up) grid.up = up->stableNormalized();
   return {.grids = {grid}};
 }

@@ -282,6 +282,7 @@ class Study:
         cylindrical: bool = False,
         vertical=(),
         semi_cylindrical=(),
+        luminance_from=(),
         efficacy: float = _core.WHITE_EFFICACY,
     ) -> Measured:
         """Illuminance at points, by the final gather with exact shadows.
@@ -298,6 +299,8 @@ class Study:
             Cylindrical illuminance, too.
         vertical, semi_cylindrical : array_like, (k, 3)
             Directions that planes, and half cylinders, face.
+        luminance_from : array_like, (k, 3)
+            Eyes, m: the luminance (cd/m2) of the surface that each sees in the direction of a point.
         efficacy : float
             lm/W of white light, of RGB and grey bands.
         """
@@ -305,7 +308,8 @@ class Study:
         sides = np.broadcast_to(_arguments.points("normals", normals), places.shape)
         others = [
             _arguments.points(name, given) if len(given) else np.zeros((0, 3))
-            for name, given in (("vertical", vertical), ("semi_cylindrical", semi_cylindrical))
+            for name, given in (("vertical", vertical), ("semi_cylindrical", semi_cylindrical),
+                                ("luminance_from", luminance_from))
         ]
         axis = None if up is None else _arguments.points("up", up)[0]
         for name, given in (("normals", sides), ("vertical", others[0]),

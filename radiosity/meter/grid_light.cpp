@@ -13,16 +13,10 @@ namespace {
 /// How far above a point one looks around, of the scene's size.
 constexpr double kRaised = 1e-5;
 
-std::string direction_name(const char* what, const Vec3& direction) {
-  std::array<char, 80> text{};
-  (void)std::snprintf(text.data(), text.size(), "%s %.4g,%.4g,%.4g", what, direction.x() + 0.0,
-                      direction.y() + 0.0, direction.z() + 0.0);
-  return text.data();
-}
-
 /// One quantity of all points, dark still.
 GridQuantity quantity(std::string name, Index n_points, const Photometer& photometer) {
-  return {std::move(name), Eigen::MatrixXd::Zero(n_points, photometer.n_columns())};
+  return {.name = std::move(name),
+          .values = Eigen::MatrixXd::Zero(n_points, photometer.n_columns())};
 }
 
 void measure_planes(GridLight& result, const Photometer& photometer, const Visibility& visibility,
@@ -71,14 +65,14 @@ void measure_around(const GridPlan& plan, GridLight& result, const Photometer& p
   const std::size_t first = result.quantities.size();
   for (const Vec3& direction : plan.vertical) {
     result.quantities.push_back(
-        quantity(direction_name("vertical", direction), where.size(), photometer));
+        quantity(quantity_name("vertical", direction), where.size(), photometer));
   }
   if (plan.is_cylindrical) {
     result.quantities.push_back(quantity("cylindrical", where.size(), photometer));
   }
   for (const Vec3& direction : plan.semi_cylindrical) {
     result.quantities.push_back(
-        quantity(direction_name("semi-cylindrical", direction), where.size(), photometer));
+        quantity(quantity_name("semi-cylindrical", direction), where.size(), photometer));
   }
   if (result.quantities.size() == first) return;
   const Vec3 usual = plan.is_list() ? Vec3::UnitZ() : where.normals.front();
@@ -113,6 +107,13 @@ void measure_around(const GridPlan& plan, GridLight& result, const Photometer& p
 }
 
 }  // namespace
+
+std::string quantity_name(const char* what, const Vec3& vector) {
+  std::array<char, 80> text{};
+  (void)std::snprintf(text.data(), text.size(), "%s %.4g,%.4g,%.4g", what, vector.x() + 0.0,
+                      vector.y() + 0.0, vector.z() + 0.0);
+  return text.data();
+}
 
 GridLight measure_grid(const GridPlan& plan, const PatchMesh& mesh, const Visibility& visibility,
                        const Photometer& photometer, bool has_floor, const Progress& progress) {

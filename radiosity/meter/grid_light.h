@@ -13,10 +13,13 @@
 
 namespace radiosity {
 
-/// Something that is measured at every point, lux.
+/// Something that is measured at every point.
 struct GridQuantity {
-  std::string name;        ///< "illuminance", "cylindrical", "vertical 1,0,0", ...
+  std::string name;  ///< "illuminance", "cylindrical", "vertical 1,0,0", "luminance 0,0,1.5" ...
   Eigen::MatrixXd values;  ///< n_points x Photometer::n_columns; 0 where none is measured
+  std::string unit = "lx";
+
+  [[nodiscard]] std::string name_with_unit() const { return name + ", " + unit; }
 
   /// Direct and indirect light together, n_points; `light` counts from 0.
   [[nodiscard]] Eigen::VectorXd total(Index light) const {
@@ -26,6 +29,9 @@ struct GridQuantity {
     return values.col(kLightParts * light + static_cast<Index>(which));
   }
 };
+
+/// "vertical 0,1,0": what is measured, and a direction or a point.
+std::string quantity_name(const char* what, const Vec3& vector);
 
 /// The light at the points of a plan.
 struct GridLight {

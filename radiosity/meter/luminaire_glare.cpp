@@ -10,6 +10,9 @@
 namespace radiosity {
 namespace {
 
+/// Points along each side of an opening that tell how much of it is seen.
+constexpr int kGlarePoints = 5;
+
 /// cd of a luminaire for each one of its file's.
 double candela_factor(const Luminaire& luminaire, const Photometry& photometry,
                       const Eigen::VectorXd& weights) {
@@ -49,7 +52,7 @@ std::vector<GlareSource> LuminaireGlare::sources(const Observer& observer) const
     const double candela =
         candela_factor(luminaire, photometry, weights_) * intensity(photometry.web, to_eye);
     if (!(candela > 0 && area > 0)) continue;
-    const std::vector<Vec3> points = luminaire_points(luminaire, photometry);
+    const std::vector<Vec3> points = luminaire_points(luminaire, photometry, kGlarePoints);
     const auto n_seen = std::count_if(points.begin(), points.end(), [&](const Vec3& point) {
       return shadows_.is_lit({point, -luminaire.axes.col(2)}, observer.position);
     });

@@ -46,8 +46,10 @@ void Photometer::add_incident(const Vec3& point, const Vec3& normal,
   Eigen::VectorXd bands = Eigen::VectorXd::Zero(weights_.size());
   for (std::size_t k = 0; k < incident_.size(); ++k) {
     bands.setZero();
-    incident_[k].add(point, normal, bands);
-    light[kLightParts * static_cast<Index>(k)] += weights_.dot(bands);
+    const double error = incident_[k].add(point, normal, bands);
+    const Index first = kLightParts * static_cast<Index>(k);
+    light[first] += weights_.dot(bands);
+    light[first + 2] += error * weights_.sum();
   }
 }
 
@@ -100,6 +102,9 @@ Photometer::Around Photometer::around(const Vec3& point, const Vec3& up, bool is
     add_incident(point, halves[k], ahead);
     add_incident(point, -halves[k], behind);
     result.half_cylinders.row(k) += result.cylinder + (ahead - behind) / kPi;
+    for (Index c = 2; c < columns_; c += kLightParts) {
+      result.half_cylinders(k, c) += 2 / kPi * behind[c];  // errors add up
+    }
   }
   return result;
 }

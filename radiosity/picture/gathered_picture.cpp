@@ -85,7 +85,12 @@ class GatherRenderer {
     Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(irradiance.cols());
     for (const SurfacePoint& point : share.points) {
       const Index patch = point.patch % light_.exitance.rows();  // images have its light
-      sum += light_.exitance.row(patch) + light_.reflectance.row(patch).cwiseProduct(irradiance);
+      sum += light_.exitance.row(patch);
+      if (const auto texel = light_.textures.at(point.patch, point.position)) {
+        sum += texel->matrix().transpose().cwiseProduct(irradiance);
+      } else {
+        sum += light_.reflectance.row(patch).cwiseProduct(irradiance);
+      }
     }
     image.values.row(share.pixel) += (sum / (kPi * rays_.n_samples())).cast<float>();
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "radiosity/base/parallel.h"
@@ -14,41 +15,45 @@ namespace {
 
 using Vec2 = Eigen::Vector2d;
 
-/// What a camera sees. Holds all that the pixels share.
-class CornerRenderer {
- public:
-  CornerRenderer(const PatchMesh& mesh, const Visibility& visibility,
-                 const Eigen::MatrixXd& patch_values, const Camera& camera,
-                 const RenderOptions& options)
-      : mesh_(mesh),
-        corner_values_(corner_values(mesh, patch_values, options.crease_angle)),
-        rays_(visibility, camera, options.width, options.height, options.samples) {}
-
-  [[nodiscard]] Index n_bands() const { return corner_values_.cols(); }
-
-  /// Fills one pixel of the picture.
-  void draw_pixel(int x, int y, Image& image) const {
-    Eigen::RowVectorXd mean = Eigen::RowVectorXd::Zero(n_bands());
-    int n_hits = 0;
-    for (int k = 0; k < rays_.n_samples(); ++k) {
-      const auto seen = rays_.first_front(x, y, k);
-      if (!seen) continue;
-      ++n_hits;
-      // A running mean of equal values is exactly that value, unlike their sum divided.
-      const SurfacePoint point = in_part(mesh_, *seen);
-      mean += (interpolate(mesh_, corner_values_, point.patch, point.position) - mean) / n_hits;
-    }
-    const double coverage = static_cast<double>(n_hits) / rays_.n_samples();
-    const Index pixel = static_cast<Index>(y) * image.width + x;
-    image.values.row(pixel) = (coverage * mean).cast<float>();
-    image.alpha[pixel] = static_cast<float>(coverage);
-  }
-
- private:
-  const PatchMesh& mesh_;
-  Eigen::MatrixXd corner_values_;
-  PrimaryRays rays_;
+/// A value for any place on a patch, in as many bands.
+struct PatchValues {
+  Index n_bands;
+  std::function<Eigen::RowVectorXd(const SurfacePoint&)> at;
 };
+
+/// Fills one pixel of the picture.
+void draw_pixel(const PatchMesh& mesh, const PrimaryRays& rays, const PatchValues& values, int x,
+                int y, Image& image) {
+  Eigen::RowVectorXd mean = Eigen::RowVectorXd::Zero(values.n_bands);
+  int n_hits = 0;
+  for (int k = 0; k < rays.n_samples(); ++k) {
+    const auto seen = rays.first_front(x, y, k);
+    if (!seen) continue;
+    ++n_hits;
+    // A running mean of equal values is exactly that value, unlike their sum divided.
+    mean += (values.at(in_part(mesh, *seen)) - mean) / n_hits;
+  }
+  const double coverage = static_cast<double>(n_hits) / rays.n_samples();
+  const Index pixel = static_cast<Index>(y) * image.width + x;
+  image.values.row(pixel) = (coverage * mean).cast<float>();
+  image.alpha[pixel] = static_cast<float>(coverage);
+}
+
+Image render_points(const PatchMesh& mesh, const Visibility& visibility, const PatchValues& values,
+                    const Camera& camera, const RenderOptions& options) {
+  assert(options.width > 0 && options.height > 0 && options.samples > 0);
+  const PrimaryRays rays(visibility, camera, options.width, options.height, options.samples);
+  Image image = blank_image(options.width, options.height, values.n_bands);
+  RowCounter counter(options.progress, options.height);
+  parallel_for(options.height, [&](std::ptrdiff_t y) {
+    options.progress.check();
+    for (int x = 0; x < options.width; ++x) {
+      draw_pixel(mesh, rays, values, x, static_cast<int>(y), image);
+    }
+    counter.add_rows(1);
+  });
+  return image;
+}
 
 }  // namespace
 
@@ -65,19 +70,30 @@ Image render(const PatchMesh& mesh, const Visibility& visibility, const Eigen::M
   return render_values(mesh, visibility, radiosity / kPi, camera, options);
 }
 
+Image render_textured(const PatchMesh& mesh, const Visibility& visibility,
+                      const Eigen::MatrixXd& radiosity, const Eigen::MatrixXd& exitance,
+                      const Eigen::MatrixXd& irradiance, const TextureMap& textures,
+                      const Camera& camera, const RenderOptions& options) {
+  const Eigen::MatrixXd radiance = corner_values(mesh, radiosity / kPi, options.crease_angle);
+  const Eigen::MatrixXd received = corner_values(mesh, irradiance / kPi, options.crease_angle);
+  const auto at = [&](const SurfacePoint& point) -> Eigen::RowVectorXd {
+    const auto texel = textures.at(point.patch, point.position);
+    if (!texel) return interpolate(mesh, radiance, point.patch, point.position);
+    return exitance.row(point.patch) / kPi +
+           interpolate(mesh, received, point.patch, point.position)
+               .cwiseProduct(texel->matrix().transpose());
+  };
+  return render_points(mesh, visibility, {radiance.cols(), at}, camera, options);
+}
+
 Image render_values(const PatchMesh& mesh, const Visibility& visibility,
                     const Eigen::MatrixXd& patch_values, const Camera& camera,
                     const RenderOptions& options) {
-  assert(options.width > 0 && options.height > 0 && options.samples > 0);
-  const CornerRenderer renderer(mesh, visibility, patch_values, camera, options);
-  Image image = blank_image(options.width, options.height, renderer.n_bands());
-  RowCounter counter(options.progress, options.height);
-  parallel_for(options.height, [&](std::ptrdiff_t y) {
-    options.progress.check();
-    for (int x = 0; x < options.width; ++x) renderer.draw_pixel(x, static_cast<int>(y), image);
-    counter.add_rows(1);
-  });
-  return image;
+  const Eigen::MatrixXd corners = corner_values(mesh, patch_values, options.crease_angle);
+  const auto at = [&](const SurfacePoint& point) {
+    return interpolate(mesh, corners, point.patch, point.position);
+  };
+  return render_points(mesh, visibility, {corners.cols(), at}, camera, options);
 }
 
 Camera fit_camera(const PatchMesh& mesh) {

@@ -7,6 +7,7 @@
 #include "radiosity/base/progress.h"
 #include "radiosity/scene/corner_values.h"
 #include "radiosity/scene/patch_mesh.h"
+#include "radiosity/scene/patch_texture.h"
 #include "radiosity/scene/scene.h"
 #include "radiosity/visibility/visibility.h"
 
@@ -38,6 +39,13 @@ struct RenderOptions {
 /// any number of threads. Throws Interrupted if asked to stop.
 Image render(const PatchMesh& mesh, const Visibility& visibility, const Eigen::MatrixXd& radiosity,
              const Camera& camera, const RenderOptions& options = {});
+
+/// The same of patches with textures: M_e + ρ(x) H(x), with the irradiance H interpolated likewise.
+/// `exitance` and `irradiance` are n_patches x n_bands, W/m².
+Image render_textured(const PatchMesh& mesh, const Visibility& visibility,
+                      const Eigen::MatrixXd& radiosity, const Eigen::MatrixXd& exitance,
+                      const Eigen::MatrixXd& irradiance, const TextureMap& textures,
+                      const Camera& camera, const RenderOptions& options = {});
 
 /// The same picture of any quantity: `patch_values` (n_patches x n) as they are, in their unit.
 Image render_values(const PatchMesh& mesh, const Visibility& visibility,

@@ -35,6 +35,7 @@ struct GridPlan {
   bool is_cylindrical = false;      ///< whether cylindrical illuminance is measured
   std::vector<Vec3> vertical = {};  ///< directions that planes face, unit
   std::vector<Vec3> semi_cylindrical = {};  ///< directions that half cylinders face, unit
+  std::vector<Vec3> luminance_from = {};    ///< eyes that see what is in the way of points, m
   LightRequirement required = {};
 
   [[nodiscard]] bool is_list() const { return !points.empty(); }

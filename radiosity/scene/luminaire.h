@@ -8,8 +8,8 @@
 
 namespace radiosity {
 
-/// A luminaire of a scene: a point that emits by a photometric web, or several that share its flux
-/// and stand in for its luminous opening.
+/// A luminaire of a scene: its luminous opening, or a point or several, emit by a photometric web
+/// and share its flux.
 struct Luminaire {
   std::string name;
   int photometry = 0;            ///< index into Scene::photometries
@@ -21,8 +21,9 @@ struct Luminaire {
   double dimming = 1;             ///< of that again, >= 0; 0 = it is off
   double maintenance_factor = 1;  ///< of its own, (0, 1]: LightPlan
   Vec3 up = Vec3::UnitZ();        ///< unit; how its lamps burn is told from that (LampTilt)
-  /// Points along C0 and along C90 of the luminous opening (luminaire_points).
-  std::array<int, 2> divisions{1, 1};
+  /// Points along C0 and along C90 of the luminous opening (luminaire_points); {0, 0}: as many as
+  /// it takes, wherever it lights (LuminousOpening), or one if it has no extent.
+  std::array<int, 2> divisions{0, 0};
   Eigen::VectorXd watts_per_lumen;  ///< W in each band for each lumen (of wavelengths W/nm)
 };
 

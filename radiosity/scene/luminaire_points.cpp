@@ -19,9 +19,12 @@ Eigen::Vector2d on_disc(const Eigen::Vector2d& square_point) {
 
 }  // namespace
 
-std::vector<Vec3> luminaire_points(const Luminaire& luminaire, const Photometry& photometry) {
+std::vector<Vec3> luminaire_points(const Luminaire& luminaire, const Photometry& photometry,
+                                   int automatic) {
   const Vec3 half(0.5 * photometry.along_c0, 0.5 * photometry.along_c90, 0);
-  const auto [n_c0, n_c90] = luminaire.divisions;
+  auto [n_c0, n_c90] = luminaire.divisions;
+  if (n_c0 == 0) n_c0 = half.x() > 0 ? automatic : 1;
+  if (n_c90 == 0) n_c90 = half.y() > 0 ? automatic : 1;
   std::vector<Vec3> points;
   for (int i = 0; i < n_c0; ++i) {
     for (int j = 0; j < n_c90; ++j) {

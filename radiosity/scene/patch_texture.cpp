@@ -1,8 +1,12 @@
 #include "radiosity/scene/patch_texture.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "radiosity/base/geometry.h"
@@ -149,31 +153,71 @@ TextureMean mean_by_triangles(const Texture& texture, const Outline& places,
   return {.mean = sum.mean / area, .square = sum.square / area};
 }
 
-/// The mean over `part` of a polygon, convex or the polygon itself, m.
-TextureMean mean_over(const Scene& scene, Index polygon, const Texture& texture,
-                      std::span<const Vec3> part) {
-  if (scene.texture_coordinates.empty()) return texture_mean(texture);
+/// The texture coordinates of a polygon.
+struct PolygonMap {
+  Frame frame;
+  Outline places;
+  Outline coordinates;
+  LinearMap map;   // of all of it, or by least squares
+  bool is_linear;  // else by the triangles from the first corner
+
+  [[nodiscard]] Vector2d of(const Vec3& point) const;
+};
+
+/// Of the first of the triangles that a point is least outside of.
+Vector2d PolygonMap::of(const Vec3& point) const {
+  const Vector2d place = frame.of(point);
+  if (is_linear) return map.of(place);
+  std::size_t best = 2;
+  double least_outside = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 2; k < places.size(); ++k) {
+    const std::array<Vector2d, 3> triangle = {places[0], places[k - 1], places[k]};
+    double outside = 0;
+    for (std::size_t side = 0; side < 3; ++side) {
+      const Vector2d& a = triangle[side];
+      outside = std::max(outside, -cross(triangle[(side + 1) % 3] - a, place - a));
+    }
+    const bool has_area = cross(triangle[1] - triangle[0], triangle[2] - triangle[0]) > 0;
+    if (!has_area || outside >= least_outside) continue;
+    best = k;
+    least_outside = outside;
+  }
+  return through({places[0], places[best - 1], places[best]},
+                 {coordinates[0], coordinates[best - 1], coordinates[best]})
+      .of(place);
+}
+
+/// Empty if a corner has none.
+std::optional<PolygonMap> map_of(const Scene& scene, Index polygon) {
+  if (scene.texture_coordinates.empty()) return std::nullopt;
   const std::span<const std::int32_t> corners = scene.polygon(polygon);
   std::vector<Vec3> points;
-  Outline coordinates;
+  PolygonMap result;
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const auto corner = static_cast<std::size_t>(scene.first_corner[polygon]) + k;
     const Vector2d& coordinate = scene.texture_coordinates[corner];
-    if (!coordinate.allFinite()) return texture_mean(texture);
-    coordinates.push_back(coordinate);
+    if (!coordinate.allFinite()) return std::nullopt;
+    result.coordinates.push_back(coordinate);
     points.push_back(scene.vertices[corners[k]]);
   }
-  const Frame frame = frame_of(points);
-  Outline places;
-  for (const Vec3& point : points) places.push_back(frame.of(point));
+  result.frame = frame_of(points);
+  for (const Vec3& point : points) result.places.push_back(result.frame.of(point));
+  result.map = fitted(result.places, result.coordinates);
+  result.is_linear =
+      fits(result.map, result.places, result.coordinates) || !is_convex(result.places);
+  return result;
+}
+
+/// The mean over `part` of a polygon, convex or the polygon itself, m.
+TextureMean mean_over(const Scene& scene, Index polygon, const Texture& texture,
+                      std::span<const Vec3> part) {
+  const std::optional<PolygonMap> of_polygon = map_of(scene, polygon);
+  if (!of_polygon) return texture_mean(texture);
   Outline outline;
-  for (const Vec3& point : part) outline.push_back(frame.of(point));
-  const LinearMap map = fitted(places, coordinates);
-  if (fits(map, places, coordinates) || !is_convex(places)) {
-    return texture_mean(texture, mapped(map, outline));
-  }
+  for (const Vec3& point : part) outline.push_back(of_polygon->frame.of(point));
+  if (of_polygon->is_linear) return texture_mean(texture, mapped(of_polygon->map, outline));
   if (area_of(outline) < 0) std::reverse(outline.begin(), outline.end());  // a back
-  return mean_by_triangles(texture, places, coordinates, outline);
+  return mean_by_triangles(texture, of_polygon->places, of_polygon->coordinates, outline);
 }
 
 }  // namespace
@@ -227,6 +271,42 @@ Eigen::VectorXd texture_deviation(const Scene& scene, const PatchMesh& mesh) {
 bool has_textures(const Scene& scene) {
   return std::any_of(scene.materials.begin(), scene.materials.end(),
                      [](const Material& material) { return material.texture.has_value(); });
+}
+
+struct TextureMap::Polygons {
+  std::vector<std::optional<PolygonMap>> maps;  // per polygon of the scene, of those with textures
+  std::vector<std::optional<Texture>> of_materials;
+  std::vector<int> material;   // per patch
+  std::vector<Index> polygon;  // per patch
+};
+
+TextureMap::TextureMap(const Scene& scene, const PatchMesh& mesh) {
+  if (!has_textures(scene)) return;
+  auto polygons = std::make_shared<Polygons>();
+  polygons->maps.resize(static_cast<std::size_t>(scene.n_polygons()));
+  for (const Material& material : scene.materials) {
+    polygons->of_materials.push_back(material.texture);
+  }
+  for (Index i = 0; i < mesh.size(); ++i) {
+    const int material = material_of(scene, mesh, i);
+    const auto polygon = static_cast<std::size_t>(mesh.polygon[i]);
+    polygons->material.push_back(material);
+    polygons->polygon.push_back(mesh.polygon[i]);
+    if (scene.materials[material].texture && !polygons->maps[polygon]) {
+      polygons->maps[polygon] = map_of(scene, mesh.polygon[i]);
+    }
+  }
+  polygons_ = std::move(polygons);
+}
+
+std::optional<Eigen::Array3d> TextureMap::at(Index patch, const Vec3& point) const {
+  if (!polygons_ || patch >= static_cast<Index>(polygons_->material.size())) return std::nullopt;
+  const auto i = static_cast<std::size_t>(patch);
+  const auto& texture = polygons_->of_materials[static_cast<std::size_t>(polygons_->material[i])];
+  if (!texture) return std::nullopt;
+  const auto& map = polygons_->maps[static_cast<std::size_t>(polygons_->polygon[i])];
+  if (!map) return std::nullopt;
+  return texture_value(*texture, map->of(point));
 }
 
 }  // namespace radiosity

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
+#include <optional>
 
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/scene.h"
@@ -28,5 +30,24 @@ Eigen::VectorXd texture_deviation(const Scene& scene, const PatchMesh& mesh);
 
 /// Whether any material of the scene has a texture.
 bool has_textures(const Scene& scene);
+
+/// Reflectances from place to place of the patches that have a texture. Immutable; copies share
+/// what they hold. May be used by many threads.
+class TextureMap {
+ public:
+  /// Of nothing.
+  TextureMap() = default;
+  TextureMap(const Scene& scene, const PatchMesh& mesh);
+
+  [[nodiscard]] bool is_empty() const { return !polygons_; }
+  /// What a patch reflects at a point of it, m, linear RGB: the value of the texel there. Empty
+  /// where it has no texture or its corners no texture coordinates, so that it reflects its mean
+  /// all over, and of images of a symmetric part.
+  [[nodiscard]] std::optional<Eigen::Array3d> at(Index patch, const Vec3& point) const;
+
+ private:
+  struct Polygons;
+  std::shared_ptr<const Polygons> polygons_;
+};
 
 }  // namespace radiosity

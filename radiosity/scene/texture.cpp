@@ -233,6 +233,12 @@ Sums TextureImage::before(int column, int row) const {
   return sum;
 }
 
+Eigen::Array3d texture_value(const Texture& texture, const Vector2d& coordinate) {
+  const Vector2d size(texture.image->width(), texture.image->height());
+  const Sums there = EndlessTexture(texture).at(coordinate.cwiseProduct(size));
+  return texture.factor * there.head<3>();
+}
+
 TextureMean texture_mean(const Texture& texture, std::span<const Vector2d> outline) {
   const EndlessTexture endless(texture);
   const Vector2d size(texture.image->width(), texture.image->height());

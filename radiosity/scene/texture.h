@@ -54,6 +54,9 @@ struct TextureMean {
 /// How far apart texture coordinates may lie, in texels along all edges of a polygon together.
 inline constexpr double kMostTexels = 1e7;
 
+/// What is reflected at texture coordinates, which must be finite.
+Eigen::Array3d texture_value(const Texture& texture, const Eigen::Vector2d& coordinate);
+
 /// Of a simple polygon in texture coordinates: u from 0 to 1 across the picture, v down. Exact but
 /// for rounding: ∬ f du dv = ∮ F dv along the outline with F = ∫ f du, which is linear in u within
 /// each texel. Of outlines without area, whose texture is drawn out along a line, from points

@@ -16,6 +16,8 @@ struct Conditions {
   Eigen::MatrixXd reflectance;    ///< n x b
   Eigen::MatrixXd incident = {};  ///< from without, of sun and environment, W/m², n x b; or empty
   Eigen::SparseMatrix<double> transmission = {};  ///< through shields, n x n; or empty
+  /// What `incident` may be off, W/m², n x b; or empty: it is exact.
+  Eigen::MatrixXd incident_error = {};
   Eigen::VectorXd emissivity = {};  ///< of the materials, n; empty unless the light is grey heat
 };
 

@@ -16,11 +16,12 @@ namespace radiosity {
 namespace {
 
 /// Adds what patches get of one source to that of the others.
-void add_source(const Eigen::MatrixXd& of_source, Eigen::MatrixXd& sum) {
-  if (sum.size() == 0) {
+void add_source(const IncidentIrradiance& of_source, IncidentIrradiance& sum) {
+  if (sum.irradiance.size() == 0) {
     sum = of_source;
   } else {
-    sum += of_source;
+    sum.irradiance += of_source.irradiance;
+    sum.error += of_source.error;
   }
 }
 
@@ -77,16 +78,22 @@ IncidentLight::IncidentLight(const Scene& scene, const PatchMesh& mesh) {
   sources_ = std::move(sources);
 }
 
-void IncidentLight::add(const Vec3& point, const Vec3& normal,
-                        Eigen::Ref<Eigen::VectorXd> irradiance) const {
-  if (!sources_) return;
+double IncidentLight::add(const Vec3& point, const Vec3& normal,
+                          Eigen::Ref<Eigen::VectorXd> irradiance) const {
+  if (!sources_) return 0;
+  double error = 0;
   if (sources_->sun && sources_->sun->shadows.is_lit(point, normal)) {
     const auto& [sun, shadows, panes] = *sources_->sun;
     const Eigen::VectorXd through = shadows.factor_at(point, normal, sun.irradiance.size(), panes);
     irradiance += shadows.cosine(normal) * sun.irradiance.cwiseProduct(through);
   }
-  if (sources_->sky) irradiance += sources_->sky->at(point, normal).sum();
-  if (sources_->luminaires) sources_->luminaires->add(point, normal, irradiance);
+  if (sources_->sky) {
+    const SkyIrradiance of_sky = sources_->sky->at(point, normal);
+    irradiance += of_sky.sum();
+    error += of_sky.error;
+  }
+  if (sources_->luminaires) error += sources_->luminaires->add(point, normal, irradiance);
+  return error;
 }
 
 Eigen::VectorXd lit_shares(const PatchMesh& mesh, const Vec3& direction, const Progress& progress) {
@@ -95,13 +102,23 @@ Eigen::VectorXd lit_shares(const PatchMesh& mesh, const Vec3& direction, const P
 
 Eigen::MatrixXd incident_irradiance(const Scene& scene, const PatchMesh& mesh,
                                     const Progress& progress) {
+  return incident_on_patches(scene, mesh, progress).irradiance;
+}
+
+IncidentIrradiance incident_on_patches(const Scene& scene, const PatchMesh& mesh,
+                                       const Progress& progress) {
   if (!has_incident_light(scene)) return {};
   if (!scene.symmetry.is_none()) {
     throw SolveError("a sun, a sky or a luminaire does not shine on all images of a part");
   }
-  Eigen::MatrixXd result;
-  if (scene.sun) add_source(sun_irradiance(scene, mesh, progress), result);
-  if (scene.sky) add_source(SkyLight(scene, mesh).on_patches(progress).irradiance, result);
+  IncidentIrradiance result;
+  if (scene.sun) {
+    add_source({sun_irradiance(scene, mesh, progress), Eigen::VectorXd::Zero(mesh.size())}, result);
+  }
+  if (scene.sky) {
+    PatchSkyIrradiance of_sky = SkyLight(scene, mesh).on_patches(progress);
+    add_source({std::move(of_sky.irradiance), std::move(of_sky.error)}, result);
+  }
   if (!scene.luminaires.empty()) {
     add_source(LuminaireLight(scene, mesh).irradiance(progress), result);
   }

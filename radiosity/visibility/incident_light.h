@@ -6,6 +6,7 @@
 #include "radiosity/base/progress.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/scene.h"
+#include "radiosity/visibility/incident_irradiance.h"
 
 namespace radiosity {
 
@@ -20,8 +21,9 @@ class IncidentLight {
   /// Of all such sources of a scene. The mesh must outlive this.
   IncidentLight(const Scene& scene, const PatchMesh& mesh);
 
-  /// Adds the irradiance at a point (m) of a surface with that unit normal, W/m², n_bands.
-  void add(const Vec3& point, const Vec3& normal, Eigen::Ref<Eigen::VectorXd> irradiance) const;
+  /// Adds the irradiance at a point (m) of a surface with that unit normal, W/m², n_bands. Returns
+  /// what quadrature may have left of it, W/m² of the brightest band.
+  double add(const Vec3& point, const Vec3& normal, Eigen::Ref<Eigen::VectorXd> irradiance) const;
 
  private:
   struct Sources;
@@ -42,6 +44,10 @@ bool has_incident_light(const Scene& scene);
 /// of it before any reflection. Throws Interrupted, and SolveError for a scene with a symmetry.
 Eigen::MatrixXd incident_irradiance(const Scene& scene, const PatchMesh& mesh,
                                     const Progress& progress = {});
+
+/// The same with what it may be off.
+IncidentIrradiance incident_on_patches(const Scene& scene, const PatchMesh& mesh,
+                                       const Progress& progress = {});
 
 /// What leaves each patch before light is exchanged, |M_e| + ρ E, n_patches x n_bands, W/m², as far
 /// as it is known without form factors: the light that operators are made for. Heat that is taken

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace radiosity {
@@ -62,6 +63,35 @@ Shadow shadow_from(const Occluder& occluder, const PointLight& light, double thi
   }
   Shadow shadow;
   shadow.faces.push_back({side * occluder.normal, side * occluder.offset});
+  return shadow;
+}
+
+/// What an occluder hides of polygons from a point, relative to that; nothing if they do not lie
+/// behind it, nor on it and face the other way.
+Shadow shadow_on(const Occluder& occluder, const Vec3& point,
+                 std::span<const ConvexPolygon> polygons, const Vec3& axis, double thickness) {
+  const double height = height_over(occluder, point);
+  if (std::abs(height) <= thickness) return {};
+  const double side = height > 0 ? 1 : -1;
+  double lowest = std::numeric_limits<double>::infinity();
+  double highest = -lowest;
+  for (const ConvexPolygon& polygon : polygons) {
+    for (const Vec3& corner : polygon) {
+      const double there = side * (height + occluder.normal.dot(corner));
+      lowest = std::min(lowest, there);
+      highest = std::max(highest, there);
+    }
+  }
+  const bool is_mounted = lowest >= -thickness && highest <= thickness;
+  const bool faces_away = side * occluder.normal.dot(axis) < -kLevelAxis;
+  if (is_mounted ? !faces_away : lowest >= -thickness) return {};
+  Shadow shadow = shadow_of(occluder, point, thickness);
+  for (Shadow::Edge& edge : shadow.edges) {
+    edge.start -= point;
+    edge.end -= point;
+  }
+  for (HalfSpace& face : shadow.faces) face.offset -= face.normal.dot(point);
+  if (is_mounted) shadow.faces.clear();
   return shadow;
 }
 
@@ -126,6 +156,31 @@ std::span<const ConvexPolygon> PointShadows::lit_parts(const PointLight& light, 
     shadows.push_back(std::move(shadow));
   }
   return cutter.visible_parts(Vec3::Zero(), relative, shadows);
+}
+
+std::vector<ConvexPolygon> PointShadows::seen_parts(const Vec3& point,
+                                                    std::span<const ConvexPolygon> polygons,
+                                                    const Vec3& axis, ShadowCutter& cutter) const {
+  const Vec3 x = point - center_;
+  std::vector<Vec3> ends;
+  for (const ConvexPolygon& polygon : polygons) {
+    for (const Vec3& corner : polygon) ends.push_back(x + corner);
+  }
+  std::vector<std::int32_t> candidates;
+  for_each_between(x, ends, [&](std::int32_t k) { candidates.push_back(k); });
+  std::sort(candidates.begin(), candidates.end());
+  candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+  std::vector<Shadow> shadows;
+  for (const std::int32_t k : candidates) {
+    Shadow shadow = shadow_on(occluders_[k], x, polygons, axis, thickness_);
+    if (!shadow.edges.empty()) shadows.push_back(std::move(shadow));
+  }
+  std::vector<ConvexPolygon> parts;
+  for (const ConvexPolygon& polygon : polygons) {
+    const auto seen = cutter.visible_parts(Vec3::Zero(), polygon, shadows);
+    parts.insert(parts.end(), seen.begin(), seen.end());
+  }
+  return parts;
 }
 
 bool PointShadows::is_lit(const PointLight& light, const Vec3& point) const {

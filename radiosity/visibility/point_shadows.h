@@ -38,6 +38,13 @@ class PointShadows {
   /// for what the light is mounted on.
   [[nodiscard]] bool is_lit(const PointLight& light, const Vec3& point) const;
 
+  /// What of polygons that emit a point sees: convex parts, corners relative to the point, m, as
+  /// are those of the polygons. What they are mounted on, in whose plane they lie, hides them from
+  /// behind it, told by the direction `axis` that they face.
+  [[nodiscard]] std::vector<ConvexPolygon> seen_parts(const Vec3& point,
+                                                      std::span<const ConvexPolygon> polygons,
+                                                      const Vec3& axis, ShadowCutter& cutter) const;
+
   /// How far off a plane points may be and still count as on it, m.
   [[nodiscard]] double thickness() const { return thickness_; }
 

@@ -29,6 +29,7 @@ TEST_F(LightPlans, AreReadInMetres) {
     "grids": [
       {"name": "plane", "surface": "floor", "offset": 750, "spacing": 250, "border": 0,
        "cylindrical": true, "vertical": [[2, 0, 0]], "semi_cylindrical": [[0, -1, 0]],
+       "luminance_from": [[100, 200, 1500]],
        "required": {"Em": 500, "U0": 0.6, "Ud": 0.4, "UGR": 19}},
       {"name": "desk", "corner": [0, 0, 700], "sides": [[500, 0, 0], [0, 250, 0]]},
       {"name": "eyes", "points": "eyes.csv"},
@@ -43,6 +44,8 @@ TEST_F(LightPlans, AreReadInMetres) {
   EXPECT_EQ(plan.grids[0].border, 0);
   EXPECT_TRUE(plan.grids[0].is_cylindrical);
   EXPECT_EQ(plan.grids[0].vertical[0], Vec3(1, 0, 0));
+  ASSERT_EQ(plan.grids[0].luminance_from.size(), 1U);
+  EXPECT_LT((plan.grids[0].luminance_from[0] - Vec3(0.1, 0.2, 1.5)).norm(), 1e-15);
   EXPECT_EQ(plan.grids[0].required.glare, 19);
   EXPECT_EQ(plan.grids[1].sides[1], Vec3(0, 0.25, 0));
   ASSERT_EQ(plan.grids[2].points.size(), 2U);
@@ -80,6 +83,8 @@ TEST_F(LightPlans, AreRefusedInOneLine) {
          "expected the two sides");
   expect(R"("grids": [{"name": "a", "surface": "floor", "border": -1}])", "border: is negative");
   expect(R"("grids": [{"name": "a", "surface": "floor", "vertical": []}])", "has no direction");
+  expect(R"("grids": [{"name": "a", "surface": "floor", "luminance_from": []}])", "has no point");
+  expect(R"("grids": [{"name": "a", "surface": "floor", "luminance_from": [[0, 0]]}])", "three");
   expect(R"("grids": [{"name": "a", "surface": "floor", "spacings": 1}])", "spacing");
   expect(R"("observers": [{"name": "a", "position": [0, 0, 0], "look_at": [0, 0, 0]}])",
          "is the observer's position");

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,6 +13,7 @@
 #include "io/scene/scene_file.h"
 #include "radiosity/operator/aggregated_transport.h"
 #include "radiosity/radiosity.h"
+#include "radiosity/visibility/sun_edges.h"
 #include "tests/support/hung_boxes.h"
 #include "tests/support/shapes.h"
 
@@ -283,6 +285,59 @@ TEST(AdaptivePatches, StopAtTheTolerance) {
     // Patches of half the size have at most half of the error (first order, where light stops at a
     // line), so that the whole of it is twice the change at most.
     EXPECT_LE(2 * relative_difference(solution, halved, adaptive.transport->area()), tolerance);
+  }
+}
+
+// A spot of sunlight through an opening in the ceiling, along no patch: rooms that are turned and
+// of other sizes.
+TEST(AdaptivePatches, FollowTheSunsShadows) {
+  for (const double turn : {0., 0.6}) {
+    PatchMesh room;
+    add_box(room, Vec3(0, 0, 0), Vec3(4, 3, 2.5), 1, Facing::inwards);
+    const Eigen::AngleAxisd motion(turn, Vec3(1, 2, 3).normalized());
+    Scene scene;
+    scene.bands.kind = Bands::Kind::grey;
+    scene.materials.resize(1);
+    scene.materials[0].reflectance = Eigen::VectorXd::Constant(1, 0.5);
+    scene.surfaces.resize(1);
+    scene.surfaces[0].name = "room";
+    scene.surfaces[0].material = 0;
+    const auto add = [&](const std::vector<Vec3>& corners) {
+      std::vector<std::int32_t> indices;
+      for (const Vec3& corner : corners) {
+        indices.push_back(static_cast<std::int32_t>(scene.vertices.size()));
+        scene.vertices.emplace_back(motion * corner);
+      }
+      scene.add_polygon(indices, 0);
+    };
+    for (Index i = 0; i < room.size(); ++i) {
+      if (room.surface[i] == 1) continue;  // the ceiling
+      add({room.corner(i, 0), room.corner(i, 1), room.corner(i, 2), room.corner(i, 3)});
+    }
+    // Around an opening from (1, 1) to (1.9, 1.7).
+    const double z = 2.5;
+    add({{0, 0, z}, {0, 3, z}, {1, 3, z}, {1, 0, z}});
+    add({{1.9, 0, z}, {1.9, 3, z}, {4, 3, z}, {4, 0, z}});
+    add({{1, 0, z}, {1, 1, z}, {1.9, 1, z}, {1.9, 0, z}});
+    add({{1, 1.7, z}, {1, 3, z}, {1.9, 3, z}, {1.9, 1.7, z}});
+    scene.sun = Sun{.direction = motion * Vec3(0.3, 0.1, -1).normalized(),
+                    .irradiance = Eigen::VectorXd::Constant(1, 100)};
+    const meshing::AdaptiveMesh adaptive =
+        meshing::make_adaptive_patches(scene, {.tolerance = 0.03, .max_patches = 2400});
+    const PatchMesh even = meshing::make_patches(scene, {.n_patches = adaptive.mesh.size()});
+    const auto off = [&](const PatchMesh& mesh) {
+      const SunEdges edges = find_sun_edges(scene, mesh);
+      double sum = 0;
+      double area = 0;
+      for (Index i = 0; i < mesh.size(); ++i) {
+        sum += mesh.area[i] * square(edges.deviation[i]);
+        area += mesh.area[i];
+      }
+      EXPECT_NEAR(edges.typical, 0.5 * 100 / std::sqrt(1.1) * std::sqrt(0.63 / area), 1e-3);
+      return std::sqrt(sum / area) / edges.typical;
+    };
+    EXPECT_LE(off(adaptive.mesh), 10 * 0.03);
+    EXPECT_LT(1.2 * off(adaptive.mesh), off(even));
   }
 }
 

@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
+#include <utility>
 
 #include "tests/support/program.h"
 
@@ -162,6 +164,17 @@ TEST_F(Light, OfAFurnaceIsTheSameOfAllKinds) {
   EXPECT_EQ(json["grids"][0]["quantities"].size(), 4U);
 }
 
+// Its luminance is its exitance over π, from wherever.
+TEST_F(Light, OfAFurnaceIsOneLuminance) {
+  const Json json =
+      light({write_cube(0.5, 1), "--grid", ".2,.2,0,.6,0,0,0,.6,0", "--spacing", ".3", "--patches",
+             "100", "--luminance-from", ".5,.4,.9", "--luminance-from", ".1,.1,.2"});
+  ASSERT_EQ(json["grids"][0]["quantities"].size(), 3U);
+  const Json& quantity = json["grids"][0]["quantities"][2];
+  EXPECT_EQ(quantity["name"], "luminance 0.1,0.1,0.2");
+  EXPECT_NEAR(quantity["new"]["Em"].get<double>(), 179 / (1 - 0.5), 1e-3 * 358);
+}
+
 // Luminaires of photometric files light, dazzle and age like lamps.
 TEST_F(Light, OfLuminairesIsToldAndAges) {
   const Json json = light({RADIOSITY_SCENES "/office.json", "--patches", "300", "--grid",
@@ -177,6 +190,49 @@ TEST_F(Light, OfLuminairesIsToldAndAges) {
   const std::string html = contents(result("office/report.html"));
   EXPECT_NE(html.find("<h2>Luminaires</h2>"), std::string::npos);
   EXPECT_NE(html.find("office-panel.ies"), std::string::npos);
+}
+
+// A diffuse opening of 0.6 x 1.2 m, 0.3 m above a point: π I / A of its exitance, times the form
+// factor (Hamilton & Morgan 1952), and not I / d². One that reaches into a wall counts as a point.
+TEST_F(Light, OfALargeOpeningIsThatOfItsArea) {
+  std::string angles;
+  std::string candela;
+  for (int k = 0; k <= 90; ++k) {
+    angles += std::to_string(k) + ' ';
+    candela += std::to_string(std::max(0., 1000 * std::cos(k * kHalfTurn / 180))) + ' ';
+  }
+  (void)write_file("panel.ies", "IESNA91\nTILT=NONE\n1 -1 1 91 1 1 2 0.6 1.2 0\n1 1 9\n" + angles +
+                                    "\n0\n" + candela + "\n");
+  const std::string below = write_file("below.csv", "x,y,z\n1,1,1\n");
+  const auto lux = [&](const std::string& position, const std::string& more) {
+    const std::string scene = write_file("panel.json", R"({"bands": "grey",
+      "materials": {"black": {"reflectance": 0}}, "surfaces": [
+        {"name": "floor", "material": "black",
+         "polygons": [[[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0]]]},
+        {"name": "wall", "material": "black",
+         "polygons": [[[0, 0, 0], [0, 2, 0], [0, 2, 2], [0, 0, 2]]]}], "luminaires": [
+        {"name": "panel", "file": "panel.ies", "position": )" +
+                                                           position + more + "}]}");
+    const Outcome outcome = run({"light", scene, "--points", below, "--json"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Json json = Json::parse(outcome.out);
+    const Json& quantity = json["grids"][0]["quantities"][0]["new"];
+    EXPECT_LT(quantity["Em_error"].get<double>(), 1e-4 * quantity["Em"].get<double>());
+    return std::pair(quantity["Em"].get<double>(), outcome.err);
+  };
+  const double p = std::sqrt(2);
+  const double q = std::sqrt(5);
+  const double factor = 4 * (std::atan(2 / p) / p + 2 / q * std::atan(1 / q)) / (2 * kHalfTurn);
+  const double expected = kHalfTurn * 1000 / (0.6 * 1.2) * factor;
+  // Linear interpolation between degrees is off by (π/180)²/8.
+  EXPECT_NEAR(lux("[1, 1, 1.3]", "").first, expected, 4e-5 * expected);
+  EXPECT_NEAR(lux("[1, 1, 1.3]", R"(, "turn_deg": 90)").first, expected, 4e-5 * expected);
+  EXPECT_NEAR(lux("[1, 1, 1.3]", R"(, "points": [1, 1])").first, 1000 / 0.09, 1e-6);
+  const auto [point, told] = lux("[0.1, 1, 1.3]", "");
+  EXPECT_NE(told.find("'panel', have a luminous opening that a surface cuts through"),
+            std::string::npos)
+      << told;
+  EXPECT_NEAR(point, 1000 * 0.09 / 0.81, 0.01);
 }
 
 // Luminaires have factors of their own: of two alike, one above the other half of the plane, each

@@ -90,6 +90,17 @@ def test_direct_light_is_that_of_numpy(tmp_path):
         found.values(part="direct") + found.values(part="indirect"))
 
 
+def test_luminance_is_that_of_what_is_lit(tmp_path):
+    study = rad.Study(room(tmp_path), patches=300)
+    points = np.array([[0.7, 0.9, 0.0], [1.5, 3.0, 0.0]])
+    eye = [0.3, 2, 1.5]
+    found = study.measure(points, luminance_from=[eye])
+    assert found.quantities == ["illuminance", "luminance 0.3,2,1.5"]
+    for part in ("direct", "indirect"):
+        assert found.values("luminance 0.3,2,1.5", part=part) == pytest.approx(
+            0.4 / np.pi * found.values(part=part), rel=1e-4)
+
+
 def test_ugr_is_that_of_numpy(tmp_path):
     study = rad.Study(room(tmp_path), patches=300)
     eye, view = np.array([0.4, 1.6, 1.2]), np.array([1.0, 0.1, 0.0])

@@ -73,6 +73,7 @@ inline std::filesystem::path LitRoom::write(const std::filesystem::path& folder)
          {"position", numbers(first())},
          {"direction", numbers(-up())},
          {"up", numbers(up())},
+         {"points", {1, 1}},
          {"dimming", dimming}},
         {{"name", "spot"},
          {"file", "spot.ies"},

@@ -15,6 +15,7 @@
 #include "radiosity/polygon/gauss.h"
 #include "radiosity/polygon/point_to_polygon.h"
 #include "radiosity/scene/luminaire_points.h"
+#include "radiosity/visibility/coverage.h"
 #include "radiosity/visibility/incident_light.h"
 #include "tests/support/scene_families.h"
 #include "tests/support/scene_variations.h"
@@ -285,7 +286,7 @@ TEST(LuminaireLight, KeepsItsFluxInClosedRooms) {
       add_luminaire(scene, motion * position, n == 0 ? motion.linear() : random_axes(random));
       expected += flux(scene.photometries[0].web);
     }
-    const Eigen::MatrixXd irradiance = LuminaireLight(scene, mesh).irradiance();
+    const Eigen::MatrixXd irradiance = LuminaireLight(scene, mesh).irradiance().irradiance;
     EXPECT_NEAR(total_flux(mesh, irradiance), expected, 1e-8 * expected) << k;
   }
 }
@@ -298,7 +299,7 @@ TEST(LuminaireLight, OnTheCeilingGivesDownwards) {
     add_luminaire(scene, Vec3(4.0 / 3, 1.2, 2.5 - below), Eigen::Matrix3d::Identity());
     // Mounted, half of it goes into what it is mounted on and nothing beyond.
     add_box(mesh, Vec3(0, 0, 3), Vec3(4, 3, 5), 2, Facing::inwards);
-    const Eigen::MatrixXd irradiance = LuminaireLight(scene, mesh).irradiance();
+    const Eigen::MatrixXd irradiance = LuminaireLight(scene, mesh).irradiance().irradiance;
     const double expected = below > 0 ? 4 * kPi : 2 * kPi;
     EXPECT_NEAR(total_flux(mesh, irradiance), expected, 1e-9) << below;
     EXPECT_NEAR(lux_at(scene, mesh, Vec3(4.0 / 3, 1.2, 0), Vec3(0, 0, 1)), 1 / square(2.5 - below),
@@ -348,6 +349,36 @@ TEST(LuminaireLight, OfManyPointsIsAnAreaSource) {
     sum += distance / 32 / 32;
   }
   EXPECT_NEAR(sum, 0.4, 1e-3);
+}
+
+// A cupboard on the floor, closed all around or open below: what it covers of the floor takes no
+// part in the exchange of light, and gets none of a lamp within it.
+TEST(LuminaireLight, WithinASolidLightsNothing) {
+  for (const bool has_bottom : {true, false}) {
+    PatchMesh mesh;
+    add_box(mesh, Vec3(0, 0, 0), Vec3(3, 3, 2.5), 3, Facing::inwards);
+    const Vec3 x(1, 0, 0);
+    const Vec3 y(0, 1, 0);
+    const Vec3 z(0, 0, 1.2);
+    const Vec3 low(1, 1, 0);
+    add_grid(mesh, low + z, x, y, 1, 1);
+    add_grid(mesh, low, x, z, 1, 1);
+    add_grid(mesh, low, z, y, 1, 1);
+    add_grid(mesh, low + x, y, z, 1, 1);
+    add_grid(mesh, low + y, z, x, 1, 1);
+    if (has_bottom) add_grid(mesh, low, y, x, 1, 1);
+    for (const Vec3& position : {Vec3(1.4, 1.6, 0.7), Vec3(1.5, 1.5, 1.19)}) {
+      Scene scene = luminaire_scene(isotropic_web(100));
+      add_luminaire(scene, position, Eigen::Matrix3d::Identity());
+      // But for what rounding leaves beside edges.
+      const Eigen::MatrixXd within = LuminaireLight(scene, mesh).irradiance().irradiance;
+      EXPECT_LT(total_flux(mesh, within), 1e-9) << has_bottom;
+      // Above it, it lights all of the room.
+      scene.luminaires[0].position.z() = 2;
+      const double flux = total_flux(mesh, LuminaireLight(scene, mesh).irradiance().irradiance);
+      EXPECT_NEAR(flux, 100 * 4 * kPi, 1e-6);
+    }
+  }
 }
 
 TEST(LuminaireLight, TurnsWithItsAxes) {
@@ -420,7 +451,8 @@ TEST_P(LuminairesAmongFamilies, ReachWhatSegmentsReach) {
     const Vec3 position = box.min() + place.cwiseProduct(box.sizes());
     add_luminaire(scene, position, random_axes(random));
     const LuminaireLight light(scene, mesh);
-    const Eigen::MatrixXd irradiance = light.irradiance();
+    const Eigen::MatrixXd irradiance = light.irradiance().irradiance;
+    const Coverage coverage = find_coverage(mesh, plane_thickness(mesh));
     const Index step = std::max<Index>(1, mesh.size() / 40);
     for (Index i = 0; i < mesh.size(); i += step) {
       const Vec3& normal = mesh.normal[i];
@@ -462,6 +494,11 @@ TEST_P(LuminairesAmongFamilies, ReachWhatSegmentsReach) {
         sum += lit;
         squares += lit * lit;
       }
+      // What a solid covers is not lit by a light within it, either.
+      if (coverage.is_covered(static_cast<std::int32_t>(i))) {
+        EXPECT_EQ(irradiance(i, 0), 0);
+        continue;
+      }
       // Nothing or all of a patch that is nowhere near the light: exactly.
       const double mean = sum / kPoints;
       const double sigma = std::sqrt(std::max(0., squares / kPoints - mean * mean) / kPoints);
@@ -487,7 +524,7 @@ TEST(LuminaireLight, IsTheSameHoweverTheSceneIsDivided) {
       const Box3 box = bounds(mesh);
       add_luminaire(scene, box.min() + place.cwiseProduct(box.sizes()),
                     Eigen::Matrix3d::Identity());
-      const double sum = total_flux(mesh, LuminaireLight(scene, mesh).irradiance());
+      const double sum = total_flux(mesh, LuminaireLight(scene, mesh).irradiance().irradiance);
       if (n_patches == 10) {
         coarse = sum;
       } else {
@@ -505,9 +542,9 @@ TEST(LuminaireLight, IsTheSameAtAnyNumberOfThreads) {
   add_luminaire(scene, bounds(mesh).center(), random_axes(random));
   const LuminaireLight light(scene, mesh);
   const ThreadLimit one(1);
-  const Eigen::MatrixXd alone = light.irradiance();
+  const Eigen::MatrixXd alone = light.irradiance().irradiance;
   const ThreadLimit four(4);
-  EXPECT_EQ(alone, light.irradiance());
+  EXPECT_EQ(alone, light.irradiance().irradiance);
 }
 
 // A lamp that hangs down a wall, on it, lights the wall's front however the wall is turned: its

@@ -91,6 +91,7 @@ std::vector<std::string> grid_quantities(const Desk& desk, std::size_t grid) {
   if (plan.is_cylindrical) names.emplace_back("cylindrical");
   names.resize(names.size() + plan.vertical.size(), "vertical");
   names.resize(names.size() + plan.semi_cylindrical.size(), "semi-cylindrical");
+  names.resize(names.size() + plan.luminance_from.size(), "luminance");
   return names;
 }
 
@@ -107,7 +108,7 @@ std::vector<GridLine> grid_lines(const Desk& desk, const GridChoice& choice) {
   const auto check = [&](const char* what) {
     return is_required_of ? check_of(*readings, grid.plan.name, what) : nullptr;
   };
-  const auto lux = [](double value) { return io::value_text(value) + " lx"; };
+  const auto lux = [&](double value) { return io::value_text(value) + " " + quantity.unit; };
   const double error =
       radiosity::summary(grid.light.places, quantity.part(light, radiosity::LightPart::error)).mean;
   add_line(lines, "Em", fmt::format("{} ± {:.1g}", lux(found.mean), error), check("Em"));

@@ -27,7 +27,7 @@ void add_luminaires(const Scene& full, const radiosity::PatchMesh& mesh, const L
       luminaires.irradiance_of_groups(group, static_cast<Index>(emitters.size()), progress);
   for (std::size_t k = 0; k < emitters.size(); ++k) {
     light.irradiance[emitters[k]] =
-        std::make_shared<const Eigen::MatrixXd>(std::move(of_groups[k]));
+        std::make_shared<const Eigen::MatrixXd>(std::move(of_groups[k].irradiance));
   }
 }
 

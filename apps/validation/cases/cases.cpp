@@ -13,6 +13,7 @@ const std::vector<Case>& all_cases() {
       {"cie-171", "CIE 171: light between diffuse surfaces", run_cie171},
       {"cie-171-lamps", "CIE 171: luminaires", run_cie171_lamps},
       {"cie-171-sky", "CIE 171: daylight of standard skies", run_cie171_sky},
+      {"cie-171-facade", "CIE 171: glazed and obstructed facades", run_cie171_facade},
       {"energy", "Energy balance of every scene", run_energy},
       {"hemisphere-vs-area", "Irradiance by rays and by form factors", run_hemisphere},
       {"cornell-box", "Cornell box against path tracing", run_cornell_box},

@@ -41,6 +41,8 @@ CaseResult run_cie171(const Context& context);
 CaseResult run_cie171_lamps(const Context& context);
 /// CIE 171:2006, daylight of the standard skies.
 CaseResult run_cie171_sky(const Context& context);
+/// Daylight through facades, after CIE 171:2006.
+CaseResult run_cie171_facade(const Context& context);
 /// Error against the number of patches.
 CaseResult run_convergence(const Context& context);
 

@@ -223,8 +223,8 @@ CaseResult run_cie171_sky(const Context& context) {
       "in reverse; sky 13, G: 42.07 for 47.01. 5.11 with 4 x 3 m, N: 45.29 for 44.49. Elsewhere "
       "they agree with exact values within 0.33 %.");
   result.notes.emplace_back(
-      "5.12 to 5.14 (glazed facades, an overhang, a facing wall) are not compared: some of their "
-      "published values are known to be wrong, and which of the others to trust is not.");
+      "5.12 to 5.14 (glazed facades, an overhang, a facing wall) are in the case cie-171-facade, "
+      "against own exact values.");
   result.figures.emplace_back(table);
   return result;
 }
