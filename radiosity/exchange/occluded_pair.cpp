@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
+#include "radiosity/exchange/even_points.h"
 #include "radiosity/exchange/pair_method.h"
 #include "radiosity/polygon/exchange_area.h"
 
@@ -28,6 +30,13 @@ constexpr double kRowShare = 0.22;
 constexpr std::size_t kFewCandidates = 4;
 /// Rays see nothing within a gap at their ends; pairs closer than so many gaps go without them.
 constexpr double kLeastGapsBetween = 64;
+/// What rays' gaps take of a shadow is their share of the smaller polygon's width: more than this,
+/// and more than the error that the pair may have, is too much.
+constexpr double kMostGapOfWidth = 1e-3;
+/// Blockers that are wholly so many gaps above an end are met by all rays from there.
+constexpr double kGapsAbove = 2;
+/// Rules that end so many times further off than asked leave it to even points.
+constexpr double kTooFarOff = 2;
 /// The standard error of what shadows that cross hide at events that were passed over, as a share
 /// of what is aimed at.
 constexpr double kCrossingError = 0.1;
@@ -53,8 +62,35 @@ double OccludedPairEstimator::allowed_share(const PairView& view, double whole) 
   return std::min(of_row, of_all);
 }
 
-bool OccludedPairEstimator::suits_rays(const PairView& view) const {
-  return view.distance >= kLeastGapsBetween * visibility_.end_gap();
+bool OccludedPairEstimator::sees_by_rays(const PairView& view, const PairBlockers& between,
+                                         double error) const {
+  const double gap = visibility_.end_gap();
+  const double share = std::max(error, kMostGapOfWidth);
+  const auto sees = [&](const Blocker& blocker, const ConvexPolygon& end, const Vec3& normal) {
+    Box3 box;
+    for (const Vec3& corner : end) box.extend(corner);
+    if (blocker.box.exteriorDistance(box) > kGapsAbove * gap) return true;
+    double low = std::numeric_limits<double>::infinity();
+    double high = 0;
+    for (const Vec3& corner : blocker.corners) {
+      const double height = normal.dot(corner - end[0]);
+      low = std::min(low, height);
+      high = std::max(high, height);
+    }
+    return high <= options_.thickness || low > kGapsAbove * gap || gap <= share * high;
+  };
+  const Vec3 target_normal = vector_area(view.target->points()).normalized();
+  return std::all_of(between.blockers.begin(), between.blockers.end(), [&](const Blocker* blocker) {
+    return sees(*blocker, *view.source, view.source_normal) &&
+           sees(*blocker, *view.target, target_normal);
+  });
+}
+
+bool OccludedPairEstimator::suits_rays(const PairView& view, double error) const {
+  const double gap = visibility_.end_gap();
+  const double width = view.source_area / (2 * bounding_disc(view.source->points()).radius);
+  return view.distance >= kLeastGapsBetween * gap &&
+         gap <= std::max(error, kMostGapOfWidth) * width;
 }
 
 PairEstimate OccludedPairEstimator::estimate(const SampledPair& pair,
@@ -72,10 +108,10 @@ PairEstimate OccludedPairEstimator::estimate(const SampledPair& pair,
   const PairView view(pair);
   std::optional<double> whole;
   std::optional<FractionSampler> sampler;
-  if (!view.is_near && candidates.size() > kFewCandidates && suits_rays(view)) {
+  if (!view.is_near && candidates.size() > kFewCandidates) {
     whole = unoccluded();
     const double error = allowed_share(view, *whole);
-    if (are_rays_cheap(error)) {
+    if (are_rays_cheap(error) && suits_rays(view, error)) {
       // Rays whatever the proofs would be: those that disagree leave nothing to prove.
       sampler.emplace(visibility_, pair, seed);
       if (sampler->add_packet().is_partial) {
@@ -98,7 +134,8 @@ PairEstimate OccludedPairEstimator::estimate_unproved(const SampledPair& pair, c
   PairBlockers& between = levels_[depth];
   const double error = allowed_share(view, whole);
   const bool may_divide = depth < kMostPairDivisions;
-  const PairMethod method = choose_method(view, between, error, suits_rays(view));
+  const bool takes_rays = suits_rays(view, error) && sees_by_rays(view, between, error);
+  const PairMethod method = choose_method(view, between, error, takes_rays);
   const bool is_source_large = view.source->size() > kMostCorners;
   const bool is_large = is_source_large || view.target->size() > kMostCorners;
   if (method == PairMethod::rays) return cast_rays(pair, view, whole, error, seed);
@@ -118,7 +155,7 @@ PairEstimate OccludedPairEstimator::estimate_unproved(const SampledPair& pair, c
                   seed);
   }
   if (method == PairMethod::cuts && between.dividing.empty()) {
-    return cut_shadows(view, between, whole, error);
+    return cut_shadows(view, between, whole, error, seed);
   }
   return sample_points(view, between, whole, error);
 }
@@ -160,13 +197,17 @@ PairEstimate OccludedPairEstimator::divide(const SampledPair& pair, bool divides
 }
 
 PairEstimate OccludedPairEstimator::cut_shadows(const PairView& view, const PairBlockers& between,
-                                                double whole, double error) {
+                                                double whole, double error, std::uint64_t seed) {
   const std::span<const Shadow> shadows(between.shadows.data(), between.blockers.size());
   const ShadowedPair shadowed{*view.source, view.source_normal, *view.target, shadows,
                               options_.thickness};
   PairEstimate fraction =
       quadrature_.integrate(shadowed, error, needs_adaption(view, between, error));
   if (fraction.blocking != Blocking::some) return fraction.times(whole);
+  if (fraction.error > kTooFarOff * error) {
+    const PairEstimate even = sample_evenly(shadowed, error, seed, even_cutter_);
+    if (even.error < fraction.error) fraction = even;
+  }
   // The kernel's own error counts, too: closing a row must not lean on entries that claim none. And
   // where shadows cross, events were passed over, which few points may miss altogether.
   const double least = least_error(options_);

@@ -45,11 +45,15 @@ class OccludedPairEstimator {
   PairEstimate estimate_unproved(const SampledPair& pair, const PairView& view, double whole,
                                  std::uint64_t seed, std::size_t depth);
   [[nodiscard]] double allowed_share(const PairView& view, double whole) const;
-  [[nodiscard]] bool suits_rays(const PairView& view) const;
+  /// Whether rays, which see nothing within a gap above their ends, tell well enough: by the size
+  /// of the polygons and how close they are, and by what of a blocker is within the gap.
+  [[nodiscard]] bool suits_rays(const PairView& view, double error) const;
+  [[nodiscard]] bool sees_by_rays(const PairView& view, const PairBlockers& between,
+                                  double error) const;
   PairEstimate divide(const SampledPair& pair, bool divides_i,
                       std::span<const ConvexPolygon> pieces, std::size_t depth, std::uint64_t seed);
   [[nodiscard]] PairEstimate cut_shadows(const PairView& view, const PairBlockers& between,
-                                         double whole, double error);
+                                         double whole, double error, std::uint64_t seed);
   [[nodiscard]] PairEstimate sample_points(const PairView& view, PairBlockers& between,
                                            double whole, double error);
   [[nodiscard]] PairEstimate cast_rays(const SampledPair& pair, const PairView& view, double whole,
@@ -59,6 +63,7 @@ class OccludedPairEstimator {
   OccludedPairOptions options_;
   std::deque<PairBlockers> levels_;  // of a pair, and of the parts into which it is divided
   ShadowedQuadrature quadrature_;
+  ShadowCutter even_cutter_;
   PointSampler points_;
 };
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "radiosity/exchange/graded_pieces.h"
 #include "radiosity/polygon/point_to_polygon.h"
 #include "radiosity/polygon/polygon_quadrature.h"
 
@@ -14,6 +15,12 @@ namespace {
 /// what is left undivided costs accuracy.
 constexpr std::size_t kMostPieces = 64;
 constexpr std::size_t kMostAdaptivePieces = 256;
+/// The same once they are strips along edges close to the source, and the narrowest strip in sizes
+/// of the source times the error aimed at.
+constexpr std::size_t kMostGradedPieces = 128;
+constexpr double kLeastStrip = 0.1;
+/// Points that every piece may have, however small: those of three rules.
+constexpr long kPointsOfPiece = 29;
 /// One sigma of what rules may miss between their points where events were left out, as a share of
 /// a piece.
 constexpr double kUnseen = 5e-3;
@@ -67,6 +74,7 @@ void for_each_point(const ConvexPolygon& polygon, int order, const Visit& visit)
 PairEstimate ShadowedQuadrature::integrate(const ShadowedPair& pair, double tolerance,
                                            bool adapts) {
   divide_source(pair, adapts ? kMostAdaptivePieces : kMostPieces);
+  if (adapts && !grade_source(pair, tolerance)) return {0, 1, Blocking::some, false, 0};
   const double most_points = kMostPoints * std::max(1.0, std::sqrt(1e-3 / tolerance));
   points_left_ = 0;
   const double area = vector_area(pair.source.points()).norm();
@@ -76,7 +84,7 @@ PairEstimate ShadowedQuadrature::integrate(const ShadowedPair& pair, double tole
     const double share = vector_area(piece.points()).norm() / area;
     if (adapts) {
       // Each has its share, and what those before it have left.
-      points_left_ += static_cast<long>(most_points * share);
+      points_left_ += kPointsOfPiece + static_cast<long>(most_points * share);
       const double whole = point_to_polygon(bounding_disc(piece.points()).center,
                                             pair.source_normal, pair.target.points()) *
                            area;
@@ -146,6 +154,22 @@ void ShadowedQuadrature::divide_source(const ShadowedPair& pair, std::size_t mos
   }
 }
 
+bool ShadowedQuadrature::grade_source(const ShadowedPair& pair, double tolerance) {
+  edges_.clear();
+  for (const Shadow& shadow : pair.shadows) {
+    edges_.insert(edges_.end(), shadow.edges.begin(), shadow.edges.end());
+  }
+  for (std::size_t k = 0; k < pair.target.size(); ++k) {
+    edges_.push_back({pair.target[k], pair.target[k + 1 < pair.target.size() ? k + 1 : 0]});
+  }
+  const double size = 2 * bounding_disc(pair.source.points()).radius;
+  const double strip = kLeastStrip * tolerance;
+  const Grading grading{std::max(strip * size, kDigits * pair.thickness),
+                        strip * vector_area(pair.source.points()).norm(),
+                        pieces_.size() + kMostGradedPieces};
+  return grade_pieces(pieces_, pair.source_normal, edges_, grading);
+}
+
 void ShadowedQuadrature::divide_pieces(const Vec3& normal, const Vec3& on_plane,
                                        const ShadowedPair& pair, std::size_t most_pieces) {
   const double length = normal.norm();
@@ -205,21 +229,21 @@ void ShadowedQuadrature::add_adaptively(const ShadowedPair& pair, const ConvexPo
   double most = 0;
   for (std::size_t k = 1; k < kOrders.size(); ++k) {
     const Sums next = apply_rule(pair, piece, kOrders[k]);
-    const double share = next.whole > 0 ? next.visible / next.whole : 0;
-    const double change = next.visible - best.visible - share * (next.whole - best.whole);
+    // What the kernel's change does depends on the visible share of all pieces, which is not known
+    // yet: the worst is that it is none or all.
+    const double of_visible = next.visible - best.visible;
+    const double of_hidden = next.whole - best.whole - of_visible;
     best = next;
-    error = std::abs(change);
+    error = std::max(std::abs(of_visible), std::abs(of_hidden));
     most = std::max(most, error);
     n_agreed = error <= goal ? n_agreed + 1 : 0;
     if (n_agreed == n_agreeing) break;
   }
   const bool is_settled = n_agreed == n_agreeing;
   if (is_settled || depth == 0 || points_left_ <= 0) {
-    if (best.any_visible && best.any_hidden) {
-      // Of rules that did not settle, the last two may be alike by chance.
-      best.variance =
-          square(kHighRuleError * (is_settled ? error : most)) + square(kChanceOfRules * goal);
-    }
+    // Of rules that did not settle, the last two may be alike by chance.
+    best.variance = square(kHighRuleError * (is_settled ? error : most));
+    if (best.any_visible && best.any_hidden) best.variance += square(kChanceOfRules * goal);
     if (!is_divided_) best.variance += square(kUnseen * best.whole);
     sums.add(best);
     return;

@@ -28,7 +28,8 @@ struct ShadowedPair {
 class ShadowedQuadrature {
  public:
   /// `tolerance` is the error of the fraction aimed at. If `adapts`, pieces are divided further
-  /// until two rules agree; otherwise one low rule has to do.
+  /// until two rules agree; otherwise one low rule has to do. Pairs that take too many pieces for
+  /// that are given up, with an error of 1.
   PairEstimate integrate(const ShadowedPair& pair, double tolerance, bool adapts);
 
  private:
@@ -43,6 +44,9 @@ class ShadowedQuadrature {
     void add(const Sums& other);
   };
   void divide_source(const ShadowedPair& pair, std::size_t most_pieces);
+  /// Strips along the edges of shadows and target that are close to the source; false if that would
+  /// take too many.
+  bool grade_source(const ShadowedPair& pair, double tolerance);
   void divide_pieces(const Vec3& normal, const Vec3& on_plane, const ShadowedPair& pair,
                      std::size_t most_pieces);
   [[nodiscard]] Sums apply_rule(const ShadowedPair& pair, const ConvexPolygon& piece, int order);
@@ -50,6 +54,7 @@ class ShadowedQuadrature {
                       Sums& sums);
 
   std::vector<ConvexPolygon> pieces_;
+  std::vector<Shadow::Edge> edges_;
   bool is_divided_ = true;  // at all events
   ShadowCutter cutter_;
   long points_left_ = 0;  // before a pair has to do with what it has

@@ -136,7 +136,9 @@ double ShadowCutter::visible_part(const Vec3& point, const Vec3& normal,
   if (shadows.size() == 1 && n_borders(shadows[0]) == 0) return whole;
   if (shadows.size() == 1 && n_borders(shadows[0]) + target.size() < ConvexPolygon::kCapacity) {
     const ConvexPolygon hidden = shadowed(target, shadows[0], point);
-    return hidden.empty() ? whole : whole - facing_point_to_polygon(point, normal, hidden.points());
+    if (hidden.empty()) return whole;
+    // Hidden in full, the difference is rounding, of either sign.
+    return std::max(0.0, whole - facing_point_to_polygon(point, normal, hidden.points()));
   }
   double sum = 0;
   for (const ConvexPolygon& part : visible_parts(point, target, shadows)) {
