@@ -100,10 +100,12 @@ double over_opening(const Facade& facade, const RoomPoint& point, double low, do
     for (const double up : {low - sun, high - sun}) {
       if (up == 0) continue;
       for (int part = 0; part < kQuarterParts * kQuarterParts; ++part) {
+        const int column = part % kQuarterParts;
+        const int row = part / kQuarterParts;
         for (const GaussPoint& a : gauss_rule(kQuarterPoints)) {
           for (const GaussPoint& b : gauss_rule(kQuarterPoints)) {
-            const double u = (part % kQuarterParts + a.x) / kQuarterParts;
-            const double v = (part / kQuarterParts + b.x) / kQuarterParts;
+            const double u = (column + a.x) / kQuarterParts;
+            const double v = (row + b.x) / kQuarterParts;
             const Vec3 way = Vec3(2 + across * u * u, 0, sun + up * v * v) - point.position;
             const Vec3 direction = way.normalized();
             const double cosine = std::max(0., point.normal.dot(direction));
