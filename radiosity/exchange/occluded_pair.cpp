@@ -1,6 +1,7 @@
 #include "radiosity/exchange/occluded_pair.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -62,27 +63,36 @@ double OccludedPairEstimator::allowed_share(const PairView& view, double whole) 
   return std::min(of_row, of_all);
 }
 
-bool OccludedPairEstimator::sees_by_rays(const PairView& view, const PairBlockers& between,
+bool OccludedPairEstimator::sees_by_rays(const PairView& view,
+                                         std::span<const Blocker* const> blockers,
                                          double error) const {
   const double gap = visibility_.end_gap();
   const double share = std::max(error, kMostGapOfWidth);
-  const auto sees = [&](const Blocker& blocker, const ConvexPolygon& end, const Vec3& normal) {
+  struct End {
+    Vec3 corner;
+    Vec3 normal;
     Box3 box;
-    for (const Vec3& corner : end) box.extend(corner);
-    if (blocker.box.exteriorDistance(box) > kGapsAbove * gap) return true;
+  };
+  const auto end_of = [](const ConvexPolygon& polygon, const Vec3& normal) {
+    End end{polygon[0], normal, {}};
+    for (const Vec3& corner : polygon) end.box.extend(corner);
+    return end;
+  };
+  const std::array ends{end_of(*view.source, view.source_normal),
+                        end_of(*view.target, vector_area(view.target->points()).normalized())};
+  const auto sees = [&](const Blocker& blocker, const End& end) {
+    if (blocker.box.exteriorDistance(end.box) > kGapsAbove * gap) return true;
     double low = std::numeric_limits<double>::infinity();
     double high = 0;
     for (const Vec3& corner : blocker.corners) {
-      const double height = normal.dot(corner - end[0]);
+      const double height = end.normal.dot(corner - end.corner);
       low = std::min(low, height);
       high = std::max(high, height);
     }
     return high <= options_.thickness || low > kGapsAbove * gap || gap <= share * high;
   };
-  const Vec3 target_normal = vector_area(view.target->points()).normalized();
-  return std::all_of(between.blockers.begin(), between.blockers.end(), [&](const Blocker* blocker) {
-    return sees(*blocker, *view.source, view.source_normal) &&
-           sees(*blocker, *view.target, target_normal);
+  return std::all_of(blockers.begin(), blockers.end(), [&](const Blocker* blocker) {
+    return sees(*blocker, ends[0]) && sees(*blocker, ends[1]);
   });
 }
 
@@ -111,7 +121,7 @@ PairEstimate OccludedPairEstimator::estimate(const SampledPair& pair,
   if (!view.is_near && candidates.size() > kFewCandidates) {
     whole = unoccluded();
     const double error = allowed_share(view, *whole);
-    if (are_rays_cheap(error) && suits_rays(view, error)) {
+    if (are_rays_cheap(error) && suits_rays(view, error) && sees_by_rays(view, candidates, error)) {
       // Rays whatever the proofs would be: those that disagree leave nothing to prove.
       sampler.emplace(visibility_, pair, seed);
       if (sampler->add_packet().is_partial) {
@@ -134,7 +144,7 @@ PairEstimate OccludedPairEstimator::estimate_unproved(const SampledPair& pair, c
   PairBlockers& between = levels_[depth];
   const double error = allowed_share(view, whole);
   const bool may_divide = depth < kMostPairDivisions;
-  const bool takes_rays = suits_rays(view, error) && sees_by_rays(view, between, error);
+  const bool takes_rays = suits_rays(view, error) && sees_by_rays(view, between.blockers, error);
   const PairMethod method = choose_method(view, between, error, takes_rays);
   const bool is_source_large = view.source->size() > kMostCorners;
   const bool is_large = is_source_large || view.target->size() > kMostCorners;

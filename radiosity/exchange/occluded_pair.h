@@ -48,7 +48,7 @@ class OccludedPairEstimator {
   /// Whether rays, which see nothing within a gap above their ends, tell well enough: by the size
   /// of the polygons and how close they are, and by what of a blocker is within the gap.
   [[nodiscard]] bool suits_rays(const PairView& view, double error) const;
-  [[nodiscard]] bool sees_by_rays(const PairView& view, const PairBlockers& between,
+  [[nodiscard]] bool sees_by_rays(const PairView& view, std::span<const Blocker* const> blockers,
                                   double error) const;
   PairEstimate divide(const SampledPair& pair, bool divides_i,
                       std::span<const ConvexPolygon> pieces, std::size_t depth, std::uint64_t seed);

@@ -275,9 +275,10 @@ PairEstimate FractionSampler::Sums::evaluate() const {
   result.rays = n;
   const double n_samples = n;
   if (!result.is_partial) {
-    // Agreement is no proof: with a flat prior n agreeing samples leave about 1/n open (Laplace).
+    // Agreement is no proof: with a flat prior n agreeing samples leave about 1/n open (Laplace),
+    // of uneven weights as many as even ones would have to be for the same variance (Kish 1965).
     result.value = any_visible ? 1 : 0;
-    result.error = 1 / (n_samples + 2);
+    result.error = 1 / ((ww > 0 ? w * w / ww : 0) + 2);
     return result;
   }
   result.value = v / w;

@@ -120,5 +120,41 @@ TEST(CloseSheets, HideWhatTheyHideFromPatchesOfAMillionth) {
   }
 }
 
+// So much stands about that rays are cast before anything is proved, which begin above the carpet.
+TEST(CloseSheets, CoverAFloorAmongClutter) {
+  for (const double gap : {1e-7, 1e-6, 3e-6}) {
+    std::mt19937_64 random(11);
+    PatchMesh mesh;
+    test::add_box(mesh, Vec3::Zero(), Vec3(5, 5, 3), 5, test::Facing::inwards);
+    const auto n_room = mesh.size();
+    test::make_two_sided(mesh,
+                         test::add_grid(mesh, Vec3(1, 1, gap), Vec3(0, 3, 0), Vec3(3, 0, 0), 1, 1));
+    const auto n_carpeted = mesh.size();
+    for (int k = 0; k < 30; ++k) {
+      const auto between = [&](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random);
+      };
+      const Vec3 middle(between(0.3, 4.7), between(0.3, 4.7), between(0.5, 2.5));
+      const Vec3 half(between(0.05, 0.25), between(0.05, 0.25), between(0.05, 0.25));
+      test::add_box(mesh, middle - half, middle + half, 1, test::Facing::outwards);
+    }
+    const Visibility visibility(mesh);
+    const auto transport =
+        make_dense_transport(mesh, visibility, {.tolerance = 1e-2, .closed = Closed::no});
+    int n_covered = 0;
+    for (Index i = 0; i < n_room; ++i) {
+      const Vec3 middle = mesh.centroid[i] - Vec3(2.5, 2.5, 0);
+      if (middle.cwiseAbs().maxCoeff() > 1.5 || mesh.normal[i].z() < 0.5) continue;
+      ++n_covered;
+      const Eigen::VectorXd row = rows_of(*transport).row(i);
+      const double to_carpet = row.segment(n_room, n_carpeted - n_room).sum();
+      // All else is seen past the carpet's edges: through a gap that high about 9 patches of 1 m².
+      EXPECT_NEAR(to_carpet, 1, 12 * gap);
+      EXPECT_LE(row.sum() - to_carpet, 12 * gap);
+    }
+    EXPECT_EQ(n_covered, 9);
+  }
+}
+
 }  // namespace
 }  // namespace radiosity
