@@ -122,7 +122,7 @@ TEST(CloseSheets, HideWhatTheyHideFromPatchesOfAMillionth) {
 
 // So much stands about that rays are cast before anything is proved, which begin above the carpet.
 TEST(CloseSheets, CoverAFloorAmongClutter) {
-  for (const double gap : {1e-7, 1e-6, 3e-6}) {
+  for (const double gap : {1e-7, 3e-6}) {
     std::mt19937_64 random(11);
     PatchMesh mesh;
     test::add_box(mesh, Vec3::Zero(), Vec3(5, 5, 3), 5, test::Facing::inwards);
@@ -130,7 +130,7 @@ TEST(CloseSheets, CoverAFloorAmongClutter) {
     test::make_two_sided(mesh,
                          test::add_grid(mesh, Vec3(1, 1, gap), Vec3(0, 3, 0), Vec3(3, 0, 0), 1, 1));
     const auto n_carpeted = mesh.size();
-    for (int k = 0; k < 30; ++k) {
+    for (int k = 0; k < 16; ++k) {
       const auto between = [&](double low, double high) {
         return std::uniform_real_distribution<double>(low, high)(random);
       };
