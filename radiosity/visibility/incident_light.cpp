@@ -70,8 +70,9 @@ IncidentLight::IncidentLight(const Scene& scene, const PatchMesh& mesh) {
   if (!has_incident_light(scene)) return;
   auto sources = std::make_shared<Sources>();
   if (scene.sun) {
-    sources->sun.emplace(*scene.sun, SunShadows(mesh, scene.sun->direction, panes_of(scene, mesh)),
-                         pane_factor(scene));
+    sources->sun.emplace(
+        Sources::OfSun{*scene.sun, SunShadows(mesh, scene.sun->direction, panes_of(scene, mesh)),
+                       pane_factor(scene)});
   }
   if (scene.sky) sources->sky.emplace(scene, mesh);
   if (!scene.luminaires.empty()) sources->luminaires.emplace(scene, mesh);
