@@ -100,6 +100,27 @@ class RegionFinder {
     joints.emplace_back(front(j), back(j));
   }
 
+  /// Whether two patches that lie on each other, or beside each other, are in one plane.
+  [[nodiscard]] bool are_in_one_plane(std::int32_t i, std::int32_t j) const {
+    const auto is_in_plane_of = [&](std::int32_t patch, std::int32_t of) {
+      for (int k = 0; k < mesh_.n_corners(patch); ++k) {
+        const Vec3 off = mesh_.corner(patch, k) - mesh_.centroid[of];
+        if (std::abs(mesh_.normal[of].dot(off)) > reach_) return false;
+      }
+      return true;
+    };
+    return is_in_plane_of(i, j) && is_in_plane_of(j, i);
+  }
+
+  /// Joins what is on either side of patches that touch: of such in one plane the two sides of that
+  /// stay apart, as of walls made of two sheets back to back.
+  void join_touching(std::int32_t i, std::int32_t j, Joints& joints) const {
+    if (!are_in_one_plane(i, j)) return join_all(i, j, joints);
+    const bool is_turned = mesh_.normal[i].dot(mesh_.normal[j]) < 0;
+    joints.emplace_back(front(i), is_turned ? back(j) : front(j));
+    joints.emplace_back(back(i), is_turned ? front(j) : back(j));
+  }
+
   void join_around_edges() {
     constexpr std::int32_t kMostInGroup = 32;
     constexpr Index kGrain = 8;
@@ -155,7 +176,7 @@ class RegionFinder {
     const PatchContact::Inwards inwards = contact_.all_inwards(i);
     for (const Near* near : around.near) {
       const std::int32_t j = near->patch;
-      if (j > i && contact_.cross_or_cover(i, j, inwards)) join_all(i, j, joints);
+      if (j > i && contact_.cross_or_cover(i, j, inwards)) join_touching(i, j, joints);
     }
     for (int k = 0; k < mesh_.n_corners(i); ++k) {
       join_at_edge(i, k, inwards[k], around, joints);
@@ -279,10 +300,12 @@ class RegionFinder {
     for (std::size_t k = 0; k < spokes.size(); ++k) {
       const Spoke& one = *spokes[k];
       const Spoke& next = *spokes[k + 1 < spokes.size() ? k + 1 : 0];
-      joints.emplace_back(forwards(one), backwards(next));
-      if (&one == &next) continue;
       const double turn = next.angle - one.angle + (k + 1 < spokes.size() ? 0 : 2 * kPi);
-      if (turn <= one.slack + next.slack) join_all(one.patch, next.patch, joints);
+      if (&one != &next && turn <= one.slack + next.slack) {
+        join_touching(one.patch, next.patch, joints);
+      } else {
+        joints.emplace_back(forwards(one), backwards(next));
+      }
     }
   }
 
