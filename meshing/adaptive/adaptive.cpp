@@ -85,7 +85,7 @@ class Refiner {
       const std::vector<Index> marked =
           patches_to_refine(refinement_indicator(patches_.mesh(), *stage.transport, stage.solution,
                                                  options_.progress),
-                            share_to_refine(result.refinement.error), affordable());
+                            share_to_refine(result.refinement.error), affordable(max_patches_));
       if (marked.empty()) break;
       const std::vector<std::int32_t> earlier = patches_.refine(marked);
       std::unique_ptr<Transport> transport = std::move(stage.transport);
@@ -105,7 +105,7 @@ class Refiner {
   /// Divides patches within which a texture varies, those first that matter most, before any form
   /// factor is made: what their light does to others would tell nothing of it.
   void follow_textures() {
-    const auto most = static_cast<Index>(max_patches_ / kTextureShare);
+    const long most = max_patches_ / kTextureShare;
     while (patches_.mesh().size() < most) {
       const PatchMesh& mesh = patches_.mesh();
       const Eigen::VectorXd deviation = texture_deviation(scene_, mesh);
@@ -117,8 +117,8 @@ class Refiner {
       std::stable_sort(marked.begin(), marked.end(), [&](Index a, Index b) {
         return mesh.area[a] * square(deviation[a]) > mesh.area[b] * square(deviation[b]);
       });
-      const Index affordable = std::max<Index>(1, (most - mesh.size()) / kPartsMore);
-      if (static_cast<Index>(marked.size()) > affordable) marked.resize(affordable);
+      const Index most_marked = std::max<Index>(1, affordable(most));
+      if (static_cast<Index>(marked.size()) > most_marked) marked.resize(most_marked);
       patches_.refine(marked);
     }
   }
@@ -128,7 +128,7 @@ class Refiner {
   /// square over all places.
   void follow_sun() {
     if (!scene_.sun) return;
-    const auto most = static_cast<Index>(max_patches_ / kSunShare);
+    const long most = max_patches_ / kSunShare;
     while (patches_.mesh().size() < most) {
       const PatchMesh& mesh = patches_.mesh();
       const SunEdges edges = find_sun_edges(scene_, mesh, options_.progress);
@@ -144,10 +144,10 @@ class Refiner {
       std::sort(cut.begin(), cut.end());
       // A patch that is divided has half of its squared error or less.
       const double allowed = area * square(kSunTolerances * options_.tolerance * edges.typical);
-      const Index affordable = std::max<Index>(1, (most - mesh.size()) / kPartsMore);
+      const Index most_marked = std::max<Index>(1, affordable(most));
       std::vector<Index> marked;
       for (const auto& [error, i] : cut) {
-        if (left <= allowed || static_cast<Index>(marked.size()) == affordable) break;
+        if (left <= allowed || static_cast<Index>(marked.size()) == most_marked) break;
         left += error / 2;
         marked.push_back(i);
       }
@@ -240,9 +240,9 @@ class Refiner {
     return std::min(kLargestShare, 1.1 * (1 - left * left));
   }
 
-  /// How many patches may be divided.
-  [[nodiscard]] Index affordable() const {
-    return std::max<Index>(0, (max_patches_ - patches_.mesh().size()) / kPartsMore);
+  /// How many patches may be divided for `most` in all.
+  [[nodiscard]] Index affordable(long most) const {
+    return std::max<Index>(0, (most - patches_.mesh().size()) / kPartsMore);
   }
 
   const Scene& scene_;

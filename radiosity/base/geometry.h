@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <cmath>
 #include <span>
 
 namespace radiosity {
@@ -25,6 +26,12 @@ inline Vec3 vector_area(std::span<const Vec3> polygon) {
 }
 
 inline double square(double x) { return x * x; }
+
+/// The point of a triangle that (u, v) of the unit square is mapped to, evenly. (Turk 1990)
+inline Vec3 triangle_point(const Vec3& a, const Vec3& b, const Vec3& c, double u, double v) {
+  const double root = std::sqrt(u);
+  return a + root * (1 - v) * (b - a) + root * v * (c - a);
+}
 
 /// The box with all its sides moved outwards by `margin`, m.
 inline Box3 grown(Box3 box, double margin) {

@@ -41,10 +41,7 @@ class EvenMap {
     while (k < last && at >= up_to_[k]) ++k;
     const double before = k > 0 ? up_to_[k - 1] : 0;
     const double share = std::clamp((at - before) / (up_to_[k] - before), 0.0, 1.0);
-    const double root = std::sqrt(share);
-    const Vec3& origin = polygon_[0];
-    return origin + root * (1 - v) * (polygon_[k + 1] - origin) +
-           root * v * (polygon_[k + 2] - origin);
+    return triangle_point(polygon_[0], polygon_[k + 1], polygon_[k + 2], share, v);
   }
 
  private:

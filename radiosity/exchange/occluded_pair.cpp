@@ -63,11 +63,13 @@ double OccludedPairEstimator::allowed_share(const PairView& view, double whole) 
   return std::min(of_row, of_all);
 }
 
-bool OccludedPairEstimator::sees_by_rays(const PairView& view,
-                                         std::span<const Blocker* const> blockers,
-                                         double error) const {
+bool OccludedPairEstimator::suits_rays(const PairView& view,
+                                       std::span<const Blocker* const> blockers,
+                                       double error) const {
   const double gap = visibility_.end_gap();
   const double share = std::max(error, kMostGapOfWidth);
+  const double width = view.source_area / (2 * bounding_disc(view.source->points()).radius);
+  if (view.distance < kLeastGapsBetween * gap || gap > share * width) return false;
   struct End {
     Vec3 corner;
     Vec3 normal;
@@ -96,13 +98,6 @@ bool OccludedPairEstimator::sees_by_rays(const PairView& view,
   });
 }
 
-bool OccludedPairEstimator::suits_rays(const PairView& view, double error) const {
-  const double gap = visibility_.end_gap();
-  const double width = view.source_area / (2 * bounding_disc(view.source->points()).radius);
-  return view.distance >= kLeastGapsBetween * gap &&
-         gap <= std::max(error, kMostGapOfWidth) * width;
-}
-
 PairEstimate OccludedPairEstimator::estimate(const SampledPair& pair,
                                              std::span<const Blocker* const> candidates,
                                              const std::function<double()>& unoccluded,
@@ -121,7 +116,7 @@ PairEstimate OccludedPairEstimator::estimate(const SampledPair& pair,
   if (!view.is_near && candidates.size() > kFewCandidates) {
     whole = unoccluded();
     const double error = allowed_share(view, *whole);
-    if (are_rays_cheap(error) && suits_rays(view, error) && sees_by_rays(view, candidates, error)) {
+    if (are_rays_cheap(error) && suits_rays(view, candidates, error)) {
       // Rays whatever the proofs would be: those that disagree leave nothing to prove.
       sampler.emplace(visibility_, pair, seed);
       if (sampler->add_packet().is_partial) {
@@ -144,8 +139,8 @@ PairEstimate OccludedPairEstimator::estimate_unproved(const SampledPair& pair, c
   PairBlockers& between = levels_[depth];
   const double error = allowed_share(view, whole);
   const bool may_divide = depth < kMostPairDivisions;
-  const bool takes_rays = suits_rays(view, error) && sees_by_rays(view, between.blockers, error);
-  const PairMethod method = choose_method(view, between, error, takes_rays);
+  const PairMethod method =
+      choose_method(view, between, error, suits_rays(view, between.blockers, error));
   const bool is_source_large = view.source->size() > kMostCorners;
   const bool is_large = is_source_large || view.target->size() > kMostCorners;
   if (method == PairMethod::rays) return cast_rays(pair, view, whole, error, seed);

@@ -47,9 +47,8 @@ class OccludedPairEstimator {
   [[nodiscard]] double allowed_share(const PairView& view, double whole) const;
   /// Whether rays, which see nothing within a gap above their ends, tell well enough: by the size
   /// of the polygons and how close they are, and by what of a blocker is within the gap.
-  [[nodiscard]] bool suits_rays(const PairView& view, double error) const;
-  [[nodiscard]] bool sees_by_rays(const PairView& view, std::span<const Blocker* const> blockers,
-                                  double error) const;
+  [[nodiscard]] bool suits_rays(const PairView& view, std::span<const Blocker* const> blockers,
+                                double error) const;
   PairEstimate divide(const SampledPair& pair, bool divides_i,
                       std::span<const ConvexPolygon> pieces, std::size_t depth, std::uint64_t seed);
   [[nodiscard]] PairEstimate cut_shadows(const PairView& view, const PairBlockers& between,

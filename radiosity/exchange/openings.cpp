@@ -45,8 +45,7 @@ Vec3 random_point(const PatchMesh& mesh, std::int32_t patch, double choice, doub
       mesh.n_corners(patch) == 4 && choice * mesh.area[patch] > 0.5 * (b - a).cross(c - a).norm();
   const Vec3& p = is_second ? c : b;
   const Vec3& q = is_second ? mesh.corner(patch, 3) : c;
-  const double root = std::sqrt(u);
-  return a + root * (1 - v) * (p - a) + root * v * (q - a);
+  return triangle_point(a, p, q, u, v);
 }
 
 Count count_rays(const PatchMesh& mesh, const Visibility& visibility, std::int32_t patch,

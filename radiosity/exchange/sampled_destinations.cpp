@@ -44,11 +44,10 @@ class SurfacePoints {
         triangles_.begin(), triangles_.end() - 1, place,
         [](double wanted, const Triangle& candidate) { return wanted < candidate.end; });
     const double begin = triangle == triangles_.begin() ? 0 : (triangle - 1)->end;
-    const double root = std::sqrt((place - begin) / (triangle->end - begin));
     const auto [patch, corner, end] = *triangle;
-    const Vec3& a = mesh_.corner(patch, 0);
-    const Vec3 point = a + root * (1 - v) * (mesh_.corner(patch, corner - 1) - a) +
-                       root * v * (mesh_.corner(patch, corner) - a);
+    const Vec3 point =
+        triangle_point(mesh_.corner(patch, 0), mesh_.corner(patch, corner - 1),
+                       mesh_.corner(patch, corner), (place - begin) / (end - begin), v);
     // Quads need not be planar to the last digit.
     const double height = mesh_.normal[patch].dot(point - mesh_.centroid[patch]);
     return {point - height * mesh_.normal[patch], mesh_.normal[patch]};
