@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "radiosity/base/error.h"
@@ -16,6 +17,7 @@ namespace {
 
 using radiosity::Index;
 using radiosity::Scene;
+using radiosity::Vec3;
 
 bool emits(const radiosity::Material& material) {
   return material.emission.kind != radiosity::Emission::Kind::none;
@@ -53,6 +55,19 @@ Scene maintained(Scene scene, const MeasuredPlan& plan) {
     scene.surfaces[k].emission_factor *= plan.maintenance_factors[k];
   }
   return scene;
+}
+
+/// The way to the floor, if a point of this grid with nothing there is outside. Planes are above
+/// the floor where nothing tells which way is up; those of surfaces end with them. Listed points
+/// are where they are wanted if the sky lights them.
+std::optional<Vec3> down_to_floor(const radiosity::GridPlan& grid, const Scene& scene,
+                                  const radiosity::PatchMesh& mesh) {
+  if (!grid.surface.empty() || (grid.is_list() && scene.sky)) return {};
+  Vec3 up = grid.is_list() ? Vec3::UnitZ() : Vec3(grid.sides[0].cross(grid.sides[1]).normalized());
+  if (scene.sky) up = scene.sky->up;
+  if (grid.up) up = *grid.up;
+  if (!radiosity::find_floor(mesh, up).is_found) return {};
+  return -up;
 }
 
 void check_light(const Scene& scene, const StudyEvents& events) {
@@ -169,10 +184,9 @@ MeasuredPlan measure_plan(const LitScene& solved, const radiosity::LightPlan& pl
   const Eigen::VectorXd weights = radiosity::luminous_weights(scene.bands, efficacy);
   const radiosity::Photometer photometer(solved.mesh, lights, weights);
   for (const radiosity::GridPlan& grid : plan.grids) {
-    const radiosity::Vec3 up = grid.up.value_or(radiosity::Vec3::UnitZ());
-    const bool has_floor = grid.surface.empty() && radiosity::find_floor(solved.mesh, up).is_found;
-    result.grids.push_back({grid, radiosity::measure_grid(grid, solved.mesh, solved.visibility,
-                                                          photometer, has_floor, events.progress)});
+    result.grids.push_back(
+        {grid, radiosity::measure_grid(grid, solved.mesh, solved.visibility, photometer,
+                                       down_to_floor(grid, scene, solved.mesh), events.progress)});
     add_luminances(grid, solved, lights, weights, result.grids.back().light, events);
     warn_of_places(result.grids.back(), events);
   }

@@ -20,12 +20,11 @@ GridQuantity quantity(std::string name, Index n_points, const Photometer& photom
 }
 
 void measure_planes(GridLight& result, const Photometer& photometer, const Visibility& visibility,
-                    bool has_floor, double raised, const Progress& progress) {
+                    const std::optional<Vec3>& down, double raised, const Progress& progress) {
   GridQuantity& illuminance = result.quantities.front();
   const MeasuringPoints& where = result.where;
   if (where.grid) {
-    MeasuredGrid measured =
-        measure(photometer.gather(), visibility, *where.grid, has_floor, progress);
+    MeasuredGrid measured = measure(photometer.gather(), visibility, *where.grid, down, progress);
     illuminance.values = std::move(measured.irradiance);
     for (Index k = 0; k < illuminance.values.cols(); k += kLightParts) {
       illuminance.values.col(k + 2) +=
@@ -38,8 +37,7 @@ void measure_planes(GridLight& result, const Photometer& photometer, const Visib
       progress.check();
       const auto i = static_cast<std::size_t>(k);
       const Vec3& normal = where.normals[i];
-      result.places[i] =
-          point_place(visibility, where.points[i] + raised * normal, normal, has_floor);
+      result.places[i] = point_place(visibility, where.points[i] + raised * normal, normal, down);
       if (result.places[i] != PointPlace::open) return;
       illuminance.values.row(k) =
           photometer.gather().irradiance(std::span(&where.points[i], 1), normal);
@@ -116,11 +114,12 @@ std::string quantity_name(const char* what, const Vec3& vector) {
 }
 
 GridLight measure_grid(const GridPlan& plan, const PatchMesh& mesh, const Visibility& visibility,
-                       const Photometer& photometer, bool has_floor, const Progress& progress) {
+                       const Photometer& photometer, const std::optional<Vec3>& down,
+                       const Progress& progress) {
   GridLight result{.where = make_measuring_points(plan, mesh), .places = {}, .quantities = {}};
   const double raised = kRaised * bounds(mesh).diagonal().norm();
   result.quantities.push_back(quantity("illuminance", result.where.size(), photometer));
-  measure_planes(result, photometer, visibility, has_floor, raised, progress);
+  measure_planes(result, photometer, visibility, down, raised, progress);
   measure_around(plan, result, photometer, visibility, raised, progress);
   return result;
 }

@@ -40,10 +40,10 @@ struct GridLight {
   std::vector<GridQuantity> quantities;  ///< the first is the illuminance of the points' planes
 };
 
-/// Measures what a plan asks for. `has_floor`: whether points with nothing behind them are outside
-/// (`Floor::is_found`). Same input, same bits, at any number of threads. Reports "points"; throws
-/// as make_measuring_points does, and Interrupted.
+/// Measures what a plan asks for. `down` as for `point_place`. Same input, same bits, at any number
+/// of threads. Reports "points"; throws as make_measuring_points does, and Interrupted.
 GridLight measure_grid(const GridPlan& plan, const PatchMesh& mesh, const Visibility& visibility,
-                       const Photometer& photometer, bool has_floor, const Progress& progress = {});
+                       const Photometer& photometer, const std::optional<Vec3>& down,
+                       const Progress& progress = {});
 
 }  // namespace radiosity

@@ -21,9 +21,10 @@ constexpr double kSurrounded = 0.5;
 }  // namespace
 
 PointPlace point_place(const Visibility& visibility, const Vec3& point, const Vec3& normal,
-                       bool has_floor) {
+                       const std::optional<Vec3>& down) {
   const auto below = visibility.first_hit(point, -normal);
-  const PointPlace if_not_inside = has_floor && !below ? PointPlace::outside : PointPlace::open;
+  const bool is_outside = down && !visibility.first_hit(point, *down);
+  const PointPlace if_not_inside = is_outside ? PointPlace::outside : PointPlace::open;
   const auto above = visibility.first_hit(point, normal);
   const auto is_back = [](const std::optional<Hit>& hit) { return hit && !hit->front; };
   if (is_back(below) && is_back(above)) return PointPlace::inside;
@@ -33,7 +34,7 @@ PointPlace point_place(const Visibility& visibility, const Vec3& point, const Ve
 }
 
 MeasuredGrid measure(const FinalGather& gather, const Visibility& visibility, const PointGrid& grid,
-                     bool has_floor, const Progress& progress) {
+                     const std::optional<Vec3>& down, const Progress& progress) {
   MeasuredGrid result{.grid = grid,
                       .places = std::vector<PointPlace>(static_cast<std::size_t>(grid.size())),
                       .irradiance = Eigen::MatrixXd::Zero(grid.size(), gather.n_bands())};
@@ -58,7 +59,7 @@ MeasuredGrid measure(const FinalGather& gather, const Visibility& visibility, co
         ++n_points;
         const Vec3 point = grid.point(k);
         PointPlace& place = result.places[static_cast<std::size_t>(k)];
-        place = point_place(visibility, point + kRaised * size * normal, normal, has_floor);
+        place = point_place(visibility, point + kRaised * size * normal, normal, down);
         if (place != PointPlace::open) continue;
         kept.push_back(k);
         points.push_back(point);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "radiosity/base/progress.h"
@@ -17,10 +18,10 @@ enum class PointPlace {
   outside  ///< beyond the floor, if there is one
 };
 
-/// The place of a point with a unit normal. It should be a little above what it may lie on.
-/// `has_floor`: whether one with nothing behind it is outside.
+/// The place of a point with a unit normal. It should be a little above what it may lie on. `down`:
+/// the direction, unit, in which a point outside has nothing; absent: none is outside.
 PointPlace point_place(const Visibility& visibility, const Vec3& point, const Vec3& normal,
-                       bool has_floor);
+                       const std::optional<Vec3>& down);
 
 /// The light on a grid of points.
 struct MeasuredGrid {
@@ -30,11 +31,10 @@ struct MeasuredGrid {
 };
 
 /// Measures the light on a grid by the final gather, exactly for radiosity that is constant on each
-/// patch. `visibility` is that of the gather's mesh, `has_floor` whether points with nothing below
-/// them are outside (`Floor::is_found`). Same input, same bits, at any number of threads. Reports
-/// "points"; throws Interrupted.
+/// patch. `visibility` is that of the gather's mesh, `down` as for `point_place`. Same input, same
+/// bits, at any number of threads. Reports "points"; throws Interrupted.
 MeasuredGrid measure(const FinalGather& gather, const Visibility& visibility, const PointGrid& grid,
-                     bool has_floor, const Progress& progress = {});
+                     const std::optional<Vec3>& down, const Progress& progress = {});
 
 /// What lighting standards ask of the points that are measured.
 struct GridSummary {

@@ -5,7 +5,9 @@ Usage: public_headers_test.py SOURCES BUILD
 
 Takes the compiler's arguments from BUILD/compile_commands.json. What a header includes of Eigen and
 the standard library, itself or by other headers of ours, is read beforehand, in sets that many
-headers have in common: nothing that it fails to include can be among it. That halves the time.
+headers have in common; and headers are compiled in chains, each after one that it includes anyhow.
+Nothing that a header fails to include can be among what was read before it. That takes a third of
+the time.
 """
 
 import concurrent.futures
@@ -36,18 +38,46 @@ class Headers:
     def path(self, name):
         return next((root / name for root in self.roots if (root / name).is_file()), None)
 
-    def of_others(self, name):
-        """The headers of others that a header of ours includes, itself or by others of ours."""
-        found, seen, left = set(), set(), [name]
+    def included(self, name):
+        """All that a header of ours includes, itself or by others of ours: (ours, others')."""
+        ours, others, left = set(), set(), [name]
         while left:
-            path = self.path(left.pop())
-            if path is None or path in seen:
+            header = left.pop()
+            path = self.path(header)
+            if path is None:
+                others.add(header)
+            elif header not in ours:
+                ours.add(header)
+                left.extend(INCLUDE.findall(path.read_text()))
+        return ours - {name}, others
+
+
+def chains(ours):
+    """Few lists of headers, of which each includes those before it. `ours`: header -> those of ours
+    that it includes. As many as there are headers, less the pairs of a maximum matching of headers
+    with headers that they include (Dilworth 1950; Fulkerson 1956)."""
+    before = {}  # header -> that before it
+    after = {}
+
+    def find_before(header, seen):
+        for other in sorted(ours[header]):
+            if other in seen or other not in ours:
                 continue
-            seen.add(path)
-            included = INCLUDE.findall(path.read_text())
-            found.update(other for other in included if self.path(other) is None)
-            left.extend(included)
-        return found
+            seen.add(other)
+            if other not in after or find_before(after[other], seen):
+                before[header], after[other] = other, header
+                return True
+        return False
+
+    for header in ours:
+        find_before(header, set())
+    result = []
+    for last in (header for header in ours if header not in after):
+        chain = [last]
+        while chain[-1] in before:
+            chain.append(before[chain[-1]])
+        result.append(chain[::-1])
+    return result
 
 
 def checks(build):
@@ -76,8 +106,11 @@ def compile_headers(sources, build, folder):
         return path if made.returncode == 0 else None
 
     tasks = []
-    for arguments, header in checks(build):
-        others = headers.of_others(header)
+    arguments_of = {header: arguments for arguments, header in checks(build)}
+    included = {header: headers.included(header) for header in arguments_of}
+    for chain in chains({header: ours for header, (ours, _) in included.items()}):
+        arguments = arguments_of[chain[-1]]
+        others = included[chain[0]][1]
         number = next((i for i, names in enumerate(COMMON) if others.issuperset(names)), None)
         first = []
         if number is not None:
@@ -86,14 +119,13 @@ def compile_headers(sources, build, folder):
                 precompiled[key] = precompile(arguments, number)
             if precompiled[key] is not None:
                 first = ["-include", precompiled[key]]
-        tasks.append((header, [*arguments, *first, "-fsyntax-only", "-x", "c++", "-"]))
+        tasks.append((chain, [*arguments, *first, "-fsyntax-only", "-x", "c++", "-"]))
 
     def run(task):
-        header, command = task
-        done = subprocess.run(
-            command, input=f"#include <{header}>\n", capture_output=True, text=True, check=False
-        )
-        return header, done.returncode, done.stderr
+        chain, command = task
+        text = "".join(f"#include <{header}>\n" for header in chain)
+        done = subprocess.run(command, input=text, capture_output=True, text=True, check=False)
+        return chain, done.returncode, done.stderr
 
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         return list(pool.map(run, tasks))
@@ -103,13 +135,15 @@ def main():
     sources, build = map(pathlib.Path, sys.argv[1:3])
     with tempfile.TemporaryDirectory() as folder:
         results = compile_headers(sources, build, pathlib.Path(folder))
-    failed = [(header, errors) for header, code, errors in results if code != 0]
-    for header, errors in failed:
-        print(f"{header} does not compile alone:\n{errors}", file=sys.stderr)
+    for chain, code, errors in results:
+        if code != 0:
+            print(f"of {', '.join(chain)} one does not compile alone:\n{errors}", file=sys.stderr)
     if not results:
         sys.exit(f"there are no headers to verify in {build}/compile_commands.json")
-    print(f"{len(results) - len(failed)} of {len(results)} public headers compile alone")
-    sys.exit(1 if failed else 0)
+    n_headers = sum(len(chain) for chain, _, _ in results)
+    n_failed = sum(code != 0 for _, code, _ in results)
+    print(f"{n_headers} public headers in {len(results)} chains, of which {n_failed} do not compile")
+    sys.exit(1 if n_failed else 0)
 
 
 if __name__ == "__main__":

@@ -41,8 +41,9 @@ double lamp_factor(const Vec3& x) {
          corner_factor(3 - x.x(), 1 - x.y(), h) + corner_factor(2 - x.x(), 1 - x.y(), h);
 }
 
-GridLight measured(const MeterRoom& room, const GridPlan& plan, bool has_floor = false) {
-  return measure_grid(plan, room.mesh, Visibility(room.mesh), room.photometer(), has_floor);
+GridLight measured(const MeterRoom& room, const GridPlan& plan,
+                   const std::optional<Vec3>& down = {}) {
+  return measure_grid(plan, room.mesh, Visibility(room.mesh), room.photometer(), down);
 }
 
 GridPlan work_plane() {
@@ -156,7 +157,7 @@ TEST(GridLight, MasksSolidsAndWhatIsOutside) {
                  Vec3(7, 1, 4)};
   plan.normals.assign(5, Vec3::UnitZ());
   plan.is_cylindrical = true;
-  const GridLight light = measured(room, plan, true);
+  const GridLight light = measured(room, plan, -Vec3::UnitZ());
   const std::vector<PointPlace> expected = {PointPlace::inside, PointPlace::open, PointPlace::open,
                                             PointPlace::outside, PointPlace::outside};
   EXPECT_EQ(light.places, expected);
@@ -170,6 +171,21 @@ TEST(GridLight, MasksSolidsAndWhatIsOutside) {
   EXPECT_EQ(found.n, 2);
   EXPECT_EQ(found.n_inside, 1);
   EXPECT_EQ(found.n_outside, 2);
+}
+
+// What looks sideways stands above the floor, though there is nothing behind it.
+TEST(GridLight, FloorsAreBelowAndNotBehind) {
+  MeterRoom room;
+  room.add("floor", Vec3(0, 0, 0), Vec3(4, 0, 0), Vec3(0, 4, 0), 2, 2);
+  room.shine("floor", 100, 0);
+  GridPlan plan{.name = "points"};
+  plan.points = {Vec3(1, 1, 1), Vec3(1, 1, 1), Vec3(5, 1, 1)};
+  plan.normals = {Vec3::UnitX(), Vec3(-0.8, 0, 0.6), Vec3::UnitX()};
+  const std::vector<PointPlace> expected = {PointPlace::open, PointPlace::open,
+                                            PointPlace::outside};
+  EXPECT_EQ(measured(room, plan, -Vec3::UnitZ()).places, expected);
+  const GridLight everywhere = measured(room, plan);
+  EXPECT_EQ(everywhere.places, std::vector<PointPlace>(3, PointPlace::open));
 }
 
 // A sun adds its direct light to planes and, as the mean over azimuths, to cylinders: E_n sinθ / π.

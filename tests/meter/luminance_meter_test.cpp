@@ -99,7 +99,7 @@ TEST(LuminanceMeter, MeasuresThePointsOfAGrid) {
   const Lighting light{room.scene, room.solution};
   const Visibility visibility(room.mesh);
   const Photometer photometer(room.mesh, std::span(&light, 1), room.weights);
-  const GridLight measured = measure_grid(plan, room.mesh, visibility, photometer, false);
+  const GridLight measured = measure_grid(plan, room.mesh, visibility, photometer, {});
   const LuminanceMeter meter(room.mesh, visibility, std::span(&light, 1), room.weights);
   const auto found = measure_luminance(plan, measured, meter);
   ASSERT_EQ(found.size(), 2U);

@@ -52,7 +52,7 @@ struct LampRoom {
   }
   [[nodiscard]] MeasuredGrid measured(const PointGrid& grid) const {
     const FinalGather gather(mesh, radiosity());
-    return measure(gather, Visibility(mesh), grid, true);
+    return measure(gather, Visibility(mesh), grid, -grid.normal());
   }
   PatchMesh mesh;
   Index n_room = 0;
@@ -118,7 +118,7 @@ TEST(MeasuredGrid, LeavesOutWhatIsBeyondTheFloor) {
   }
   const PointGrid grid = make_work_plane(mesh, Vec3::UnitZ(), {.height = 1.5, .spacing = 0.25});
   const FinalGather gather(mesh, Eigen::MatrixXd::Ones(mesh.size(), 1));
-  const MeasuredGrid measured = measure(gather, Visibility(mesh), grid, floor.is_found);
+  const MeasuredGrid measured = measure(gather, Visibility(mesh), grid, -Vec3::UnitZ());
   const GridSummary found = summary(measured.places, measured.irradiance.col(0));
   EXPECT_GT(found.n_outside, 0);
   // What the border of the floor cuts off of cells along it.

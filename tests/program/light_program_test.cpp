@@ -328,4 +328,22 @@ TEST_F(Light, RefusesScenesThatSayItWrong) {
   refuse(R"("maintenance_factor": 0)", "maintenance_factor: is 0");
 }
 
+// Points of a facade, which stands on the endless ground of a sky, are wherever they are wanted.
+TEST_F(Light, UnderTheSkyPointsNeedNoFloor) {
+  const std::string scene = write_file("block.json", R"({"bands": "grey",
+    "materials": {"black": {"reflectance": 0}},
+    "surfaces": [{"name": "roof", "material": "black",
+                  "polygons": [[[0,0,6],[4,0,6],[4,4,6],[0,4,6]]]}],
+    "sky": {"type": 5, "horizontal_illuminance": 1000, "ground_reflectance": 0}})");
+  const std::string points =
+      write_file("points.csv", "x,y,z,nx,ny,nz\n9,9,1,0,0,1\n500,0,0.1,1,0,0\n500,0,0.1,0,0,-1\n");
+  light({scene, "--points", points, "--as-is", "-o", result("out")});
+  const std::vector<double> found = column(contents(result("out/points.csv")), "illuminance");
+  ASSERT_EQ(found.size(), 3);
+  EXPECT_GT(found[0], 900);  // the roof hides some
+  EXPECT_LT(found[0], 1000);
+  EXPECT_NEAR(found[1], 500, 1e-2);  // half of an even sky
+  EXPECT_EQ(found[2], 0);
+}
+
 }  // namespace

@@ -141,10 +141,11 @@ void LightMeter::start(const Known& known) {
       readings->points.row(static_cast<Index>(k)) = reading(gather, model, task.points[k]);
     }
     if (task.plane) {
-      const bool has_floor = radiosity::find_floor(*model.mesh, task.up).is_found;
+      std::optional<radiosity::Vec3> down;
+      if (radiosity::find_floor(*model.mesh, task.up).is_found) down = -task.up;
       readings->plane = radiosity::measure(gather, *model.visibility,
-                                           make_work_plane(*model.mesh, task.up, *task.plane),
-                                           has_floor, context.progress);
+                                           make_work_plane(*model.mesh, task.up, *task.plane), down,
+                                           context.progress);
     }
     readings->task = std::move(task);
     context.post([this, readings, gathering, version] {
