@@ -59,7 +59,7 @@ void add_common_options(CLI::App& command, CommonOptions& options) {
       .add_option(
           "SCENE", options.scene,
           "Scene file: .json (own format), .obj, .ply, .stl, .off, .gltf, .glb, .msh, .vs3, .vtk, "
-          ".vtp or .vtu")
+          ".vtp, .vtu, .idf, .epJSON or .foam")
       ->required()
       ->type_name("");
   command

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "apps/options/surface_names.h"
 #include "apps/terminal/number_list.h"
 #include "io/scene/points_file.h"
 #include "radiosity/base/error.h"
@@ -87,9 +88,9 @@ void set_surface(const Scene& scene, const std::string& text, GridPlan& plan) {
   }
   if (!has_surface(scene, plan.surface)) {
     throw radiosity::SceneError(
-        fmt::format("{}: no surface \"{}\" for a grid; expected a surface's name, or that with an "
-                    "offset as in floor:0.75",
-                    scene.source, plan.surface));
+        fmt::format("{}: no surface \"{}\" for a grid, the nearest is \"{}\"; expected a surface's "
+                    "name, or that with an offset as in floor:0.75",
+                    scene.source, plan.surface, nearest_surface(scene, plan.surface)));
   }
 }
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "apps/options/surface_names.h"
 #include "apps/terminal/number_list.h"
-#include "io/base/json_item.h"
 #include "radiosity/base/error.h"
 
 namespace apps {
@@ -33,12 +33,8 @@ PointOrigin parse_point(const std::vector<std::string>& fields) {
 }
 
 [[noreturn]] void refuse_name(const std::string& name, const radiosity::Scene& scene) {
-  const auto nearest = std::min_element(
-      scene.surfaces.begin(), scene.surfaces.end(), [&](const auto& a, const auto& b) {
-        return io::edit_distance(name, a.name) < io::edit_distance(name, b.name);
-      });
   throw radiosity::SceneError(fmt::format("{}: there is no surface '{}', the nearest is '{}'",
-                                          scene.source, name, nearest->name));
+                                          scene.source, name, nearest_surface(scene, name)));
 }
 
 }  // namespace

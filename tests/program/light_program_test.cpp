@@ -281,6 +281,7 @@ TEST_F(Light, RefusesWhatItCannotMeasure) {
   };
   refuse({}, 1, "there is nothing to measure");
   refuse({"--grid", "table:0.75"}, 1, "no surface \"table\"");
+  refuse({"--grid", "flor:0.75"}, 1, "the nearest is \"floor\"");
   refuse({"--grid", "walls"}, 1, "is not flat");
   refuse({"--grid", "floor", "--border", "2"}, 1, "leaves nothing");
   refuse({"--grid", "floor", "--spacing", "0.001"}, 1, "would be more than 100000");
