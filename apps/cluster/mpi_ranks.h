@@ -27,8 +27,7 @@ class MpiRanks final : public radiosity::Ranks {
   void broadcast(int from, std::span<std::byte> bytes) override;
 
   [[nodiscard]] int n_on_machine() const override;
-  /// Bytes that this rank has sent and received so far.
-  [[nodiscard]] std::uint64_t bytes_moved() const;
+  [[nodiscard]] std::uint64_t bytes_moved() const override;
 
   /// Waits at the end until all ranks have come here; false if they have not in time.
   [[nodiscard]] bool end_together(std::chrono::seconds time);

@@ -65,10 +65,19 @@ void tell_use(apps::MpiRanks& ranks, bool has_failed) {
   getrusage(RUSAGE_SELF, &use);
   const auto [most, moved] =
       ranks.most_of_all(static_cast<std::uint64_t>(use.ru_maxrss) * 1024, ranks.bytes_moved());
+  const auto traffic = ranks.product_traffic();
+  const auto [n_products, by_products] = ranks.most_of_all(traffic.products, traffic.bytes);
   if (ranks.rank() > 0 || has_failed) return;
-  fmt::print(stderr,
-             "radiosity-mpi: {} ranks, each took {:.1f} MB at most, sent and received {:.1f} MB\n",
-             ranks.size(), static_cast<double>(most) * 1e-6, static_cast<double>(moved) * 1e-6);
+  const std::string products =
+      by_products == 0
+          ? ""
+          : fmt::format("; {:.1f} MB of these in {} products, {:.3g} MB each",
+                        static_cast<double>(by_products) * 1e-6, n_products,
+                        static_cast<double>(by_products) * 1e-6 / static_cast<double>(n_products));
+  fmt::print(
+      stderr,
+      "radiosity-mpi: {} ranks, each took {:.1f} MB at most, sent and received {:.1f} MB{}\n",
+      ranks.size(), static_cast<double>(most) * 1e-6, static_cast<double>(moved) * 1e-6, products);
 }
 
 bool is_quiet(const CLI::App& program) {
