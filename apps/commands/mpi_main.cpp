@@ -10,9 +10,11 @@
 #include <cstdlib>
 #include <exception>
 #include <new>
+#include <optional>
 #include <string>
 
 #include "apps/cluster/mpi_ranks.h"
+#include "apps/cluster/petsc_solver.h"
 #include "apps/cluster/quiet_rank.h"
 #include "apps/commands/form_factors_command.h"
 #include "apps/commands/solve_command.h"
@@ -129,7 +131,11 @@ int main(int argc, char** argv) {
       "radiosity-mpi");
   program.set_version_flag("--version", fmt::format("radiosity-mpi {}", radiosity::kVersion));
   program.require_subcommand(1);
-  const apps::SolveCommand solve(program, interruption, &ranks);
+  std::optional<apps::PetscSolver> petsc;
+  const apps::SolveCommand solve(program, interruption, &ranks, [&](const std::string& options) {
+    if (!petsc) petsc.emplace(ranks, options);
+    return petsc->solver();
+  });
   const apps::FormFactorsCommand form_factors(program, interruption, &ranks);
   add_timeout(program, ranks);
   const End end = run(program, interruption, argc, argv);

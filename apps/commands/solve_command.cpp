@@ -41,8 +41,9 @@ std::vector<std::string> method_names() {
 
 }  // namespace
 
-SolveCommand::SolveCommand(CLI::App& program, Interruption& interruption, radiosity::Ranks* ranks)
-    : interruption_(interruption), ranks_(ranks) {
+SolveCommand::SolveCommand(CLI::App& program, Interruption& interruption, radiosity::Ranks* ranks,
+                           MakeSolver make_ksp)
+    : interruption_(interruption), ranks_(ranks), make_ksp_(std::move(make_ksp)) {
   CLI::App* command =
       program.add_subcommand("solve", "Compute the radiosity of a scene and write it to files");
   add_common_options(*command, common_);
@@ -66,6 +67,14 @@ SolveCommand::SolveCommand(CLI::App& program, Interruption& interruption, radios
       ->check(CLI::IsMember(method_names()))
       ->default_str(std::string(radiosity::method_name(compute_.method)))
       ->type_name("M");
+  if (make_ksp_) {
+    command
+        ->add_option("--ksp", ksp_,
+                     "Solve by PETSc with these options of its own, such as \"-ksp_type gmres "
+                     "-ksp_rtol 1e-10 -ksp_monitor\"")
+        ->type_name("OPTIONS")
+        ->excludes("--method");
+  }
   add_assembly_options(*command, compute_, operator_);
   add_heat_options(*command, common_.heat);
   auto* verify = command->add_flag(
@@ -145,6 +154,10 @@ study::StudyOptions SolveCommand::shared_options() const {
         "--operator and no .h5 output; 'form-factors' writes one");
   }
   options.ranks = ranks_;
+  if (ksp_) {
+    options.method = Method::external;
+    options.solver = make_ksp_(*ksp_);
+  }
   options.memory = memory_of_rank(*ranks_, options.memory);
   return options;
 }
