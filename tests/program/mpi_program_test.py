@@ -286,6 +286,12 @@ class MpiProgram(unittest.TestCase):
         self.expect_failure(mpirun(2, *solve, "--ksp", "-ksp_type cg", "--method", "cg"),
                             "--ksp", 2)
 
+    def test_tells_that_petsc_is_not_there(self):
+        alone = shutil.copy(RADIOSITY_MPI, self.folder)  # without the module beside it
+        command = mpirun(2, "solve", SCENES / "cornell-box.json", "--ksp", "-ksp_type cg")
+        self.expect_failure([alone if word == str(RADIOSITY_MPI) else word for word in command],
+                            "built without PETSc")
+
     def test_writes_pieces(self):
         solve = ["solve", SCENES / "cornell-box.json", "--patches", "200", "--quiet"]
         self.succeed([RADIOSITY, *solve, "-o", "one.vtp"])
