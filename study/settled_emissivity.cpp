@@ -59,6 +59,7 @@ SettledEmissivity settle_emissivity(const Scene& scene, const PatchMesh& mesh,
     const Conditions conditions =
         make_conditions(scene, mesh, transport, sun, {}, result.emissivity);
     SolveOptions solving = with_conditions({.method = options.method,
+                                            .solver = options.solver,
                                             .tolerance = iteration_tolerance(options.tolerance),
                                             .estimates_errors = false,
                                             .progress = events.progress},

@@ -194,6 +194,7 @@ Light solve_light(const PatchMesh& mesh, const Transport& transport, const Condi
                   const StudyOptions& options, const StudyEvents& events) {
   warn_of_darkness(conditions.exitance, conditions.incident, events);
   const SolveOptions solving = with_conditions({.method = options.method,
+                                                .solver = options.solver,
                                                 .tolerance = iteration_tolerance(options.tolerance),
                                                 .progress = events.progress},
                                                conditions, conditions.exitance.cols());

@@ -44,6 +44,7 @@ struct StudyOptions {
   /// The processes that work on it together (TransportOptions::ranks); null: this one alone.
   radiosity::Ranks* ranks = nullptr;
   radiosity::Method method = radiosity::Method::conjugate_gradients;  ///< of the iteration
+  radiosity::LinearSolver solver = {};                                ///< for Method::external
 };
 
 /// What the options and the scene's own word on being closed come to.

@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include "apps/cluster/heartbeat.h"
+
 namespace apps {
 namespace {
 
@@ -19,17 +21,25 @@ constexpr std::size_t kMostAtOnce = std::size_t{1} << 30U;
 /// time: who waits long shall not take a core from those that are waited for.
 constexpr auto kEager = std::chrono::microseconds(200);
 constexpr auto kNap = std::chrono::microseconds(100);
+/// How long MPI may take to end all ranks.
+constexpr auto kLastWords = std::chrono::seconds(5);
 
 /// Waits until `is_done` tells so or the time is over.
 template <typename IsDone>
-bool wait_until(const IsDone& is_done, Clock::duration time = Clock::duration::max()) {
+bool wait_until(RankActivity& activity, const IsDone& is_done,
+                Clock::duration time = Clock::duration::max()) {
   const Clock::time_point start = Clock::now();
+  ++activity.waiting;
+  bool is_late = false;
   while (!is_done()) {
     const Clock::duration waited = Clock::now() - start;
-    if (waited > time) return false;  // the longest time is for ever
+    is_late = waited > time;  // the longest time is for ever
+    if (is_late) break;
     if (waited > kEager) std::this_thread::sleep_for(kNap);
   }
-  return true;
+  --activity.waiting;
+  ++activity.messages;
+  return !is_late;
 }
 
 bool is_complete(MPI_Request& request) {
@@ -48,6 +58,8 @@ struct MpiRanks::Implementation {
   int size = 1;
   int n_on_machine = 1;
   std::atomic<std::uint64_t> bytes = 0;
+  RankActivity activity;
+  std::optional<Heartbeat> heartbeat;  // which looks at that
 };
 
 MpiRanks::MpiRanks(int& argc, char**& argv) : implementation_(std::make_unique<Implementation>()) {
@@ -68,7 +80,19 @@ MpiRanks::MpiRanks(int& argc, char**& argv) : implementation_(std::make_unique<I
   MPI_Comm_free(&machine);
 }
 
-MpiRanks::~MpiRanks() { MPI_Finalize(); }
+MpiRanks::~MpiRanks() {
+  implementation_->heartbeat.reset();
+  MPI_Finalize();
+}
+
+void MpiRanks::watch(std::chrono::duration<double> patience,
+                     std::function<void(const std::string& line)> lost) {
+  implementation_->heartbeat.emplace(implementation_->activity, patience, std::move(lost));
+}
+
+void MpiRanks::set_patience(std::chrono::duration<double> patience) {
+  if (implementation_->heartbeat) implementation_->heartbeat->set_patience(patience);
+}
 
 int MpiRanks::rank() const { return implementation_->rank; }
 
@@ -85,14 +109,14 @@ void MpiRanks::send(int to, radiosity::Channel channel, std::span<const std::byt
   MPI_Request request = MPI_REQUEST_NULL;
   MPI_Isend(bytes.data(), static_cast<int>(bytes.size()), MPI_BYTE, to, static_cast<int>(channel),
             implementation_->channels, &request);
-  wait_until([&] { return is_complete(request); });
+  wait_until(implementation_->activity, [&] { return is_complete(request); });
   implementation_->bytes += bytes.size();
 }
 
 std::vector<std::byte> MpiRanks::receive(int from, radiosity::Channel channel) {
   MPI_Message message = MPI_MESSAGE_NULL;
   MPI_Status status;
-  wait_until([&] {
+  wait_until(implementation_->activity, [&] {
     int flag = 0;
     MPI_Improbe(from, static_cast<int>(channel), implementation_->channels, &flag, &message,
                 &status);
@@ -112,12 +136,21 @@ std::optional<radiosity::Ranks::Message> MpiRanks::poll(radiosity::Channel chann
   int flag = 0;
   MPI_Improbe(MPI_ANY_SOURCE, static_cast<int>(channel), implementation_->channels, &flag, &message,
               &status);
-  if (flag == 0) return std::nullopt;
+  // A thread that looks again and again without finding any does nothing in between.
+  static thread_local std::int64_t time_of_last_in_vain = -1;
+  if (flag == 0) {
+    const std::int64_t now = thread_time();
+    if (time_of_last_in_vain >= 0) implementation_->activity.idle += now - time_of_last_in_vain;
+    time_of_last_in_vain = now;
+    return std::nullopt;
+  }
+  time_of_last_in_vain = -1;
   int n = 0;
   MPI_Get_count(&status, MPI_BYTE, &n);
   Message result{status.MPI_SOURCE, std::vector<std::byte>(n)};
   MPI_Mrecv(result.bytes.data(), n, MPI_BYTE, &message, MPI_STATUS_IGNORE);
   implementation_->bytes += result.bytes.size();
+  ++implementation_->activity.messages;
   return result;
 }
 
@@ -128,7 +161,7 @@ void MpiRanks::broadcast(int from, std::span<std::byte> bytes) {
     MPI_Request request = MPI_REQUEST_NULL;
     MPI_Ibcast(piece.data(), static_cast<int>(piece.size()), MPI_BYTE, from,
                implementation_->together, &request);
-    wait_until([&] { return is_complete(request); });
+    wait_until(implementation_->activity, [&] { return is_complete(request); });
   }
   if (size() > 1) implementation_->bytes += bytes.size();
 }
@@ -138,7 +171,8 @@ bool MpiRanks::end_together(std::chrono::seconds seconds) {
       seconds == std::chrono::seconds::max() ? Clock::duration::max() : Clock::duration(seconds);
   MPI_Request request = MPI_REQUEST_NULL;
   MPI_Ibarrier(implementation_->end, &request);
-  return wait_until([&] { return is_complete(request); }, time);
+  return wait_until(
+      implementation_->activity, [&] { return is_complete(request); }, time);
 }
 
 std::pair<std::uint64_t, std::uint64_t> MpiRanks::most_of_all(std::uint64_t a, std::uint64_t b) {
@@ -148,6 +182,11 @@ std::pair<std::uint64_t, std::uint64_t> MpiRanks::most_of_all(std::uint64_t a, s
 }
 
 void MpiRanks::abort(int exit_code) {
+  // It may wait for ever for one that hangs.
+  std::thread([exit_code] {
+    std::this_thread::sleep_for(kLastWords);
+    std::_Exit(exit_code);
+  }).detach();
   MPI_Abort(MPI_COMM_WORLD, exit_code);
   std::_Exit(exit_code);
 }

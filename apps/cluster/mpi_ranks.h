@@ -2,7 +2,9 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <string>
 #include <utility>
 
 #include "radiosity/base/ranks.h"
@@ -27,8 +29,14 @@ class MpiRanks final : public radiosity::Ranks {
   void broadcast(int from, std::span<std::byte> bytes) override;
 
   [[nodiscard]] int n_on_machine() const override;
-  /// Bytes that this rank has sent and received so far.
-  [[nodiscard]] std::uint64_t bytes_moved() const;
+  [[nodiscard]] std::uint64_t bytes_moved() const override;
+
+  /// From now on ranks tell each other that they live. `lost` is called on a thread of its own,
+  /// with one line, if one has not for as long as the patience (0: for ever), or none gets on, and
+  /// shall end them all. Once, by all together.
+  void watch(std::chrono::duration<double> patience,
+             std::function<void(const std::string& line)> lost);
+  void set_patience(std::chrono::duration<double> patience);
 
   /// Waits at the end until all ranks have come here; false if they have not in time.
   [[nodiscard]] bool end_together(std::chrono::seconds time);

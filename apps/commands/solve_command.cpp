@@ -9,6 +9,7 @@
 #include "apps/run/lightmap_output.h"
 #include "apps/run/picture_check.h"
 #include "apps/run/picture_output.h"
+#include "apps/run/piece_output.h"
 #include "apps/run/rank_memory.h"
 #include "apps/run/shown_events.h"
 #include "apps/summary/json_summary.h"
@@ -40,18 +41,22 @@ std::vector<std::string> method_names() {
 
 }  // namespace
 
-SolveCommand::SolveCommand(CLI::App& program, Interruption& interruption, radiosity::Ranks* ranks)
-    : interruption_(interruption), ranks_(ranks) {
+SolveCommand::SolveCommand(CLI::App& program, Interruption& interruption, radiosity::Ranks* ranks,
+                           MakeSolver make_ksp)
+    : interruption_(interruption), ranks_(ranks), make_ksp_(std::move(make_ksp)) {
   CLI::App* command =
       program.add_subcommand("solve", "Compute the radiosity of a scene and write it to files");
   add_common_options(*command, common_);
+  std::vector<std::string> extensions = result_extensions();
+  if (ranks != nullptr) extensions.emplace_back(".pvtp");
   command
       ->add_option(
           "-o,--output", common_.outputs,
-          "Result file, by extension: .vtp (ParaView), .csv, .ply or .glb (coloured mesh), "
-          ".png or .exr (picture), or .h5 "
-          "(form factors, for --operator); may be repeated")
-      ->check([](const std::string& path) { return check_extension(path, result_extensions()); })
+          std::string("Result file, by extension: .vtp (ParaView), .csv, .ply or .glb (coloured "
+                      "mesh), .png or .exr (picture), or .h5 (form factors, for --operator); may "
+                      "be repeated") +
+              (ranks != nullptr ? "; .pvtp has a .vtp of each rank" : ""))
+      ->check([extensions](const std::string& path) { return check_extension(path, extensions); })
       ->type_name("FILE")
       ->allow_extra_args(false);
   command
@@ -62,6 +67,14 @@ SolveCommand::SolveCommand(CLI::App& program, Interruption& interruption, radios
       ->check(CLI::IsMember(method_names()))
       ->default_str(std::string(radiosity::method_name(compute_.method)))
       ->type_name("M");
+  if (make_ksp_) {
+    command
+        ->add_option("--ksp", ksp_,
+                     "Solve by PETSc with these options of its own, such as \"-ksp_type gmres "
+                     "-ksp_rtol 1e-10 -ksp_monitor\"")
+        ->type_name("OPTIONS")
+        ->excludes("--method");
+  }
   add_assembly_options(*command, compute_, operator_);
   add_heat_options(*command, common_.heat);
   auto* verify = command->add_flag(
@@ -120,7 +133,6 @@ void SolveCommand::run() const {
   }
   if (scenarios_) return solve_all(std::move(assembled), scenarios, events, terminal);
   const study::Study solved = study::with_light(std::move(assembled), compute, events);
-  if (!is_first(ranks_)) return;
   const io::ResultOptions options = {.bands = solved.scene.bands,
                                      .quantities = fields(solved, quantities),
                                      .camera = solved.scene.camera};
@@ -129,6 +141,7 @@ void SolveCommand::run() const {
     summary.quantities.push_back(radiosity::summarize(field, solved.mesh));
   }
   summary.false_color = write_results(solved, common_.outputs, options, events.progress);
+  if (!is_first(ranks_)) return;
   print_summary(summary, common_, terminal);
 }
 
@@ -141,6 +154,10 @@ study::StudyOptions SolveCommand::shared_options() const {
         "--operator and no .h5 output; 'form-factors' writes one");
   }
   options.ranks = ranks_;
+  if (ksp_) {
+    options.method = Method::external;
+    options.solver = make_ksp_(*ksp_);
+  }
   options.memory = memory_of_rank(*ranks_, options.memory);
   return options;
 }
@@ -190,12 +207,17 @@ std::optional<ShownScale> SolveCommand::write_results(const study::Study& solved
                                                       const io::ResultOptions& options,
                                                       const radiosity::Progress& progress) const {
   std::optional<ShownScale> shown;
+  for (const std::string& output : outputs) {
+    if (!is_in_pieces(output)) continue;
+    const auto lock = interruption_.hold();
+    write_in_pieces(output, *ranks_, solved.mesh, solved.solution, options);
+  }
   if (!is_first(ranks_)) return shown;
   if (lightmap_.wanted) {
     write_lightmap(solved, outputs, lightmap_, picture_, progress, interruption_);
   }
   for (const std::string& output : outputs) {
-    if (lightmap_.wanted && is_glb(output)) continue;
+    if (is_in_pieces(output) || (lightmap_.wanted && is_glb(output))) continue;
     if (is_picture(output)) {
       shown = write_picture(output, solved, picture_, progress, interruption_);
     } else if (!is_factor_file(output)) {

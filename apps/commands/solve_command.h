@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "io/result/result_file.h"
 #include "radiosity/base/ranks.h"
 #include "radiosity/scene/scenario.h"
+#include "radiosity/solve/linear_solver.h"
 #include "study/study.h"
 
 namespace CLI {
@@ -25,7 +27,11 @@ namespace apps {
 /// Where there are ranks, all run it, and the first one writes and prints.
 class SolveCommand {
  public:
-  SolveCommand(CLI::App& program, Interruption& interruption, radiosity::Ranks* ranks = nullptr);
+  /// A solver from elsewhere, for the options of its own that were given.
+  using MakeSolver = std::function<radiosity::LinearSolver(const std::string& options)>;
+
+  SolveCommand(CLI::App& program, Interruption& interruption, radiosity::Ranks* ranks = nullptr,
+               MakeSolver make_ksp = {});
   SolveCommand(const SolveCommand&) = delete;
   SolveCommand& operator=(const SolveCommand&) = delete;
 
@@ -53,6 +59,8 @@ class SolveCommand {
 
   Interruption& interruption_;
   radiosity::Ranks* ranks_;
+  MakeSolver make_ksp_;  // for --ksp, where there is one
+  std::optional<std::string> ksp_;
   CommonOptions common_;
   study::StudyOptions compute_;
   std::optional<std::string> operator_;

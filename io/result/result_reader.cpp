@@ -214,7 +214,7 @@ Method read_method(const PolydataArrays& arrays, const std::filesystem::path& pa
   const auto texts = arrays.field_texts("solve_method");
   if (!texts) return Method::conjugate_gradients;
   for (const Method method : {Method::conjugate_gradients, Method::jacobi, Method::gauss_seidel,
-                              Method::southwell, Method::chebyshev}) {
+                              Method::southwell, Method::chebyshev, Method::external}) {
     if (texts->size() == 1 && texts->front() == method_name(method)) return method;
   }
   fail(path,

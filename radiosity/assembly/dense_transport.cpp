@@ -20,6 +20,7 @@ DenseTransport::DenseTransport(Parts parts)
 }
 
 Eigen::MatrixXd DenseTransport::apply(const Eigen::MatrixXd& radiosity) const {
+  const CountedProduct counted(tiles_.ranks());
   Eigen::MatrixXd result = order_.to_patches(tiles_.product(order_.to_rows(radiosity)));
   result.array().colwise() /= area_.array();
   return result;

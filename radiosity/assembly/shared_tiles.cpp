@@ -113,6 +113,8 @@ void SharedTileSink::send_count(bool is_last) {
     const std::lock_guard lock(mutex_);
     std::swap(count.pairs, done_);
   }
+  // Who has done nothing since says nothing, so that a rank that stands still can be told.
+  if (count.pairs == 0 && !is_last) return;
   ranks_.send(0, Channel::tiles, std::as_bytes(std::span(&count, 1)));
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -38,6 +39,39 @@ class Ranks {
   [[nodiscard]] virtual std::optional<Message> poll(Channel channel) = 0;
   /// Fills `bytes`, as many on every rank, with those of rank `from`. On one thread.
   virtual void broadcast(int from, std::span<std::byte> bytes) = 0;
+  /// Bytes that this one has sent and received so far.
+  [[nodiscard]] virtual std::uint64_t bytes_moved() const = 0;
+
+  /// What products with operators that lie on all ranks have moved so far, on this one.
+  struct ProductTraffic {
+    std::uint64_t products = 0;
+    std::uint64_t bytes = 0;  ///< sent and received
+  };
+  [[nodiscard]] ProductTraffic product_traffic() const { return {products_, product_bytes_}; }
+
+ private:
+  friend class CountedProduct;
+  std::atomic<std::uint64_t> products_ = 0;
+  std::atomic<std::uint64_t> product_bytes_ = 0;
+};
+
+/// Counts a product of all ranks for as long as it lives. Nothing else is sent meanwhile.
+class CountedProduct {
+ public:
+  /// `ranks` may be null: nothing is counted.
+  explicit CountedProduct(Ranks* ranks)
+      : ranks_(ranks), before_(ranks != nullptr ? ranks->bytes_moved() : 0) {}
+  ~CountedProduct() {
+    if (ranks_ == nullptr) return;
+    ++ranks_->products_;
+    ranks_->product_bytes_ += ranks_->bytes_moved() - before_;
+  }
+  CountedProduct(const CountedProduct&) = delete;
+  CountedProduct& operator=(const CountedProduct&) = delete;
+
+ private:
+  Ranks* ranks_;
+  std::uint64_t before_;
 };
 
 /// Thrown on the other ranks where the first has failed, which tells why.

@@ -27,6 +27,7 @@ void CompressedTransport::add_source(Parts::Source source) {
 }
 
 Eigen::MatrixXd CompressedTransport::apply(const Eigen::MatrixXd& radiosity) const {
+  const CountedProduct counted(parts_.ranks);
   Eigen::MatrixXd power = order_.to_rows(radiosity, parts_.area);
   Eigen::MatrixXd gathered = matrix_.product(power);
   if (parts_.multipliers.size() > 0) {

@@ -8,18 +8,20 @@
 #include <string_view>
 
 #include "radiosity/base/progress.h"
+#include "radiosity/solve/linear_solver.h"
 
 namespace radiosity {
 
 /// Iterations for (I - ρ F) B = M_e. Conjugate gradients on the symmetrised system is the fastest;
-/// the others are there to learn from and to compare with.
-enum class Method { conjugate_gradients, jacobi, gauss_seidel, southwell, chebyshev };
+/// the others are there to learn from and to compare with, but for `external`: that is whatever
+/// SolveOptions::solver does.
+enum class Method { conjugate_gradients, jacobi, gauss_seidel, southwell, chebyshev, external };
 
-/// "cg", "jacobi", "gauss-seidel", "southwell", "chebyshev".
+/// "cg", "jacobi", "gauss-seidel", "southwell", "chebyshev", "external".
 std::string_view method_name(Method method);
-/// All of them, in the order of the enumeration.
+/// All that are there to choose from, not `external`, in the order of the enumeration.
 std::span<const Method> all_methods();
-/// Empty if no method has that name.
+/// Empty if none of these has that name.
 std::optional<Method> method_named(std::string_view name);
 
 /// Where an iteration stands. The fields are worked out when asked for, during the call only.
@@ -39,6 +41,7 @@ struct SolveStep {
 
 struct SolveOptions {
   Method method = Method::conjugate_gradients;
+  LinearSolver solver = {};  ///< for Method::external
   double tolerance = 1e-8;  ///< guaranteed bound on ‖ΔB‖/‖B‖ (energy norm) of the iteration
   bool estimates_errors = true;  ///< fill in Solution::radiosity_error; costs some tens of products
   int max_products = 100000;     ///< operator products (or the work of as many) before giving up

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "radiosity/solve/conjugate_gradients.h"
+#include "radiosity/solve/external_solver.h"
 #include "radiosity/solve/irradiance_system.h"
 #include "radiosity/solve/jacobi.h"
 #include "radiosity/solve/relaxation.h"
@@ -103,10 +104,15 @@ void require_valid(const Transport& transport, const Eigen::MatrixXd& exitance,
                   "a finite value of at least 0 W/m²");
   }
   require_range(reflectance, "reflectance", 1, "a value in [0, 1]");
+  if (options.method == Method::external && !options.solver) {
+    throw SolveError(
+        "the method is external, but there is no solver; expected SolveOptions::solver");
+  }
 }
 
-Iterate iterate_with(Method method, const IrradianceSystem& system, SolveMonitor& monitor) {
-  switch (method) {
+Iterate iterate_with(const SolveOptions& options, const IrradianceSystem& system,
+                     SolveMonitor& monitor) {
+  switch (options.method) {
     case Method::conjugate_gradients:
       return conjugate_gradients(system, monitor);
     case Method::jacobi:
@@ -117,6 +123,8 @@ Iterate iterate_with(Method method, const IrradianceSystem& system, SolveMonitor
       return southwell(system, monitor);
     case Method::chebyshev:
       return chebyshev(system, monitor);
+    case Method::external:
+      return solve_externally(system, options.solver, monitor);
   }
   throw SolveError("unknown solution method");
 }
@@ -187,6 +195,8 @@ std::string_view method_name(Method method) {
       return "southwell";
     case Method::chebyshev:
       return "chebyshev";
+    case Method::external:
+      return "external";
   }
   return "unknown";
 }
@@ -213,7 +223,7 @@ Solution solve(const Transport& transport, const Eigen::MatrixXd& exitance,
   require_valid_start(options.start, exitance);
   SolveMonitor monitor(options);
   const IrradianceSystem system = make_irradiance_system(transport, exitance, reflectance, monitor);
-  const Iterate iterate = iterate_with(options.method, system, monitor);
+  const Iterate iterate = iterate_with(options, system, monitor);
 
   Solution solution;
   solution.method = options.method;

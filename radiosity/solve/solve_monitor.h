@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <functional>
 #include <limits>
 
@@ -35,6 +36,10 @@ class SolveMonitor {
   [[nodiscard]] bool may_spend(double products) const {
     const bool is_stuck = products_ > 2 * best_products_ + kPatience;
     return products_ + products <= options_.max_products && !is_stuck;
+  }
+  /// Products that are left, at least one.
+  [[nodiscard]] int products_left() const {
+    return std::max(1, options_.max_products - static_cast<int>(products_));
   }
   [[nodiscard]] const Eigen::MatrixXd& start() const { return options_.start; }
   [[nodiscard]] const Eigen::MatrixXd& incident() const { return options_.incident; }

@@ -5,9 +5,11 @@ Usage: mpi_program_test.py RADIOSITY RADIOSITY_MPI SCENES [--kills N] [--large]
 Exit code 77 (skipped) if there is no mpirun. --large takes minutes.
 """
 
+import ctypes
 import json
 import os
 import random
+import shlex
 import shutil
 import signal
 import subprocess
@@ -141,6 +143,187 @@ class MpiProgram(unittest.TestCase):
             self.succeed(mpirun(2 + kill % 2, *self.job(), "--resume"))
             self.assertEqual((self.folder / "f.h5").read_bytes(), whole, f"kill {kill}")
 
+    def stop_one(self, arguments, stopped, n_ranks=3,
+                 stop=lambda process: os.kill(process, signal.SIGSTOP), tend=lambda: None):
+        """Stops a rank for ever, once the work has begun; what the others tell of that."""
+        (self.folder / "f.h5.partial").unlink(missing_ok=True)
+        process = subprocess.Popen(
+            mpirun(n_ranks, *arguments, "--timeout", 3), cwd=self.folder, env=ENVIRONMENT,
+            stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        self.addCleanup(process.stderr.close)
+        ranks = []
+        while len(ranks) < n_ranks:
+            ranks = subprocess.run(["pgrep", "-P", str(process.pid)], capture_output=True,
+                                   text=True).stdout.split()
+            self.assertIsNone(process.poll())
+        while not (self.folder / "f.h5.partial").exists():
+            self.assertIsNone(process.poll())
+            time.sleep(0.01)
+        stop(int(ranks[stopped]))
+        start = time.monotonic()
+        while process.poll() is None:
+            self.assertLess(time.monotonic() - start, LONGEST)
+            tend()
+            time.sleep(0.05)
+        told = process.stderr.read()
+        while any(is_running(rank) for rank in ranks):
+            self.assertLess(time.monotonic() - start, LONGEST, "a rank outlives the others")
+            time.sleep(0.05)
+        self.assertNotEqual(process.returncode, 0)
+        return told
+
+    def test_ends_where_a_rank_hangs(self):
+        self.succeed([RADIOSITY, *self.job()])
+        whole = (self.folder / "f.h5").read_bytes()
+        for stopped in range(3):
+            (self.folder / "f.h5").unlink()
+            told = self.stop_one(self.job(), stopped)
+            lines = [line for line in told.splitlines() if line.startswith("radiosity-mpi: error")]
+            self.assertEqual(len(lines), 1, told)
+            self.assertIn(f"rank {stopped} of 3 has died or hangs", lines[0])
+            self.succeed(mpirun(2, *self.job(), "--resume"))
+            self.assertEqual((self.folder / "f.h5").read_bytes(), whole, f"rank {stopped} stopped")
+
+    def test_ends_where_none_gets_on(self):
+        """The thread that works is stopped, the one that tells others goes on."""
+        libc = ctypes.CDLL(None, use_errno=True)
+        attach, wait_for_all = 16, 0x40000000
+        traced = []
+
+        def hold(process):
+            if libc.ptrace(attach, process, None, None) != 0:
+                os.kill(process, signal.SIGKILL)
+                self.skipTest("no thread can be stopped alone: " + os.strerror(ctypes.get_errno()))
+            traced.append(process)
+
+        def let_go():  # a traced process that has ended waits for its tracer
+            for process in traced:
+                libc.waitpid(process, None, wait_for_all | os.WNOHANG)
+
+        for stopped in range(2):
+            told = self.stop_one(self.job(), stopped, 2, hold, let_go)
+            lines = [line for line in told.splitlines() if line.startswith("radiosity-mpi: error")]
+            self.assertEqual(len(lines), 1, told)
+            self.assertIn("none of 2 ranks has got on for 3 s", lines[0])
+
+    def radiosity_of(self, path):
+        """Area and radiosity of all patches from a .csv."""
+        rows = [line.split(",") for line in (self.folder / path).read_text().splitlines()]
+        area = rows[0].index("area")
+        bands = [k for k, name in enumerate(rows[0]) if name.startswith("B_")]
+        return [(float(row[area]), [float(row[k]) for k in bands]) for row in rows[1:]]
+
+    def distance(self, one, other):
+        """Largest relative difference in the energy norm over the bands."""
+        worst = 0
+        for band in range(len(one[0][1])):
+            off = sum(a * (b[band] - c[band]) ** 2 for (a, b), (_, c) in zip(one, other))
+            norm = sum(a * b[band] ** 2 for a, b in one)
+            worst = max(worst, (off / norm) ** 0.5 if norm > 0 else off)
+        return worst
+
+    def require_petsc(self):
+        done = run(mpirun(1, "solve", SCENES / "cornell-box.json", "--patches", "60", "--quiet",
+                          "--ksp", "-ksp_type cg"), self.folder)
+        if "without PETSc" in done.stderr:
+            self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+            self.skipTest("there is no PETSc")
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_solves_by_petsc(self):
+        self.require_petsc()
+        tolerance = 1e-8  # of the iteration; the comparison's own is as large
+        for scene, options in [
+            ("cornell-box.json", ["--patches", "500"]),
+            ("cornell-box.json", ["--patches", "700", "--transport", "compressed"]),
+            ("thermal-enclosure.json", []),
+            ("furnished-room.json", ["--patches", "400", "--tolerance", "0.05"]),
+        ]:
+            solve = ["solve", SCENES / scene, *options, "--quiet", "--json"]
+            self.succeed([RADIOSITY, *solve, "-o", "one.csv"])
+            expected = self.radiosity_of("one.csv")
+            for ksp in ["gmres", "bcgs", "cg", "bicg"]:
+                files = set()
+                for n in (1, 2, 3):
+                    done = self.succeed(mpirun(
+                        n, *solve, "-o", "all.csv", "--ksp", f"-ksp_type {ksp}"))
+                    solved = json.loads(done.stdout)["solve"]
+                    where = f"{scene}, {ksp}, {n} ranks"
+                    self.assertEqual(done.stderr, "", where)
+                    self.assertTrue(solved["converged"], where)
+                    self.assertEqual(solved["method"], "external")
+                    self.assertLessEqual(solved["error_bound"], tolerance, where)
+                    self.assertLessEqual(
+                        self.distance(self.radiosity_of("all.csv"), expected), 2 * tolerance, where)
+                    files.add((self.folder / "all.csv").read_bytes())
+                self.assertEqual(len(files), 1, f"{scene}, {ksp}: ranks make a difference")
+
+    def test_petsc_has_its_options(self):
+        self.require_petsc()
+        solve = ["solve", SCENES / "cornell-box.json", "--patches", "200", "--quiet", "--json"]
+        done = self.succeed(mpirun(
+            2, *solve, "--ksp", "-ksp_type gmres -ksp_rtol 1e-10 -ksp_monitor -log_view"))
+        solved = json.loads(done.stdout)["solve"]
+        steps = [line for line in done.stderr.splitlines() if "KSP Residual norm" in line]
+        self.assertEqual(len(steps), solved["iterations"] + 3, "a start for each of three bands")
+        self.assertLess(solved["residual"], 1e-10)
+        self.assertIn("MatMult", done.stderr)
+        done = self.succeed(mpirun(2, *solve, "--ksp", "-ksp_max_it 2"))
+        found = json.loads(done.stdout)
+        self.assertFalse(found["solve"]["converged"])
+        self.assertGreater(found["solve"]["error_bound"], 1e-8)
+        self.assertIn("has not converged", " ".join(found["warnings"]))
+        for options, text, code in [
+            ("-ksp_type nonsense", "nonsense", 1),
+            ("gmres", "found 'gmres'", 1),
+            ("-ksp_tpye gmres", "-ksp_tpye", 1),
+            ("-ksp_rtol nonsense", "nonsense", 1),
+            ("-pc_type ilu", "PETSc", 1),
+            ("-ksp_type cg -ksp_max_it 1 -ksp_error_if_not_converged", "PETSc", 1),
+        ]:
+            with self.subTest(options):
+                self.expect_failure(mpirun(2, *solve, "--ksp", options), text, code)
+        self.expect_failure(mpirun(2, *solve, "--ksp", "-ksp_type cg", "--method", "cg"),
+                            "--ksp", 2)
+
+    def test_tells_that_petsc_is_not_there(self):
+        alone = shutil.copy(RADIOSITY_MPI, self.folder)  # without the module beside it
+        command = mpirun(2, "solve", SCENES / "cornell-box.json", "--ksp", "-ksp_type cg")
+        self.expect_failure([alone if word == str(RADIOSITY_MPI) else word for word in command],
+                            "built without PETSc")
+
+    def test_writes_pieces(self):
+        solve = ["solve", SCENES / "cornell-box.json", "--patches", "200", "--quiet"]
+        self.succeed([RADIOSITY, *solve, "-o", "one.vtp"])
+        for n in (1, 2, 3):
+            self.succeed(mpirun(n, *solve, "-o", "all.pvtp"))
+            pieces = [self.folder / f"all_{rank}.vtp" for rank in range(n)]
+            self.assertTrue(all(piece.exists() for piece in pieces))
+            index = (self.folder / "all.pvtp").read_text()
+            self.assertEqual(index.count("<Piece "), n)
+            self.expect_same_arrays("one.vtp", "all.pvtp")
+        self.expect_failure(mpirun(2, *solve, "-o", "nowhere/all.pvtp"), "nowhere")
+        done = run([RADIOSITY, *solve, "-o", "all.pvtp"], self.folder)
+        self.assertEqual(done.returncode, 2)
+
+    def expect_same_arrays(self, one, other):
+        try:
+            from vtkmodules import vtkIOXML
+            from vtkmodules.util.numpy_support import vtk_to_numpy
+        except ImportError:
+            return  # tests/io/pvtp_file_test.cpp has VTK
+        def read(reader, path):
+            reader.SetFileName(str(self.folder / path))
+            reader.Update()
+            cells = reader.GetOutput().GetCellData()
+            return {cells.GetArrayName(k): vtk_to_numpy(cells.GetArray(k))
+                    for k in range(cells.GetNumberOfArrays())}
+        expected = read(vtkIOXML.vtkXMLPolyDataReader(), one)
+        found = read(vtkIOXML.vtkXMLPPolyDataReader(), other)
+        self.assertEqual(expected.keys(), found.keys())
+        for name, values in expected.items():
+            self.assertTrue((values == found[name]).all(), name)
+
     def expect_failure(self, command, text, code=1):
         start = time.monotonic()
         done = run(command, self.folder)
@@ -196,7 +379,9 @@ class MpiProgram(unittest.TestCase):
         lines = [line[4:] for line in text.splitlines() if line.startswith("    mpirun ")]
         self.assertGreater(len(lines), 1)
         for line in lines:
-            words = line.replace("radiosity-mpi", str(RADIOSITY_MPI)).split()
+            words = shlex.split(line.replace("radiosity-mpi", str(RADIOSITY_MPI)))
+            if "--ksp" in words:
+                self.require_petsc()
             self.succeed(words)
 
     @unittest.skipUnless("--large" in ARGUMENTS, "takes minutes")

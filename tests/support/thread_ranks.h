@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <deque>
 #include <exception>
@@ -63,12 +64,19 @@ class ThreadRank final : public Ranks {
   int size() const override { return size_; }
   int n_on_machine() const override { return size_; }
   void send(int to, Channel channel, std::span<const std::byte> bytes) override {
+    n_moved_ += bytes.size();
     boxes_.put(rank_, to, channel, bytes);
   }
   std::vector<std::byte> receive(int from, Channel channel) override {
-    return boxes_.wait(from, rank_, channel);
+    std::vector<std::byte> bytes = boxes_.wait(from, rank_, channel);
+    n_moved_ += bytes.size();
+    return bytes;
   }
-  std::optional<Message> poll(Channel channel) override { return boxes_.poll(rank_, channel); }
+  std::optional<Message> poll(Channel channel) override {
+    std::optional<Message> message = boxes_.poll(rank_, channel);
+    if (message) n_moved_ += message->bytes.size();
+    return message;
+  }
   void broadcast(int from, std::span<std::byte> bytes) override {
     if (from == rank_) {
       for (int to = 0; to < size_; ++to) {
@@ -79,11 +87,13 @@ class ThreadRank final : public Ranks {
     const std::vector<std::byte> received = receive(from, Channel::values);
     std::copy(received.begin(), received.end(), bytes.begin());
   }
+  std::uint64_t bytes_moved() const override { return n_moved_; }
 
  private:
   MailBoxes& boxes_;
   int rank_;
   int size_;
+  std::atomic<std::uint64_t> n_moved_ = 0;
 };
 
 /// Runs `work` on so many threads, each a rank. What the first of them throws is thrown.

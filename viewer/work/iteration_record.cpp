@@ -32,6 +32,8 @@ std::string_view method_title(radiosity::Method method) {
       return "Southwell";
     case radiosity::Method::chebyshev:
       return "Chebyshev";
+    case radiosity::Method::external:
+      return "another program's";
   }
   return "";
 }
@@ -47,6 +49,7 @@ std::string step_text(radiosity::Method method, int iteration) {
       return "after " + counted(iteration, "shot");
     case radiosity::Method::conjugate_gradients:
     case radiosity::Method::chebyshev:
+    case radiosity::Method::external:
       break;
   }
   return "after " + counted(iteration, "step");
