@@ -102,7 +102,8 @@ struct Desk {
   NetworkFinder network = {};  ///< couplings of a thermal scene
   LightMeter meter = {};       ///< among the last, so that they end first
   Worker saver = Worker();
-  Worker summer = Worker();  ///< sums up surfaces
+  Worker summer = Worker();   ///< sums up surfaces
+  Worker summing = Worker();  ///< sums up what is told of the selected patch
   Examples examples = {};
 };
 
