@@ -58,6 +58,10 @@ std::string missing_text(const Desk& desk) {
   if ((show == Show::watched || show == Show::unshot) && session.iteration() == nullptr) {
     return "Record an iteration in the panel 'Watch'";
   }
+  const bool is_of_light = show == Show::true_color || show == Show::quantity;
+  if (is_of_light && is_without_lamps(session.known())) {
+    return "Nothing gives light: click a surface, or its name in Surfaces, and make it a lamp";
+  }
   if (desk.legend || (is_painted && session.light() != nullptr)) return "";
   if (show == Show::work_plane) return "Work plane: " + readings_note(desk);
   if (show == Show::grid) return shown_grid(desk) ? "" : "Grid: " + grids_note(desk);
