@@ -201,6 +201,11 @@ Window::~Window() {
 }
 
 bool Window::is_closing() const { return glfwWindowShouldClose(parts_->window) != 0; }
+void Window::hide() {
+  glfwHideWindow(parts_->window);
+  glfwPollEvents();
+}
+
 void Window::close() { glfwSetWindowShouldClose(parts_->window, GLFW_TRUE); }
 void Window::set_title(const std::string& title) {
   glfwSetWindowTitle(parts_->window, title.c_str());
