@@ -218,6 +218,11 @@ void use_view(Desk& desk, const std::string& name) {
   desk.camera = CameraControl(view_named(desk.views, name).camera, desk.session.model().bounds);
 }
 
+void make_lamp(Desk& desk, std::int32_t surface, double lumens) {
+  desk.session.make_lamp(surface, lumens);
+  desk.is_exposure_due = true;
+}
+
 void set_up(Desk& desk, UpAxis up) {
   desk.up = up;
   if (!desk.session.is_open()) return;

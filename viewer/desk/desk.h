@@ -127,6 +127,9 @@ void use_scene_camera(Desk& desk);
 /// That of a view that was kept. Throws std::invalid_argument if none is called so.
 void use_view(Desk& desk, const std::string& name);
 
+/// Makes a surface a lamp (`Session::make_lamp`), and finds the exposure anew: it is another scene.
+void make_lamp(Desk& desk, std::int32_t surface, double lumens);
+
 /// Makes an axis point upwards and looks at the scene from outside.
 void set_up(Desk& desk, UpAxis up);
 /// Opens the file that is open again, with its coordinates in that unit ("mm"). Throws SceneError

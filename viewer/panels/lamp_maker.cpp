@@ -16,7 +16,7 @@ void LampMaker::draw(Desk& desk) {
   ImGui::InputDouble("lm##lamp", &lumens_, 0, 0, "%.6g");
   ImGui::SameLine();
   if (ImGui::Button("Make this surface a lamp")) {
-    attempt(desk, [&] { desk.session.make_lamp(*surface, lumens_); });
+    attempt(desk, [&] { make_lamp(desk, *surface, lumens_); });
   }
   if (ImGui::IsItemHovered()) {
     ImGui::SetTooltip("All of %s gives so many lumens, evenly and diffusely.", name.c_str());
