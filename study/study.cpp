@@ -86,11 +86,7 @@ FormFactors make_adaptive(const Scene& scene, const StudyOptions& options,
 DiscretisationError estimate_discretisation(const PatchMesh& mesh, const Transport& transport,
                                             const Solution& solution, const StudyEvents& events) {
   DiscretisationError result = discretisation_error(mesh, transport, solution, events.progress);
-  if (result.n_unknown == mesh.size() && !solution.reflectance.isZero(0)) {
-    events.warn(
-        "each surface has one patch only: without coarser ones to compare with, what their size "
-        "makes wrong may be more than the errors given say; --patches N makes more");
-  }
+  warn_of_unknown_size(result, solution, events);
   return result;
 }
 

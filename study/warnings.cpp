@@ -129,6 +129,18 @@ void warn_of_spent_patches(const meshing::Refinement& refinement, Index n_patche
                   n_patches, refinement.error, tolerance));
 }
 
+bool is_size_unknown(const DiscretisationError& discretisation, const Solution& solution) {
+  return discretisation.n_unknown == solution.radiosity.rows() && !solution.reflectance.isZero(0);
+}
+
+void warn_of_unknown_size(const DiscretisationError& discretisation, const Solution& solution,
+                          const StudyEvents& events) {
+  if (!is_size_unknown(discretisation, solution)) return;
+  events.warn(
+      "each surface has one patch only: without coarser ones to compare with, what their size "
+      "makes wrong may be more than the errors given say; --patches N makes more");
+}
+
 void warn_of_unconverged(const Solution& solution, const SolveOptions& options,
                          const StudyEvents& events) {
   if (solution.converged) return;

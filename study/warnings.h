@@ -7,6 +7,7 @@
 #include "radiosity/compressed/verified_light.h"
 #include "radiosity/operator/transport.h"
 #include "radiosity/scene/scene.h"
+#include "radiosity/solve/discretisation_error.h"
 #include "radiosity/solve/solution.h"
 #include "study/study_events.h"
 
@@ -49,6 +50,14 @@ void warn_of_unverified(const radiosity::VerifiedLight& verified, double toleran
 /// If the patches were spent before their error was as asked.
 void warn_of_spent_patches(const meshing::Refinement& refinement, radiosity::Index n_patches,
                            double tolerance, const StudyEvents& events);
+
+/// Whether all patches are alone on their surfaces where light is reflected: nothing tells what
+/// their size makes wrong.
+bool is_size_unknown(const radiosity::DiscretisationError& discretisation,
+                     const radiosity::Solution& solution);
+/// Says it.
+void warn_of_unknown_size(const radiosity::DiscretisationError& discretisation,
+                          const radiosity::Solution& solution, const StudyEvents& events);
 
 /// If the iteration, by `options`, has not converged.
 void warn_of_unconverged(const radiosity::Solution& solution,

@@ -73,6 +73,14 @@ class Application final : public ScriptHost {
     }
   }
 
+  // All tasks are asked to end at once, else each would go on until the one before has ended.
+  ~Application() {
+    window_.hide();
+    desk_.session.stop();
+  }
+  Application(const Application&) = delete;
+  Application& operator=(const Application&) = delete;
+
   void run() {
     if (options_.path) open(*options_.path);
     while (!window_.is_closing()) {

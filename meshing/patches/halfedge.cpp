@@ -27,6 +27,7 @@ using OpenMesh::VertexHandle;
 /// 28 degrees) are refined. Above 1 refinement ends, since no new edge is shorter than old ones.
 constexpr double kRadiusToEdge = 1.065;
 constexpr int kSmoothingRounds = 4;
+constexpr double kNone = -2;  // below all that worst_angle_around finds
 /// Far more than the rounding of angles.
 constexpr double kAlike = 1e-9;
 
@@ -56,7 +57,7 @@ class Delaunay {
   }
 
   void refine(double max_edge, const radiosity::Progress& progress);
-  void smooth(double max_edge);
+  void smooth(double max_edge, const radiosity::Progress& progress);
 
   [[nodiscard]] PlanarMesh result() const {
     PlanarMesh out;
@@ -70,6 +71,11 @@ class Delaunay {
   }
 
  private:
+  void tell(const radiosity::Progress& progress) const {
+    progress.check();
+    const double done = (1 + smoothed_) * double(mesh_.n_faces());
+    if (progress.report) progress.report("filling", done, 0, "triangles");
+  }
   VertexHandle add_point(const Vec2& p) {
     points_.push_back(p);
     return mesh_.new_vertex();
@@ -115,7 +121,7 @@ class Delaunay {
   void insert_midpoint(EdgeHandle e);
   void push_if_bad(FaceHandle f, double max_edge);
   [[nodiscard]] double worst_angle_around(VertexHandle v, const Vec2& position, double max_edge,
-                                          double least) const;
+                                          double least = kNone) const;
 
   Mesh mesh_;
   std::vector<Vec2> points_;  // of the vertices: closer together than the mesh has them
@@ -124,6 +130,7 @@ class Delaunay {
   std::vector<FaceHandle> cavity_;
   std::vector<FaceHandle> changed_;
   std::vector<Circle> circles_;  // of faces, where they are known
+  double smoothed_ = 0;          // share of the rounds
   LargestFirst bad_;             // faces by their circles' radii
 };
 
@@ -294,7 +301,7 @@ void Delaunay::push_if_bad(FaceHandle f, double max_edge) {
 void Delaunay::refine(double max_edge, const radiosity::Progress& progress) {
   for (const FaceHandle f : mesh_.faces()) push_if_bad(f, max_edge);
   for (long step = 0; !bad_.is_empty(); ++step) {
-    if (step % 4096 == 0) progress.check();
+    if (step % 4096 == 0) tell(progress);
     const LargestFirst::Item bad = bad_.pop();
     const FaceHandle face(bad.index);
     const Circle c = circle(face);
@@ -341,22 +348,19 @@ double Delaunay::worst_angle_around(VertexHandle v, const Vec2& position, double
 }
 
 /// Moves points inside to the mean of their neighbours where that improves the worst angle.
-void Delaunay::smooth(double max_edge) {
+void Delaunay::smooth(double max_edge, const radiosity::Progress& progress) {
   for (int round = 0; round < kSmoothingRounds; ++round) {
     for (const VertexHandle v : mesh_.vertices()) {
       if (mesh_.is_boundary(v)) continue;
       Vec2 mean = Vec2::Zero();
-      int n = 0;
-      for (const VertexHandle w : mesh_.vv_range(v)) {
-        mean += point(w);
-        ++n;
-      }
-      mean /= n;
-      constexpr double kNone = -2;
-      const double worst = worst_angle_around(v, point(v), max_edge, kNone);
+      for (const VertexHandle w : mesh_.vv_range(v)) mean += point(w);
+      mean /= mesh_.valence(v);
+      const double worst = worst_angle_around(v, point(v), max_edge);
       if (worst_angle_around(v, mean, max_edge, worst) > worst) points_[v.idx()] = mean;
     }
     flip_all();
+    smoothed_ += 1.0 / kSmoothingRounds;
+    tell(progress);
   }
   circles_.clear();
 }
@@ -386,7 +390,7 @@ PlanarMesh refine(const DividedPolygon& polygon, double max_edge,
   }
   delaunay.flip_all();
   delaunay.refine(max_edge, progress);
-  delaunay.smooth(max_edge);
+  delaunay.smooth(max_edge, progress);
   delaunay.refine(max_edge, progress);
   return delaunay.result();
 }

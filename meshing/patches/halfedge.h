@@ -32,7 +32,8 @@ std::vector<Triangle> make_delaunay(std::span<const Vec2> points,
 /// quality triangular meshes", 1989; Ruppert, J. Algorithms 18, 1995) with points inside only, so
 /// the boundary stays as divided. No edge inside is longer than `max_edge`; angles are above 28
 /// degrees except where the boundary forces smaller ones. The first points of the result are the
-/// boundary. Throws Interrupted.
+/// boundary. `progress` is told how many triangles
+/// there are, each once more as they are smoothed. Throws Interrupted.
 PlanarMesh refine(const DividedPolygon& polygon, double max_edge,
                   const radiosity::Progress& progress = {});
 

@@ -11,6 +11,7 @@
 #include "meshing/base/text.h"
 #include "meshing/patches/halfedge.h"
 #include "meshing/patches/polygon_cell.h"
+#include "meshing/patches/shared_progress.h"
 #include "radiosity/base/error.h"
 #include "radiosity/base/parallel.h"
 
@@ -36,7 +37,11 @@ class PatchBuilder {
  public:
   PatchBuilder(const radiosity::Scene& scene, const Topology& topology,
                const EdgeDivision& division, const radiosity::Progress& progress)
-      : scene_(scene), topology_(topology), division_(division), progress_(progress) {}
+      : scene_(scene),
+        topology_(topology),
+        division_(division),
+        count_(count_patches(scene, topology, division)),
+        progress_(progress, "dividing", count_.certain + 2 * count_.estimated, "steps") {}
 
   PatchMesh run();
 
@@ -50,7 +55,8 @@ class PatchBuilder {
   [[nodiscard]] std::vector<Vec3> corner_positions(const PolygonCell& cell) const;
   [[nodiscard]] bool is_filled(Index polygon, const PolygonCell& cell) const;
   void fill_polygons();
-  [[nodiscard]] PlanarMesh filling(Index polygon, const PolygonCell& cell) const;
+  [[nodiscard]] PlanarMesh filling(Index polygon, const PolygonCell& cell,
+                                   const radiosity::Progress& progress) const;
 
   void build_polygon();
   void build_grid();
@@ -66,7 +72,8 @@ class PatchBuilder {
   const radiosity::Scene& scene_;
   const Topology& topology_;
   const EdgeDivision& division_;
-  const radiosity::Progress& progress_;
+  PatchCount count_;
+  SharedProgress progress_;
   PatchMesh mesh_;
   std::vector<std::int32_t> first_point_;  // per edge: its division points from ends[0] on
   std::vector<Filling> fillings_;          // per polygon, if any is filled
@@ -93,14 +100,16 @@ PatchMesh PatchBuilder::run() {
   for (; polygon_ < topology_.polygons.size(); ++polygon_) {
     if (polygon_ % 4096 == 0) progress_.check();
     cell_ = cell_of(polygon_);
+    const Index n_before = mesh_.size();
+    const bool is_told = is_filled(polygon_, cell_);
     build_polygon();
+    if (!is_told) progress_.add(static_cast<double>(mesh_.size() - n_before));
   }
   return std::move(mesh_);
 }
 
 void PatchBuilder::reserve() {
-  const PatchCount count = count_patches(scene_, topology_, division_);
-  mesh_.reserve(static_cast<Index>(count.certain + count.estimated));
+  mesh_.reserve(static_cast<Index>(count_.certain + count_.estimated));
 }
 
 std::int32_t PatchBuilder::add_division_points(std::int32_t from, std::int32_t to,
@@ -194,7 +203,8 @@ void PatchBuilder::fill_polygons() {
   radiosity::parallel_for(static_cast<std::ptrdiff_t>(filled.size()), [&](std::ptrdiff_t k) {
     Filling& made = fillings_[filled[k]];
     try {
-      made.triangles = filling(filled[k], cell_of(filled[k]));
+      const bool has_back = scene_.surfaces[scene_.polygon_surface[filled[k]]].two_sided;
+      made.triangles = filling(filled[k], cell_of(filled[k]), progress_.part(has_back ? 2 : 1));
     } catch (const radiosity::MeshError&) {
       made.error = std::current_exception();
     }
@@ -287,7 +297,7 @@ void PatchBuilder::build_filled() {
     if (made.error) std::rethrow_exception(made.error);
     filled = std::move(made.triangles);
   } else {
-    filled = filling(polygon_, cell_);
+    filled = filling(polygon_, cell_, {.report = {}, .stop = progress_.stop()});
   }
   const PlaneFrame frame(corner_positions(cell_));
   std::vector<std::int32_t> vertex = cell_.boundary;
@@ -302,14 +312,15 @@ void PatchBuilder::build_filled() {
 
 /// The triangles that `build_filled` makes patches of, in the plane of the cell. Throws MeshError
 /// if its outline crosses itself.
-PlanarMesh PatchBuilder::filling(Index polygon, const PolygonCell& cell) const {
+PlanarMesh PatchBuilder::filling(Index polygon, const PolygonCell& cell,
+                                 const radiosity::Progress& progress) const {
   const PlaneFrame frame(corner_positions(cell));
   DividedPolygon divided;
   divided.corners = cell.corners;
   divided.triangles = triangulate_corners(polygon, cell);
   for (const std::int32_t v : cell.boundary) divided.boundary.push_back(frame.to_plane(at(v)));
   const double max_edge = division_.max_edge * (1 + 1e-12) / frame.unit();
-  return refine(divided, max_edge, progress_);
+  return refine(divided, max_edge, progress);
 }
 
 /// Triangles of the polygon's corners, each divided by itself along with the diagonals.

@@ -10,7 +10,9 @@ namespace meshing {
 
 /// Builds the patches of a division: quads become grids, triangles with equally divided edges
 /// similar triangles, other polygons are filled with triangles that fit the division of their
-/// edges. Throws MeshError for polygons that cross themselves, and Interrupted.
+/// edges. Tells `progress` how far it is: patches that are made, those that are filled
+/// in twice. Throws MeshError for polygons
+/// that cross themselves, and Interrupted.
 radiosity::PatchMesh build_patches(const radiosity::Scene& scene, const Topology& topology,
                                    const EdgeDivision& division,
                                    const radiosity::Progress& progress);

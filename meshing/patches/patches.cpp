@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -66,6 +67,26 @@ Topology make_topology(const Scene& scene, const radiosity::Progress& progress) 
   return topology;
 }
 
+/// Fewer are made in no time, and nothing is told of it.
+constexpr double kMany = 50'000;
+
+/// Which attempt at a number of patches it is, of how many as far as one knows.
+struct Attempts {
+  int k = 0;
+  int n = 1;
+
+  /// What one attempt tells as a share of all.
+  [[nodiscard]] radiosity::Progress progress(const radiosity::Progress& of_all) const {
+    radiosity::Progress result{.report = {}, .stop = of_all.stop};
+    if (!of_all.report) return result;
+    result.report = [k = k, n = std::max(n, k + 1), &of_all](std::string_view stage, double done,
+                                                             double total, std::string_view unit) {
+      of_all.report(stage, k * total + done, n * total, unit);
+    };
+    return result;
+  }
+};
+
 /// Finds the mesh with about n patches, remembering what it has learnt about the scene.
 class PatchMaker {
  public:
@@ -78,7 +99,7 @@ class PatchMaker {
   [[nodiscard]] PatchMesh cut_with_about(double n_patches, double least_edge);
 
  private:
-  [[nodiscard]] PatchMesh with_limit(const EdgeLimit& limit) const {
+  [[nodiscard]] PatchMesh with_limit(const EdgeLimit& limit, const Attempts& attempts = {}) const {
     const EdgeDivision division = divide(limit);
     const PatchCount count = count_patches(scene_, topology_, division);
     if (count.certain + count.estimated > kMaxPatches) {
@@ -87,7 +108,10 @@ class PatchMaker {
                       " patches, but at most 2147483647 are possible; ask for a larger max edge "
                       "or fewer patches");
     }
-    return build_patches(scene_, topology_, division, progress_);
+    const bool is_told = count.certain + count.estimated >= kMany;
+    return build_patches(scene_, topology_, division,
+                         is_told ? attempts.progress(progress_)
+                                 : radiosity::Progress{.report = {}, .stop = progress_.stop});
   }
 
   [[nodiscard]] PatchMesh cut(const PatchMesh& mesh) const {
@@ -162,7 +186,10 @@ PatchMesh PatchMaker::cut_with_about(double n_patches, double least_edge) {
     EdgeLimit limit = limit_for(std::max(1.0, n_patches - n_cut), fill_factor);
     if (limit.fine < least_edge) limit = {.coarse = std::max(limit.coarse, least_edge)};
     const PatchCount expected = count(limit);
-    const PatchMesh whole = with_limit(limit);
+    // What is filled comes out with a few per cent more than estimated, and once more if that is
+    // most of all.
+    const bool is_mostly_filled = expected.estimated > n_patches / 2;
+    const PatchMesh whole = with_limit(limit, {.k = k, .n = is_mostly_filled ? 2 : 1});
     PatchMesh mesh = cut(whole);
     n_cut = static_cast<double>(mesh.size() - whole.size());
     if (expected.estimated > 0) {

@@ -20,6 +20,7 @@ struct PatchOptions {
   std::optional<long> n_patches = {};  ///< about so many patches, of about equal size
   /// With n_patches: edges up to this length stay whole, m, even if that leaves fewer patches.
   std::optional<double> least_edge = {};
+  /// Of many patches it tells how far they are made: "dividing".
   radiosity::Progress progress = {};
 };
 

@@ -34,6 +34,8 @@ TEST_F(ViewNewcomer, MakesALampAndReadsLux) {
                                       "wait-solved",
                                       meter,
                                       {{"save-readings", result("a.csv")}},
+                                      {{"screenshot", result("a.png")}},
+                                      {{"save-result", result("a.vtp")}},
                                       {{"report", result("a.json")}},
                                       {{"save-scene", result("lit.json")}},
                                       {{"load", result("lit.json")}},
@@ -55,6 +57,8 @@ TEST_F(ViewNewcomer, MakesALampAndReadsLux) {
   EXPECT_LT(lux, 1300);
   EXPECT_NEAR(report("b.json")["meters"][0]["value"], lux, 1e-4 * lux);
   EXPECT_NE(contents(result("a.csv")).find("point 1"), std::string::npos);
+  EXPECT_EQ(read_png(result("a.png")).width, 640);
+  EXPECT_TRUE(fs::exists(result("a.vtp")));
 }
 
 TEST_F(ViewNewcomer, IsToldWhatCannotBeALamp) {

@@ -1,10 +1,13 @@
 // The scene's grids and observers, measured and shown without a window.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "io/scene/scene_file.h"
+#include "radiosity/solve/quantity.h"
+#include "study/daylight.h"
 #include "study/measured_plan.h"
 #include "study/requirement_check.h"
 #include "study/study.h"
@@ -177,6 +180,47 @@ TEST_F(Grids, AreShownWithTheirValuesUnderTheMouse) {
   EXPECT_NE(viewer::show_name(desk.look), "grid");
   EXPECT_FALSE(viewer::has_light_plan(desk.session));
   EXPECT_TRUE(viewer::grid_lines(desk, {}).empty());
+}
+
+// Whatever lamps, sun and the sky's strength are, and of each grid.
+TEST_F(Grids, HaveDaylightFactorsBelowASky) {
+  for (LitRoom room : {lit_rooms()[1], lit_rooms()[2]}) {
+    room.has_daylight = true;
+    room.more = plan(room);
+    const auto path = room.write(folder());
+    const study::Study by_day = study::run(study::daylight_scene(io::read_scene(path)), kFew);
+    const Eigen::VectorXd weights = luminous_weights(by_day.scene.bands);
+    viewer::Desk desk(kFew);
+    open_measured(desk, path);
+    ASSERT_EQ(desk.session.mix().emitters.back().kind, viewer::Emitter::Kind::sky);
+    for (const double scale : {1.0, 0.2, 0.0}) {
+      desk.session.set_emitter(desk.session.mix().emitters.size() - 1, scale, scale > 0);
+      wait_measured(desk);
+      for (std::size_t g = 0; g < 2; ++g) {
+        const auto& grid = desk.plan.readings()->measured.grids[g];
+        const std::size_t last = grid.light.quantities.size() - 1;
+        EXPECT_EQ(viewer::grid_quantities(desk, g).at(last), "daylight factor");
+        viewer::show_grid(desk, {.grid = g, .quantity = last});
+        const auto shown = viewer::shown_grid(desk);
+        ASSERT_TRUE(shown);
+        EXPECT_EQ(shown->unit, "%");
+        std::vector<study::DaylightPoint> points;
+        for (std::size_t k = 0; k < shown->points.size(); ++k) {
+          points.push_back({shown->points[k], grid.light.where.normals[k]});
+        }
+        const auto expected = study::daylight_factors(by_day, points, {}, weights);
+        double largest = 0;
+        for (const auto& factor : expected) largest = std::max(largest, 100 * factor.total());
+        ASSERT_GT(largest, 0);
+        for (std::size_t k = 0; k < points.size(); ++k) {
+          if (shown->measured.places[k] != PointPlace::open) continue;
+          EXPECT_NEAR(shown->values[static_cast<Index>(k)], 100 * expected[k].total(),
+                      1e-3 * largest);
+        }
+        EXPECT_EQ(viewer::grid_lines(desk, desk.look.grid)[0].what, "mean");
+      }
+    }
+  }
 }
 
 TEST(LegendTicks, AreMultiplesOfTheStepThatIsGiven) {

@@ -59,4 +59,26 @@ TEST(JobProgress, GoesOnThroughStagesThatTellNothing) {
   EXPECT_GT(job.fraction(), 0.5);
 }
 
+// Of very many patches the division first tells nothing, and then how far it is; it is the shorter
+// part of the work all the same.
+TEST(JobProgress, TellsHowLongTheDivisionTakes) {
+  viewer::JobProgress job;
+  double fraction = 0;
+  const auto update = [&](double done, double total, double now) {
+    job.update({.is_busy = true, .stage = "dividing", .done = done, .total = total}, now);
+    EXPECT_GE(job.fraction(), fraction);
+    fraction = job.fraction();
+  };
+  update(0, 0, 0);
+  update(0, 0, 2);
+  EXPECT_EQ(job.text(), "dividing into patches, 2 s so far");
+  update(1e4, 1e6, 2);
+  update(2.5e5, 1e6, 8);
+  EXPECT_EQ(job.text(), "dividing into patches 25 %, about 20 s left");
+  update(1e6, 1e6, 30);
+  EXPECT_EQ(job.text(), "dividing into patches 100 %");
+  update(0, 0, 34);
+  EXPECT_LT(fraction, 0.3);
+}
+
 }  // namespace

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <limits>
 #include <stdexcept>
 
@@ -15,7 +16,11 @@
 #include "tests/viewer/lit_room.h"
 #include "tests/viewer/sessions.h"
 #include "viewer/desk/desk.h"
+#include "viewer/desk/desk_surfaces.h"
+#include "viewer/desk/painting.h"
+#include "viewer/desk/picture_words.h"
 #include "viewer/work/lamp.h"
+#include "viewer/work/standing.h"
 
 namespace radiosity::test {
 namespace {
@@ -81,6 +86,49 @@ TEST(Lamps, GiveTheirLumensWhateverTheBands) {
 }
 
 class LampsBeside : public OutputFolder {};
+
+bool is_painted_as_light(const viewer::Desk& desk) {
+  return viewer::make_painting({.known = desk.session.known(), .look = desk.look, .up = desk.up})
+      .is_light;
+}
+
+// Where nothing gives light there is more to see than black, and the picture says what to do; lamps
+// that are only switched off are another thing.
+TEST_F(LampsBeside, AreAskedForWhereThereAreNone) {
+  const std::string room = (folder() / "room.obj").string();
+  std::ofstream(room) << "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nv 0 0 1\nv 2 0 1\nv 2 1 1\nv 0 1 1\n"
+                         "o floor\nf 1 2 3 4\no ceiling\nf 5 8 7 6\no walls\nf 1 5 6 2\n"
+                         "f 2 6 7 3\nf 3 7 8 4\nf 4 8 5 1\n";
+  viewer::Desk desk({.patches = {.n_patches = 60}});
+  desk.session.open(room);
+  wait_until(desk.session, [&] { return desk.session.is_open(); });
+  EXPECT_NE(viewer::picture_words(desk).message.find("make it a lamp"), std::string::npos);
+  settle(desk.session);
+  viewer::update(desk);
+  ASSERT_EQ(desk.session.light()->kind, viewer::Light::Kind::complete);
+  EXPECT_NE(viewer::picture_words(desk).message.find("make it a lamp"), std::string::npos);
+  EXPECT_EQ(viewer::standing(desk.session).text.find("solved"), std::string::npos);
+  EXPECT_FALSE(is_painted_as_light(desk));
+  // Of which one, a name in the list tells, too: from outside no ceiling can be clicked.
+  EXPECT_EQ(viewer::meant_surface(desk), std::nullopt);
+  desk.session.select(0);
+  viewer::update(desk);
+  EXPECT_EQ(viewer::meant_surface(desk), 0);
+  viewer::mark_surfaces(desk, std::vector<std::int32_t>{1});
+  EXPECT_EQ(viewer::meant_surface(desk), 1);
+  desk.is_exposure_due = false;
+  viewer::make_lamp(desk, 1, 500);
+  EXPECT_TRUE(desk.is_exposure_due);  // what suits other lamps may show white alone
+  settle(desk.session);
+  viewer::update(desk);
+  EXPECT_EQ(viewer::picture_words(desk).message, "");
+  EXPECT_TRUE(is_painted_as_light(desk));
+  desk.session.set_emitter(0, 1, false);
+  settle(desk.session);
+  viewer::update(desk);
+  EXPECT_EQ(viewer::picture_words(desk).message, "");
+  EXPECT_TRUE(is_painted_as_light(desk));
+}
 
 TEST_F(LampsBeside, LuminairesAndDaylightLeaveThoseAsTheyAre) {
   viewer::Desk desk({.patches = {.n_patches = 40}});

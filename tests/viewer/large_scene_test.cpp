@@ -258,6 +258,37 @@ TEST(Session, FindsRowsOfCompressedOperatorsInTheBackground) {
   EXPECT_EQ(desk.session.row(), nullptr);
 }
 
+// Nor does it for what takes a sum over very many patches; another question puts the first one
+// away.
+TEST(Desk, SumsUpWhatIsToldOfAPatchInTheBackground) {
+  viewer::Desk desk({.patches = {.n_patches = 32'000}, .tolerance = 0.05});
+  open(desk.session, std::string(RADIOSITY_SCENES) + "/opposed-squares.json");
+  const PatchMesh& mesh = *desk.session.model().mesh;
+  ASSERT_GT(mesh.size(), 30'000);
+  viewer::update(desk);
+  const Index target = mesh.size() - 1;
+  desk.session.select(target - 7);
+  settle(desk.session);
+  viewer::update(desk);
+  EXPECT_TRUE(desk.summing.is_busy());
+  EXPECT_FALSE(desk.facts->is_summed);
+  desk.session.select(target);
+  settle(desk.session);
+  wait_until(desk.session, [&] {
+    viewer::update(desk);
+    EXPECT_EQ(desk.facts->patch, target);
+    return desk.facts->is_summed;
+  });
+  ASSERT_EQ(desk.facts->arrivals.size(), 1U);
+  const Eigen::VectorXd& row = desk.session.row()->factors;
+  const double expected = row.dot(desk.session.light()->solution.radiosity.col(0));
+  EXPECT_NEAR(desk.facts->arrivals[0].irradiance[0], expected, 1e-9 * expected);
+  EXPECT_EQ(desk.facts->direct.size(), 1);
+  desk.session.select(std::nullopt);
+  viewer::update(desk);
+  EXPECT_FALSE(desk.facts || desk.summing.is_busy());
+}
+
 // The sum of the lamps' lights comes first, before it is solved anew.
 TEST(SolveLight, TellsTheSumOfSeparateLightsFirst) {
   viewer::Session session(coarse());

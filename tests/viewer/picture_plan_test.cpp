@@ -137,4 +137,34 @@ TEST(PictureWords, TellWhatIsMissing) {
   EXPECT_EQ(viewer::status_parts(desk.session), std::vector<std::string>{"no scene"});
 }
 
+// What is written at places of the scene has to find room between them.
+TEST(PicturePlan, TellsWhereThereIsRoomLeft) {
+  const viewer::Legend legend = long_legend();
+  const PictureWords words = {.badge = "preview: 43 % of the light still on its way",
+                              .pinned = "pinned: solved",
+                              .message = "No light is known.",
+                              .split = 0.5,
+                              .legend = &legend};
+  for (const Region& region : {Region{.left = 0, .top = 0, .width = 400, .height = 300},
+                               Region{.left = 310, .top = 22, .width = 1000, .height = 700}}) {
+    const PicturePlan plan = make_picture_plan(region, words, plain_sizes(1));
+    ASSERT_TRUE(plan.legend && plan.badge);
+    int n_clear = 0;
+    for (int x = -20; x < region.width + 20; x += 7) {
+      for (int y = -20; y < region.height + 20; y += 7) {
+        const Box box = {static_cast<float>(region.left + x), static_cast<float>(region.top + y),
+                         30, 17};
+        const bool is_inside =
+            x >= 0 && y >= 0 && x + 30 <= region.width && y + 17 <= region.height;
+        const std::vector<Box> taken = boxes(plan);
+        const bool is_free = std::none_of(taken.begin(), taken.end(),
+                                          [&](const Box& other) { return other.overlaps(box); });
+        EXPECT_EQ(is_clear(plan, region, box), is_inside && is_free) << x << ' ' << y;
+        n_clear += is_inside && is_free ? 1 : 0;
+      }
+    }
+    EXPECT_GT(n_clear, 0);
+  }
+}
+
 }  // namespace

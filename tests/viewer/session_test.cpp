@@ -76,6 +76,29 @@ TEST(Session, RefusesMorePatchesThanAnyMachineHolds) {
       << last_error(session);
 }
 
+// More patches than there is memory for cost nothing of what there is: neither the light nor the
+// work under way.
+TEST(Session, KeepsWhatIsOpenIfMorePatchesAreRefused) {
+  viewer::Session session(coarse());
+  session.open(kBox);
+  wait_until(session, [&] { return session.is_open(); });
+  study::StudyOptions options = coarse();
+  options.memory = 1000;
+  for (const bool is_solved : {false, true}) {
+    if (is_solved) settle(session);
+    const auto mesh = session.model().mesh;
+    session.restart(options);
+    wait_until(session, [&] { return !last_error(session).empty(); });
+    EXPECT_EQ(session.model().mesh, mesh);
+    EXPECT_EQ(session.options().memory, coarse().memory);
+    EXPECT_NE(last_error(session).find("1e-06 GB can be used"), std::string::npos);
+    session.clear_messages();
+  }
+  settle(session);
+  EXPECT_EQ(session.light()->kind, Light::Kind::complete);
+  EXPECT_TRUE(session.has_result());
+}
+
 TEST(Session, ShowsALightThatSpreadsBeforeItIsSolved) {
   viewer::Session session({.patches = {.n_patches = 1000}});
   session.open(kBox);

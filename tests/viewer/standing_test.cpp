@@ -105,6 +105,26 @@ TEST(Session, TellsHowFarItCanBeTrusted) {
   EXPECT_EQ(viewer::accuracy_text(session), "");
 }
 
+// One patch for each surface: nothing tells what their size makes wrong, and so nobody knows how
+// far the light is off.
+TEST(Session, DoesNotClaimToKnowWhatOnePatchASurfaceCosts) {
+  viewer::Session session({.patches = {.as_is = true}});
+  open(session, std::string(RADIOSITY_SCENES) + "/furnace-cube.json");
+  for (const double reflectance : {0.3, 0.6}) {
+    ASSERT_TRUE(session.has_result());
+    EXPECT_EQ(session.light()->relative_error, std::nullopt);
+    EXPECT_EQ(viewer::accuracy_text(session), "");
+    EXPECT_EQ(viewer::standing(session).text, "solved, errors not known");
+    session.set_reflectance(0, Eigen::VectorXd::Constant(1, reflectance));
+    settle(session);
+  }
+  EXPECT_EQ(std::count_if(session.messages().begin(), session.messages().end(),
+                          [](const viewer::Message& message) {
+                            return message.text.find("one patch only") != std::string::npos;
+                          }),
+            1);
+}
+
 // While a compressed operator is being made, a rough one shows the light, says how rough it is, and
 // answers what lamps and materials would do.
 TEST(Session, GoesOnWithRoughFormFactorsUntilTheyAreMade) {

@@ -14,7 +14,9 @@
 #include "radiosity/base/error.h"
 #include "radiosity/picture/render.h"
 #include "radiosity/scene/patch_mesh.h"
+#include "viewer/desk/asking.h"
 #include "viewer/desk/couplings.h"
+#include "viewer/desk/measuring.h"
 #include "viewer/work/standing.h"
 
 namespace viewer {
@@ -151,26 +153,15 @@ bool update(Desk& desk) {
   if (desk.asks_light_path) desk.session.ask_light_path();
   const Session::Versions& now = session.versions();
   const Session::Versions& then = desk.facts_versions;
-  if (now.light == then.light && now.selection == then.selection && now.model == then.model) {
-    return has_changed;
-  }
   if (now.light != then.light) {
     desk.fluxes.clear();
     if (session.is_thermal() && session.light() != nullptr) {
       desk.fluxes = radiosity::surface_fluxes(*session.model().mesh, session.light()->solution);
     }
   }
-  update_marks(desk);
-  desk.facts_versions = now;
-  desk.facts.reset();
-  desk.emitter_shares.clear();
-  if (!session.selected()) return true;
-  desk.facts = patch_facts(session);
-  if (session.light_path() != nullptr && session.light() != nullptr) {
-    desk.emitter_shares = emitter_shares(*session.light_path(), session.model(),
-                                         session.light()->solution, session.mix());
-  }
-  return true;
+  if (now.selection != then.selection || now.model != then.model) update_marks(desk);
+  has_changed |= update_asking(desk);
+  return has_changed;
 }
 
 void show(Desk& desk, const std::string& name) {
@@ -227,6 +218,11 @@ void use_view(Desk& desk, const std::string& name) {
   desk.camera = CameraControl(view_named(desk.views, name).camera, desk.session.model().bounds);
 }
 
+void make_lamp(Desk& desk, std::int32_t surface, double lumens) {
+  desk.session.make_lamp(surface, lumens);
+  desk.is_exposure_due = true;
+}
+
 void set_up(Desk& desk, UpAxis up) {
   desk.up = up;
   if (!desk.session.is_open()) return;
@@ -268,8 +264,10 @@ std::optional<Index> patch_at(const Desk& desk, double x, double y) {
 
 std::string hovered_text(const Desk& desk) {
   if (desk.hovered_reading) {
-    const char* unit = desk.session.is_thermal() ? "W/m²" : "lux";
-    const char* what = desk.look.show == Show::grid ? "grid" : "work plane";
+    const bool is_grid = desk.look.show == Show::grid;
+    const std::string unit =
+        is_grid && desk.legend ? desk.legend->unit : measured_unit(desk.session);
+    const char* what = is_grid ? "grid" : "work plane";
     return fmt::format("{}, {} {}", what, number_text(*desk.hovered_reading), unit);
   }
   if (desk.hovered_luminaire)

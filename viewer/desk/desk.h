@@ -102,7 +102,8 @@ struct Desk {
   NetworkFinder network = {};  ///< couplings of a thermal scene
   LightMeter meter = {};       ///< among the last, so that they end first
   Worker saver = Worker();
-  Worker summer = Worker();  ///< sums up surfaces
+  Worker summer = Worker();   ///< sums up surfaces
+  Worker summing = Worker();  ///< sums up what is told of the selected patch
   Examples examples = {};
 };
 
@@ -125,6 +126,9 @@ void fit_camera(Desk& desk);
 void use_scene_camera(Desk& desk);
 /// That of a view that was kept. Throws std::invalid_argument if none is called so.
 void use_view(Desk& desk, const std::string& name);
+
+/// Makes a surface a lamp (`Session::make_lamp`), and finds the exposure anew: it is another scene.
+void make_lamp(Desk& desk, std::int32_t surface, double lumens);
 
 /// Makes an axis point upwards and looks at the scene from outside.
 void set_up(Desk& desk, UpAxis up);

@@ -5,11 +5,10 @@
 #include <stdexcept>
 #include <utility>
 
+#include "viewer/desk/couplings.h"
+
 namespace viewer {
 namespace {
-
-/// Of which sums take longer than the window's thread has.
-constexpr radiosity::Index kManyPatches = 30'000;
 
 bool is_large(const Desk& desk) { return desk.session.model().mesh->size() > kManyPatches; }
 
@@ -38,6 +37,13 @@ void isolate(Desk& desk, std::span<const std::int32_t> surfaces) {
 void mark_surfaces(Desk& desk, std::span<const std::int32_t> surfaces) {
   checked_count(desk, surfaces);
   desk.marks.outline(desk.session.model().mesh, {surfaces.begin(), surfaces.end()});
+}
+
+std::optional<std::int32_t> meant_surface(const Desk& desk) {
+  if (!desk.session.model().scene) return std::nullopt;
+  const std::vector<std::int32_t>& marked = desk.marks.surfaces();
+  if (marked.size() == 1) return marked.front();
+  return asked_surface(desk.session);
 }
 
 const std::vector<SurfaceTotal>& sorted_totals(Desk& desk) {

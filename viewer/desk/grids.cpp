@@ -7,6 +7,7 @@
 
 #include "io/picture/grid_chart.h"
 #include "viewer/desk/desk.h"
+#include "viewer/work/daylight_factor.h"
 
 namespace viewer {
 namespace {
@@ -92,6 +93,7 @@ std::vector<std::string> grid_quantities(const Desk& desk, std::size_t grid) {
   names.resize(names.size() + plan.vertical.size(), "vertical");
   names.resize(names.size() + plan.semi_cylindrical.size(), "semi-cylindrical");
   names.resize(names.size() + plan.luminance_from.size(), "luminance");
+  if (has_daylight_factors(*desk.session.model().scene)) names.emplace_back(kDaylightFactor);
   return names;
 }
 
@@ -111,9 +113,11 @@ std::vector<GridLine> grid_lines(const Desk& desk, const GridChoice& choice) {
   const auto lux = [&](double value) { return io::value_text(value) + " " + quantity.unit; };
   const double error =
       radiosity::summary(grid.light.places, quantity.part(light, radiosity::LightPart::error)).mean;
-  add_line(lines, "Em", fmt::format("{} ± {:.1g}", lux(found.mean), error), check("Em"));
-  add_line(lines, "Emin", lux(found.least), nullptr);
-  add_line(lines, "Emax", lux(found.greatest), nullptr);
+  const bool is_share = quantity.name == kDaylightFactor;
+  add_line(lines, is_share ? "mean" : "Em", fmt::format("{} ± {:.1g}", lux(found.mean), error),
+           check("Em"));
+  add_line(lines, is_share ? "least" : "Emin", lux(found.least), nullptr);
+  add_line(lines, is_share ? "greatest" : "Emax", lux(found.greatest), nullptr);
   add_line(lines, "U0", fmt::format("{:.3f}", found.least_to_mean()), check("U0"));
   add_line(lines, "Ud", fmt::format("{:.3f}", found.least_to_greatest()), check("Ud"));
   if (const RequirementCheck* glare = check("UGR")) {
@@ -164,8 +168,9 @@ std::optional<ShownGrid> shown_grid(const Desk& desk) {
   shown.measured.places = grid.light.places;
   shown.points = grid.light.where.points;
   shown.values = quantity.total(light_of(*readings, choice));
+  shown.unit = quantity.unit == "lx" ? "lux" : quantity.unit;
   shown.title = grid.plan.name + ": " + quantity.name;
-  if (readings->measured.has_maintenance) {
+  if (readings->measured.has_maintenance && quantity.name != kDaylightFactor) {
     shown.title += choice.is_maintained ? ", maintained" : ", new lamps";
   }
   return shown;

@@ -44,7 +44,8 @@ bool are_requirements_met(const Desk& desk);
 struct ShownGrid {
   radiosity::MeasuredGrid measured;  ///< without irradiance; empty of a list of points
   std::vector<radiosity::Vec3> points;
-  Eigen::VectorXd values;  ///< per point, lux
+  Eigen::VectorXd values;  ///< per point
+  std::string unit;        ///< of them: "lux", "cd/m²", "%"
   std::string title;       ///< "desks: illuminance"
 };
 std::optional<ShownGrid> shown_grid(const Desk& desk);

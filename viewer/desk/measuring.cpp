@@ -183,7 +183,8 @@ std::optional<radiosity::GridSummary> plane_summary(const Desk& desk) {
 }
 
 bool is_measuring(const Desk& desk) {
-  return desk.meter.is_busy() || desk.plan.is_busy() || desk.network.is_busy();
+  return desk.meter.is_busy() || desk.plan.is_busy() || desk.network.is_busy() ||
+         desk.summing.is_busy();
 }
 
 std::string readings_note(const Desk& desk) {

@@ -9,6 +9,7 @@
 #include "radiosity/scene/patch_material.h"
 #include "radiosity/scene/patch_texture.h"
 #include "viewer/desk/shown_scale.h"
+#include "viewer/work/standing.h"
 
 namespace viewer {
 namespace {
@@ -111,7 +112,9 @@ Painting make_painting(const PaintingTask& task) {
   if (auto field = shown_field(task.known, task.look)) {
     return painted_field(task, *std::move(field));
   }
-  if (const auto radiosity = shown_radiosity(task.known, task.look)) {
+  // Black would hide where a lamp may be put.
+  const bool is_dark = task.look.show == Show::true_color && is_without_lamps(task.known);
+  if (const auto radiosity = shown_radiosity(task.known, task.look); radiosity && !is_dark) {
     return painted_light(task, *radiosity);
   }
   return painted_unlit(task);

@@ -50,17 +50,9 @@ PatchFacts patch_facts(const Session& session) {
   facts.normal = model.mesh->normal[i];
   if (session.light() != nullptr) add_light(facts, session);
   if (session.row() == nullptr) return facts;
-  const Eigen::VectorXd& row = session.row()->factors;
   facts.has_factors = true;
   facts.partners = session.row()->partners;
   facts.row_sum = session.row()->sum;
-  if (!facts.has_light) return facts;
-  const radiosity::Solution& solution = session.light()->solution;
-  facts.direct = solution.exitance.transpose() * row;
-  if (session.light()->mix) {
-    facts.direct += outer_irradiance_at(model, *session.light()->mix, facts.patch);
-  }
-  facts.arrivals = arrivals(*model.mesh, row, solution.radiosity, model.bands);
   return facts;
 }
 

@@ -27,18 +27,19 @@ struct PatchFacts {
   Eigen::VectorXd exitance;
   Eigen::VectorXd reflectance;
   Eigen::VectorXd error;   ///< one standard error of the radiosity; empty if not known (yet)
-  Eigen::VectorXd direct;  ///< irradiance straight from emitters; empty without form factors
+  Eigen::VectorXd direct;  ///< irradiance straight from emitters; empty until it is summed up
   double illuminance = 0;  ///< lux
   double luminance = 0;    ///< cd/m²
   std::optional<double> temperature = {};  ///< K, of what radiates by it
 
   bool has_factors = false;       ///< its row is there
   std::vector<Partner> partners;  ///< the ten largest form factors, the largest first
-  std::vector<Arrival> arrivals;  ///< by surface; empty without light
+  std::vector<Arrival> arrivals;  ///< by surface; empty without light, or until summed up
+  bool is_summed = false;         ///< `direct` and `arrivals` are known (`update_asking`)
   double row_sum = 0;  ///< Σ_j F_ij; what is missing to 1 leaves the scene or meets backs
 };
 
-/// Of the selected patch, which there must be.
+/// Of the selected patch, which there must be, without what takes sums over all patches.
 PatchFacts patch_facts(const Session& session);
 
 /// The patch of another division of the same scene that is nearest to where the facts' patch was;

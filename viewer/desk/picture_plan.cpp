@@ -144,6 +144,14 @@ bool Box::overlaps(const Box& other) const {
          other.top < bottom();
 }
 
+bool is_clear(const PicturePlan& plan, const Region& region, const Box& box) {
+  if (!contains(whole(region), box)) return false;
+  for (const auto& taken : {plan.badge, plan.pinned, plan.message, plan.axes}) {
+    if (taken && taken->overlaps(box)) return false;
+  }
+  return !plan.legend || !plan.legend->box.overlaps(box);
+}
+
 PicturePlan make_picture_plan(const Region& region, const PictureWords& words,
                               const TextSizes& sizes) {
   return Planner(region, words, sizes).plan();

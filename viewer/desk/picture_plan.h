@@ -74,4 +74,7 @@ struct PicturePlan {
 PicturePlan make_picture_plan(const Region& region, const PictureWords& words,
                               const TextSizes& sizes);
 
+/// Whether a box lies within the picture and under none of what is planned there.
+bool is_clear(const PicturePlan& plan, const Region& region, const Box& box);
+
 }  // namespace viewer

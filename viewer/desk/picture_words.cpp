@@ -45,6 +45,13 @@ Standing badge(const Desk& desk) {
   return now;
 }
 
+/// Whether there is no light yet, and will be none: nothing in the scene gives any.
+bool will_be_dark(const Session& session) {
+  const auto& scene = session.model().scene;
+  return session.light() == nullptr && scene && session.mix().emitters.empty() &&
+         scene->environment.kind == radiosity::Emission::Kind::none && scene->given_heat.empty();
+}
+
 /// What to say if what is to be shown is not there.
 std::string missing_text(const Desk& desk) {
   const Session& session = desk.session;
@@ -57,6 +64,10 @@ std::string missing_text(const Desk& desk) {
   const bool is_painted = show == Show::true_color || show == Show::watched;
   if ((show == Show::watched || show == Show::unshot) && session.iteration() == nullptr) {
     return "Record an iteration in the panel 'Watch'";
+  }
+  const bool is_of_light = show == Show::true_color || show == Show::quantity;
+  if (is_of_light && (is_without_lamps(session.known()) || will_be_dark(session))) {
+    return "Nothing gives light: click a surface, or its name in Surfaces, and make it a lamp";
   }
   if (desk.legend || (is_painted && session.light() != nullptr)) return "";
   if (show == Show::work_plane) return "Work plane: " + readings_note(desk);

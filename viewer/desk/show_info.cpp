@@ -25,7 +25,7 @@ constexpr std::array<ShowInfo, 27> kInfos = {{
     {"work-plane", kLight, "work plane", "",
      "What arrives from above at a level plane over the floor, at each point anew: H(x) = Σ_j B_j "
      "F(x → j), in lux or, of heat, in W/m²."},
-    {"grid", kLight, "grid of the scene", "lux",
+    {"grid", kLight, "grid of the scene", "",
      "What arrives at the points of a grid that the scene asks for, each anew, with exact "
      "shadows."},
     {"luminance", kLight, "luminance", "cd/m²",

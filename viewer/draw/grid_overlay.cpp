@@ -34,8 +34,8 @@ void draw_list(const Desk& desk, ImDrawList& list, float scale) {
     if (!place || !is_seen_from_camera(desk, shown->points[k])) continue;
     const bool is_open = shown->measured.places[k] == radiosity::PointPlace::open;
     const auto value = shown->values[static_cast<radiosity::Index>(k)];
-    draw_point(list, *place, kPointInk, is_open ? number_text(value) + " lux" : "not measured",
-               scale);
+    const std::string text = is_open ? number_text(value) + " " + shown->unit : "not measured";
+    draw_point(list, *place, kPointInk, text, scale);
   }
 }
 

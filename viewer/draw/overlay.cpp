@@ -168,8 +168,8 @@ bool is_place_seen(const Desk& desk, const Vec3& point) {
   return !hit || hit->distance > (1 - kRounding) * distance;
 }
 
-/// Numbers on isolines, as far as they are seen and do not lie over each other.
-void draw_iso_numbers(const Desk& desk, ImDrawList& list) {
+/// Numbers on isolines, as far as they are seen whole and do not lie over each other.
+void draw_iso_numbers(const Desk& desk, const PicturePlan& plan, ImDrawList& list) {
   std::vector<ImVec2> places;
   for (const IsoNumber& number : desk.iso_numbers) {
     const auto place = project(desk, number.place);
@@ -181,13 +181,12 @@ void draw_iso_numbers(const Desk& desk, ImDrawList& list) {
              std::abs(other.y - place->y) < 1.2F * size.y;
     });
     const ImVec2 corner(place->x - size.x / 2, place->y - size.y / 2);
-    const auto left = static_cast<float>(desk.region.left);
-    const bool is_whole =
-        corner.x > left && corner.x + size.x < left + static_cast<float>(desk.region.width);
+    const Box paper = {corner.x - 2, corner.y, size.x + 4, size.y};
+    const bool is_whole = is_clear(plan, desk.region, paper);
     if (!is_free || !is_whole || !is_place_seen(desk, number.place)) continue;
     places.push_back(*place);
-    list.AddRectFilled(ImVec2(corner.x - 2, corner.y),
-                       ImVec2(corner.x + size.x + 2, corner.y + size.y), kNumberPaper, 2);
+    list.AddRectFilled(ImVec2(paper.left, paper.top), ImVec2(paper.right(), paper.bottom()),
+                       kNumberPaper, 2);
     list.AddText(corner, kInk, text.c_str());
   }
 }
@@ -235,7 +234,7 @@ void draw_tape(const Desk& desk, ImDrawList& list, float scale) {
 }
 
 /// The light meter's points with what they read.
-void draw_meters(const Desk& desk, ImDrawList& list, float scale) {
+void draw_meters(const Desk& desk, const PicturePlan& plan, ImDrawList& list, float scale) {
   for (std::size_t k = 0; k < desk.meter.points().size(); ++k) {
     const MeterPoint& point = desk.meter.points()[k];
     const auto place = project(desk, point.position);
@@ -246,7 +245,10 @@ void draw_meters(const Desk& desk, ImDrawList& list, float scale) {
     const std::string text = fmt::format("{}: {} {}", k + 1, value ? number_text(*value) : "...",
                                          measured_unit(desk.session));
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-    const ImVec2 corner(place->x + 9 * scale, place->y - size.y / 2);
+    ImVec2 corner(place->x + 9 * scale, place->y - size.y / 2);
+    // To its left where the colour bar stands to its right.
+    const Box paper = {corner.x - 3, corner.y, size.x + 6, size.y};
+    if (!is_clear(plan, desk.region, paper)) corner.x = place->x - 9 * scale - size.x;
     list.AddRectFilled(ImVec2(corner.x - 3, corner.y),
                        ImVec2(corner.x + size.x + 3, corner.y + size.y), kNumberPaper, 2);
     list.AddText(corner, kMeter, text.c_str());
@@ -263,10 +265,11 @@ void draw_overlay(const Desk& desk, double scale) {
   const ImVec2 bottom_right(top_left.x + static_cast<float>(desk.region.width),
                             top_left.y + static_cast<float>(desk.region.height));
   list.PushClipRect(top_left, bottom_right);
+  const PicturePlan plan = planned_picture(desk, scale);
   if (desk.look.show == Show::unseen) draw_open_patches(desk, list, size);
   draw_marked(desk, list, size);
-  draw_iso_numbers(desk, list);
-  draw_meters(desk, list, size);
+  draw_iso_numbers(desk, plan, list);
+  draw_meters(desk, plan, list, size);
   draw_tape(desk, list, size);
   if (const auto shooter = shown_shooter(desk.session, desk.look)) {
     if (is_seen(desk, *shooter)) outline(desk, list, *shooter, kShooter, 3 * size);
@@ -279,7 +282,6 @@ void draw_overlay(const Desk& desk, double scale) {
     if (is_seen(desk, patch)) outline(desk, list, patch, kOutline, 2.5F * size);
   }
   const PictureWords words = picture_words(desk);
-  const PicturePlan plan = planned_picture(desk, scale);
   if (plan.badge) {
     draw_plate(list, *plan.badge, words.is_result ? kResult : kNoResult, words.badge, size);
   }

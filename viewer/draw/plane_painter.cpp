@@ -23,7 +23,7 @@ std::shared_ptr<const void> plane_source(const Desk& desk) {
 PlanePicture picture_of(const Desk& desk, const std::string& note) {
   if (const auto grid = shown_grid(desk)) {
     return plane_picture(grid->measured, grid->values,
-                         {.unit = "lux", .note = note, .title = grid->title}, desk.look);
+                         {.unit = grid->unit, .note = note, .title = grid->title}, desk.look);
   }
   const radiosity::MeasuredGrid& plane = *desk.meter.readings()->plane;
   return plane_picture(plane, measured_values(desk.session, plane.irradiance),

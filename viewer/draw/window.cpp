@@ -106,12 +106,13 @@ GLFWwindow* open_window(const WindowOptions& options) {
   return window;
 }
 
-/// Letters with ², ρ, σ and the like. Without the font ImGui's own does, which lacks some of them.
+/// Latin, Greek and Cyrillic letters, ² and the like. Without the font ImGui's own does, which
+/// lacks some of them.
 void add_font(double scale) {
   ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
   const auto size = static_cast<float>(kTextSize * scale);
   static const std::vector<ImWchar> ranges = {
-      0x20, 0xFF, 0x370, 0x3FF, 0x2010, 0x2027, 0x2070, 0x209F, 0x2190, 0x21FF, 0x2200, 0x22FF, 0};
+      0x20, 0x24F, 0x370, 0x4FF, 0x2010, 0x2027, 0x2070, 0x209F, 0x2190, 0x21FF, 0x2200, 0x22FF, 0};
   const std::string path = RADIOSITY_FONT;
   if (std::filesystem::exists(path) &&
       fonts.AddFontFromFileTTF(path.c_str(), size, nullptr, ranges.data()) != nullptr) {
@@ -200,6 +201,11 @@ Window::~Window() {
 }
 
 bool Window::is_closing() const { return glfwWindowShouldClose(parts_->window) != 0; }
+void Window::hide() {
+  glfwHideWindow(parts_->window);
+  glfwPollEvents();
+}
+
 void Window::close() { glfwSetWindowShouldClose(parts_->window, GLFW_TRUE); }
 void Window::set_title(const std::string& title) {
   glfwSetWindowTitle(parts_->window, title.c_str());

@@ -36,6 +36,8 @@ class Window {
 
   [[nodiscard]] bool is_closing() const;
   void close();
+  /// Takes it from the screen. What is being computed may take seconds to end.
+  void hide();
   void set_title(const std::string& title);
   void resize(int width, int height);
   /// Of the framebuffer, pixels; 0 x 0 while it is minimised.

@@ -207,6 +207,10 @@ void draw_arrivals(Desk& desk, const PatchFacts& facts) {
   if (ImGui::Checkbox("light sent here, over the scene", &is_shown)) {
     show(desk, is_shown ? "arriving" : first_quantity(desk.domain));
   }
+  if (!facts.is_summed) {
+    ImGui::TextDisabled("not known yet");
+    return;
+  }
   if (facts.arrivals.empty()) {
     ImGui::TextDisabled("no light from any surface");
     return;
@@ -308,6 +312,7 @@ void draw_ask_panel(Desk& desk, const std::function<void()>& draw_deeds) {
   draw_tape(desk);
   if (!desk.facts) {
     ImGui::TextWrapped("Click a patch: its numbers, what it sees, and where its light comes from.");
+    draw_deeds();
     return;
   }
   const PatchFacts facts = *desk.facts;  // a partner that is clicked changes it

@@ -168,7 +168,7 @@ void make_lamp(Stage& stage, ScriptArguments& arguments) {
   if (!session.is_open()) throw std::runtime_error("there is no scene");
   const auto surface = surface_named(*session.model().mesh, name);
   if (!surface) throw std::invalid_argument(fmt::format("no surface is called '{}'", name));
-  session.make_lamp(*surface, arguments.number("lumens"));
+  viewer::make_lamp(stage.desk, *surface, arguments.number("lumens"));
 }
 
 void set_emitter(Stage& stage, ScriptArguments& arguments) {

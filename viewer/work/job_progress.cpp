@@ -17,10 +17,10 @@ constexpr double kRoughShare = 0.15;
 constexpr double kOtherShare = 0.4;
 constexpr double kRoundFormFactorShare = 0.12;  // as there may be ten rounds
 constexpr double kRoundOtherShare = 0.04;
-constexpr double kSilentShare = 0.1;  // of those that do not tell how far they are
-constexpr double kUsual = 10;         // s, in which such a stage is taken to be half done
-constexpr double kFirstGuess = 1;     // s, before which the time left is not guessed
-constexpr double kLeastDone = 0.02;   // likewise
+constexpr double kShortShare = 0.1;  // of those that do not tell how far they are, and dividing
+constexpr double kUsual = 10;        // s, in which such a stage is taken to be half done
+constexpr double kFirstGuess = 1;    // s, before which the time left is not guessed
+constexpr double kLeastDone = 0.02;  // likewise
 
 /// In the words of a person who does not know the program's stages.
 std::string stage_name(const std::string& stage) {
@@ -58,7 +58,8 @@ void JobProgress::update(const WorkStatus& status, double now) {
   done_ = std::max(done_, done);
   const bool is_long = stage_ == kFormFactors;
   const bool is_rough = stage_ == kRoughFactors;
-  const double share = is_silent_    ? kSilentShare
+  const bool is_short = is_silent_ || stage_ == kDividing;
+  const double share = is_short      ? kShortShare
                        : has_rounds_ ? (is_long ? kRoundFormFactorShare : kRoundOtherShare)
                        : is_long     ? kFormFactorShare
                        : is_rough    ? kRoughShare

@@ -11,6 +11,9 @@
 
 namespace viewer {
 
+/// Sums over more of them take longer than the window's thread has.
+inline constexpr radiosity::Index kManyPatches = 30'000;
+
 /// What is known of the open scene at one time. Nothing of it changes, so that another thread may
 /// work with a copy, which is cheap.
 struct Known {

@@ -275,7 +275,11 @@ void solve_light(const Model& before, const LightMix& mix, const LightStart& sta
       radiosity::discretisation_error(*model.mesh, *model.transport, complete, progress);
   Light light{Light::Kind::complete,
               with_discretisation_error(std::move(complete), discretisation)};
-  light.relative_error = relative_error(*model.mesh, light.solution);
+  if (study::is_size_unknown(discretisation, light.solution)) {
+    study::warn_of_unknown_size(discretisation, light.solution, {.warned = events.warned});
+  } else {
+    light.relative_error = relative_error(*model.mesh, light.solution);
+  }
   set_temperatures(*model.mesh, conditions, light.solution, events);
   lit(std::move(light));
 }

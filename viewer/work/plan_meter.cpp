@@ -1,9 +1,9 @@
 #include "viewer/work/plan_meter.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "radiosity/scene/patch_mesh.h"
+#include "viewer/work/daylight_factor.h"
 
 namespace viewer {
 
@@ -35,13 +35,7 @@ bool PlanMeter::update(Session& session) {
     session.tell_error(*error);
     has_changed = true;
   }
-  for (const std::string& warning : std::exchange(warnings_, {})) {
-    const auto& messages = session.messages();
-    const bool is_told = std::any_of(messages.begin(), messages.end(), [&](const Message& message) {
-      return !message.is_past && message.text == warning;
-    });
-    if (!is_told) session.tell(warning);
-  }
+  for (const std::string& warning : std::exchange(warnings_, {})) session.tell_once(warning);
   const auto light = session.known().light;
   if (light == begun_) return has_changed;
   const bool is_ready = light && light->kind == Light::Kind::complete && light->mix &&
@@ -70,6 +64,12 @@ void PlanMeter::start(const Session& session) {
     readings->measured =
         study::measure_plan(lit, scene.light_plan, options, radiosity::kWhiteEfficacy, events);
     readings->checks = study::requirement_checks(readings->measured);
+    // By the sky as it is, however dim.
+    radiosity::Scene below_sky = scene;
+    below_sky.sky = light->mix->sky;
+    const study::LitScene by_day = {below_sky, *model.mesh, *model.visibility, *model.transport,
+                                    light->solution};
+    add_daylight_factors(by_day, readings->measured, options, events);
     context.post([this, readings, light, warnings] {
       readings_ = readings;
       measured_ = light;

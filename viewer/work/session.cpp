@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <stdexcept>
 #include <utility>
@@ -21,8 +22,6 @@ using radiosity::Index;
 using radiosity::Scene;
 
 constexpr std::size_t kMostMessages = 200;
-/// Of which even a sum of lights takes longer than the window's thread has.
-constexpr Index kManyPatches = 30'000;
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -70,8 +69,8 @@ void Session::open(const std::string& path, const std::optional<std::string>& un
 }
 
 void Session::restart(const study::StudyOptions& options) {
-  options_ = options;
   if (!model_.scene) {
+    options_ = options;
     tell_error("only a scene can be solved again; a result file holds its result alone");
     return;
   }
@@ -79,7 +78,12 @@ void Session::restart(const study::StudyOptions& options) {
                   start = Clock::now()](const Worker::Context& context) {
     OpenedFile file = open_scene(path, scene, options, context.progress);
     file.model.unit = unit;
-    posting<OpenedFile>(context, [this, start](OpenedFile opened) {
+    posting<OpenedFile>(context, [this, options, start](OpenedFile opened) {
+      if (opened.refusal) {  // what is open is worth more than its polygons
+        tell_error(*opened.refusal);
+        return;
+      }
+      options_ = options;
       take_file(std::move(opened), start);
     })(std::move(file));
   });
@@ -246,8 +250,8 @@ void Session::start_light_task() {
             [this](EmitterLights lights) {
               emitter_lights_ = std::make_shared<const EmitterLights>(std::move(lights));
             }),
-        .warned =
-            posting<const std::string&>(context, [this](const std::string& text) { tell(text); })};
+        .warned = posting<const std::string&>(
+            context, [this](const std::string& text) { tell_once(text); })};
     solve_light(model, mix, start, events, context.progress);
   });
 }
@@ -317,6 +321,13 @@ void Session::add_message(bool is_error, const std::string& text) {
   messages_.push_back({.is_error = is_error, .text = text});
   if (messages_.size() > kMostMessages) messages_.pop_front();
   ++versions_.messages;
+}
+
+void Session::tell_once(const std::string& text) {
+  const bool is_told = std::any_of(messages_.begin(), messages_.end(), [&](const Message& message) {
+    return !message.is_past && message.text == text;
+  });
+  if (!is_told) tell(text);
 }
 
 void Session::clear_messages() {

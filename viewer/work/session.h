@@ -43,7 +43,8 @@ class Session {
   /// given. What is open stays, and goes on being solved, until the new one is there, and for good
   /// if that cannot be opened; the console tells why.
   void open(const std::string& path, const std::optional<std::string>& unit = {});
-  /// Solves the open scene anew with other patches.
+  /// Solves the open scene anew with other patches. Where that cannot be, all stays as it is; the
+  /// console tells why.
   void restart(const study::StudyOptions& options);
   /// Holds the work in the background back, or lets it go on.
   void set_paused(bool is_on) { pause_.set(is_on); }
@@ -140,6 +141,8 @@ class Session {
 
   // Console.
   void tell(const std::string& text) { add_message(false, text); }
+  /// Unless it has been told since the file was opened.
+  void tell_once(const std::string& text);
   void tell_error(const std::string& text) { add_message(true, text); }
   void clear_messages();
   [[nodiscard]] const std::deque<Message>& messages() const { return messages_; }

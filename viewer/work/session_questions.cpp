@@ -29,12 +29,14 @@ void Session::select(std::optional<Index> patch) {
   ++versions_.selection;
 }
 
-/// Where a row takes a product, in the background.
+/// Where a row takes a product, or is long, in the background.
 void Session::find_row() {
   row_.reset();
   rows_.cancel();
   if (!selected_ || !model_.factors) return;
-  if (model_.has_quick_rows) {
+  // HDF5 is for one thread, and a file's rows are asked one by one.
+  const bool is_long = model_.transport && is_large();
+  if (model_.has_quick_rows && !is_long) {
     row_ = std::make_shared<const FactorRow>(
         make_factor_row(*model_.factors, model_.mesh->area, *selected_));
     return;

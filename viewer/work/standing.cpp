@@ -29,12 +29,18 @@ std::string preview_text(const Session& session) {
 
 }  // namespace
 
+bool is_without_lamps(const Known& known) {
+  const bool has_none = known.light && known.light->mix && known.light->mix->emitters.empty();
+  return has_none && known.light->solution.radiosity.isZero(0);
+}
+
 Standing standing(const Session& session) {
   const Light* light = session.light();
   if (light == nullptr) return {};
   if (session.is_change_pending()) {
     return {.text = "not yet of the scene as it is now", .is_rough = true};
   }
+  if (is_without_lamps(session.known())) return {.text = "no lamp: all is dark"};
   switch (light->kind) {
     case Light::Kind::preview:
       return {.text = preview_text(session), .is_rough = true};

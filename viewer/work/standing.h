@@ -13,6 +13,10 @@ struct Standing {
   bool is_rough = false;   ///< its third digit means nothing
 };
 
+/// Whether light is known that is none, as nothing in the scene gives any: there is no lamp that
+/// could be switched on.
+bool is_without_lamps(const Known& known);
+
 Standing standing(const Session& session);
 
 /// How well a result is known, in the same words wherever it is told: "known to ± 0.8 % (2 σ)",
