@@ -59,7 +59,8 @@ TEST(UnevenLight, IsRightForAHalfCoveredPatch) {
   exchange << 0, factor, factor, 0;
   const test::DenseTestTransport transport(exchange, Eigen::Vector2d::Ones());
   const Solution solution = solve(transport, Eigen::Vector2d(0, 1), Eigen::Vector2d::Constant(rho));
-  const Eigen::MatrixXd error = uneven_light_error(mesh, transport, solution);
+  const Eigen::MatrixXd error =
+      uneven_light_error(mesh, transport, solution, make_neighbor_groups(mesh));
   // The covered half has ρ, the other half nothing; the emitter sees the covered half alone.
   const double evenly_lit = rho * factor * (rho * factor);
   const double true_light = rho * factor * rho;
@@ -73,7 +74,8 @@ TEST(UnevenLight, ScalesWithLightAndNotWithLengths) {
   const auto transport = make_dense_transport(mesh, visibility);
   const Eigen::MatrixXd light = exitance(scene, mesh);
   const Eigen::MatrixXd rho = reflectance(scene, mesh);
-  const Eigen::MatrixXd error = uneven_light_error(mesh, *transport, solve(*transport, light, rho));
+  const Eigen::MatrixXd error = uneven_light_error(mesh, *transport, solve(*transport, light, rho),
+                                                   make_neighbor_groups(mesh));
   EXPECT_GT(error.minCoeff(), 0);
   // Powers of two change no digit; what is left is the solution's own tolerance.
   Eigen::MatrixXd two_bands(mesh.size(), 2);
