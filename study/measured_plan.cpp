@@ -57,19 +57,6 @@ Scene maintained(Scene scene, const MeasuredPlan& plan) {
   return scene;
 }
 
-/// The way to the floor, if a point of this grid with nothing there is outside. Planes are above
-/// the floor where nothing tells which way is up; those of surfaces end with them. Listed points
-/// are where they are wanted if the sky lights them.
-std::optional<Vec3> down_to_floor(const radiosity::GridPlan& grid, const Scene& scene,
-                                  const radiosity::PatchMesh& mesh) {
-  if (!grid.surface.empty() || (grid.is_list() && scene.sky)) return {};
-  Vec3 up = grid.is_list() ? Vec3::UnitZ() : Vec3(grid.sides[0].cross(grid.sides[1]).normalized());
-  if (scene.sky) up = scene.sky->up;
-  if (grid.up) up = *grid.up;
-  if (!radiosity::find_floor(mesh, up).is_found) return {};
-  return -up;
-}
-
 void check_light(const Scene& scene, const StudyEvents& events) {
   if (radiosity::is_thermal(scene)) {
     throw radiosity::SceneError(
@@ -142,6 +129,16 @@ std::vector<MeasuredObserver> measured_observers(const LitScene& solved,
 }
 
 }  // namespace
+
+std::optional<Vec3> down_to_floor(const radiosity::GridPlan& grid, const Scene& scene,
+                                  const radiosity::PatchMesh& mesh) {
+  if (!grid.surface.empty() || (grid.is_list() && scene.sky)) return {};
+  Vec3 up = grid.is_list() ? Vec3::UnitZ() : Vec3(grid.sides[0].cross(grid.sides[1]).normalized());
+  if (scene.sky) up = scene.sky->up;
+  if (grid.up) up = *grid.up;
+  if (!radiosity::find_floor(mesh, up).is_found) return {};
+  return -up;
+}
 
 std::optional<double> MeasuredPlan::largest_ugr() const {
   std::optional<double> largest;

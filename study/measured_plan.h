@@ -55,6 +55,13 @@ struct LitScene {
   const radiosity::Solution& solution;
 };
 
+/// The way to the floor, a unit vector, if a point of this grid with nothing there is outside.
+/// Planes are above the floor where nothing tells which way is up; those of surfaces end with them.
+/// Listed points are where they are wanted if the sky lights them.
+std::optional<radiosity::Vec3> down_to_floor(const radiosity::GridPlan& grid,
+                                             const radiosity::Scene& scene,
+                                             const radiosity::PatchMesh& mesh);
+
 /// Measures what a plan asks for in a scene that has its light; of maintained lamps, whose light is
 /// solved anew by the same form factors, if any factor is below 1. Light of sun and environment
 /// does not age. `efficacy` as for luminous_weights. Warns of points in solids and outside, of

@@ -6,7 +6,7 @@
 
 namespace apps {
 
-/// The name of a surface of the scene, which has one at least, that differs least from another name.
+/// The name of a surface that differs least from another name. The scene has a surface at least.
 const std::string& nearest_surface(const radiosity::Scene& scene, const std::string& name);
 
 }  // namespace apps

@@ -1,6 +1,7 @@
 #include "radiosity/compressed/compressed_blocks.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <memory>
 
@@ -22,10 +23,8 @@ Index CompressedMatrix::size() const {
 std::size_t CompressedMatrix::bytes() const {
   return blocks_.basis.bytes() + blocks_.far.size() * sizeof(CompressedBlocks::Far) +
          blocks_.near.size() * sizeof(CompressedBlocks::Near) +
-         (blocks_.coefficients.size() + blocks_.densities.size()) * sizeof(float) +
-         (far_.all.size() + near_.all.size()) * sizeof(Use) +
-         (far_.first.size() + near_.first.size()) * sizeof(std::int64_t) +
-         functions_.size() * sizeof(Functions) + end_.size() * sizeof(std::int32_t);
+         (blocks_.coefficients.size() + blocks_.densities.size()) * sizeof(float) + far_.bytes() +
+         near_.bytes() + functions_.size() * sizeof(Functions) + end_.size() * sizeof(std::int32_t);
 }
 
 /// visit(node), in parallel, for all nodes of the own subtrees and above all subtrees.
@@ -57,7 +56,7 @@ template <typename Visit>
 void CompressedMatrix::visit_near(std::int32_t k, const Visit& visit) const {
   const auto& nodes = blocks_.basis.nodes;
   const std::int32_t n_rows = nodes[k].end - nodes[k].begin;
-  for (const Use& use : near_.of(k)) {
+  near_.visit(k, [&](const Use& use) {
     const NestedBasis::Node& other = nodes[use.other];
     const std::int32_t n_other = other.end - other.begin;
     const float* densities = &blocks_.densities[use.first];
@@ -67,37 +66,53 @@ void CompressedMatrix::visit_near(std::int32_t k, const Visit& visit) const {
               use.is_a ? densities[r * n_other + c] : densities[c * n_rows + r]);
       }
     }
+  });
+}
+
+/// The numbers of a far block, with a row for each function of its a.
+StairMatrix CompressedMatrix::numbers(std::int64_t far, std::ptrdiff_t node) const {
+  const Uses::Kind& kind = far_.kind[far];
+  const std::int32_t other = far_.other[far];
+  const auto& counts_a = functions_[kind.is_a ? node : other].counts;
+  const auto& counts_b = functions_[kind.is_a ? other : node].counts;
+  StairMatrix m{&blocks_.coefficients[far_.numbers[far]], kind.degrees.a + 1, {}};
+  int first = 0;
+  for (int degree = 0; degree <= kind.degrees.a; ++degree) {
+    m.steps[degree] = {counts_a[degree] - first, counts_b[kind.degrees.of_b(degree)]};
+    first = counts_a[degree];
   }
+  return m;
 }
 
 /// Adds what a node's far blocks send to its functions: M m or Mᵀ m of the moments m of the other,
-/// M with a row for each function of the block's a. `moments` are those of all functions.
+/// M with a row for each function of the block's a. `moments` are those of all functions, `totals`
+/// those of each node's first one.
 template <int kColumns>
-void CompressedMatrix::add_far(std::ptrdiff_t node, const double* moments, double* sum) const {
-  constexpr std::ptrdiff_t kAhead = 4;
-  const std::span<const Use> uses = far_.of(node);
-  for (std::size_t u = 0; u < uses.size(); ++u) {
-    const Use& use = uses[u];
-    if (u + kAhead < uses.size()) {
-      const Use& later = uses[u + kAhead];
-      __builtin_prefetch(&blocks_.coefficients[later.first]);
-      __builtin_prefetch(moments + functions_[later.other].first * kColumns);
+void CompressedMatrix::add_far(std::ptrdiff_t node, const double* moments, const double* totals,
+                               double* sum) const {
+  constexpr std::int64_t kAhead = 4;
+  constexpr std::size_t kLine = 64 / sizeof(float);
+  const std::int64_t end = far_.first[node + 1];
+  const std::int64_t end_even = far_.first[node] + far_.n_even[node];
+  for (std::int64_t k = far_.first[node]; k < end_even; ++k) {
+    const double mean = far_.mean[k];
+    const double* total = totals + far_.other[k] * std::ptrdiff_t{kColumns};
+    for (int c = 0; c < kColumns; ++c) sum[c] += mean * total[c];
+  }
+  const auto of_other = [&](std::int64_t k) {
+    return moments + functions_[far_.other[k]].first * kColumns;
+  };
+  for (std::int64_t k = end_even; k < end; ++k) {
+    if (k + kAhead < end) {
+      const float* later = blocks_.coefficients.data() + far_.numbers[k + kAhead];
+      __builtin_prefetch(later);
+      __builtin_prefetch(later + kLine);
+      __builtin_prefetch(of_other(k + kAhead));
     }
-    const double* of_other = moments + functions_[use.other].first * kColumns;
-    const auto& counts_a = functions_[use.is_a ? node : use.other].counts;
-    const auto& counts_b = functions_[use.is_a ? use.other : node].counts;
-    const float* coefficients = &blocks_.coefficients[use.first];
-    int first = 0;
-    for (int degree = 0; degree <= use.degrees.a; ++degree) {
-      const int n_rows = counts_a[degree] - first;
-      const SmallMatrix m{coefficients, n_rows, counts_b[use.degrees.of_b(degree)]};
-      if (use.is_a) {
-        add_product<kColumns>(m, of_other, sum + first * kColumns);
-      } else {
-        add_transposed_product<kColumns>(m, of_other + first * kColumns, sum);
-      }
-      coefficients += n_rows * m.n_columns;
-      first += n_rows;
+    if (far_.kind[k].is_a) {
+      add_product<kColumns>(numbers(k, node), of_other(k), sum);
+    } else {
+      add_transposed_product<kColumns>(numbers(k, node), of_other(k), sum);
     }
   }
 }
@@ -107,17 +122,17 @@ template <int kColumns>
 void CompressedMatrix::add_near(std::ptrdiff_t node, const double* x, double* sum) const {
   const auto& nodes = blocks_.basis.nodes;
   const int n_rows = nodes[node].end - nodes[node].begin;
-  for (const Use& use : near_.of(node)) {
+  near_.visit(node, [&](const Use& use) {
     const NestedBasis::Node& other = nodes[use.other];
     const int n_other = other.end - other.begin;
     const float* densities = &blocks_.densities[use.first];
     const double* of_other = x + other.begin * std::ptrdiff_t{kColumns};
     if (use.is_a) {
-      add_product<kColumns>({densities, n_rows, n_other}, of_other, sum);
+      add_product<kColumns>(SmallMatrix{densities, n_rows, n_other}, of_other, sum);
     } else {
-      add_transposed_product<kColumns>({densities, n_other, n_rows}, of_other, sum);
+      add_transposed_product<kColumns>(SmallMatrix{densities, n_other, n_rows}, of_other, sum);
     }
-  }
+  });
 }
 
 template <int kColumns>
@@ -129,6 +144,7 @@ void CompressedMatrix::multiply(const double* x, double* result) const {
       std::make_unique_for_overwrite<double[]>(blocks_.basis.n_functions * kColumns);
   const auto gathered =
       std::make_unique_for_overwrite<double[]>(blocks_.basis.n_functions * kColumns);
+  const auto totals = std::make_unique_for_overwrite<double[]>(nodes.size() * kColumns);
   const auto values = [&](const NestedBasis::Node& leaf) {
     return SmallMatrix{numbers + leaf.values, leaf.end - leaf.begin, leaf.used};
   };
@@ -159,12 +175,18 @@ void CompressedMatrix::multiply(const double* x, double* result) const {
   });
   share(moments.get(), function_shares_, kColumns);
   for (auto k = top_.rbegin(); k != top_.rend(); ++k) add_moments(*k);
+  parallel_for(
+      static_cast<std::ptrdiff_t>(nodes.size()),
+      [&](std::ptrdiff_t k) {
+        std::copy_n(at(moments, functions_[k].first), kColumns, &totals[k * kColumns]);
+      },
+      kRowGrain);
 
   const auto exchange = [&](std::ptrdiff_t k) {
     const NestedBasis::Node& node = nodes[k];
     double* functions = at(gathered, node.first);
     std::fill_n(functions, node.used * kColumns, 0.0);
-    add_far<kColumns>(k, moments.get(), functions);
+    add_far<kColumns>(k, moments.get(), totals.get(), functions);
     if (!node.is_leaf()) return;
     double* rows = result + node.begin * std::ptrdiff_t{kColumns};
     std::fill_n(rows, (node.end - node.begin) * std::ptrdiff_t{kColumns}, 0.0);
@@ -187,83 +209,101 @@ void CompressedMatrix::multiply(const double* x, double* result) const {
   share(result, row_shares_, kColumns);
 }
 
-Eigen::MatrixXd CompressedMatrix::product(const Eigen::MatrixXd& x) const {
-  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  const Index n = x.rows();
-  Eigen::MatrixXd result(n, x.cols());
-  for (Index first = 0; first < x.cols();) {
-    const Index left = x.cols() - first;
-    if (left == 1) {
-      multiply<1>(x.col(first).data(), result.col(first).data());
-      break;
-    }
-    const Index width = left > kFewColumns ? kManyColumns : kFewColumns;
-    const Index n_columns = std::min(width, left);
-    Rows in(n, width);
-    Rows out(n, width);
-    parallel_ranges(n, kRowGrain, [&](Index begin, Index end) {
-      in.block(begin, 0, end - begin, n_columns) = x.block(begin, first, end - begin, n_columns);
-      in.block(begin, n_columns, end - begin, width - n_columns).setZero();
-    });
-    if (width == kManyColumns) {
-      multiply<kManyColumns>(in.data(), out.data());
-    } else {
-      multiply<kFewColumns>(in.data(), out.data());
-    }
-    parallel_ranges(n, kRowGrain, [&](Index begin, Index end) {
-      result.block(begin, first, end - begin, n_columns) =
-          out.block(begin, 0, end - begin, n_columns);
-    });
-    first += n_columns;
+Index CompressedMatrix::width_of(Index n_left) {
+  if (n_left <= 1) return 1;
+  return n_left > kFewColumns ? kManyColumns : kFewColumns;
+}
+
+CompressedMatrix::Rows CompressedMatrix::product(const Rows& x) const {
+  Rows result(x.rows(), x.cols());
+  if (x.cols() == kManyColumns) {
+    multiply<kManyColumns>(x.data(), result.data());
+  } else if (x.cols() == kFewColumns) {
+    multiply<kFewColumns>(x.data(), result.data());
+  } else {
+    assert(x.cols() == 1);
+    multiply<1>(x.data(), result.data());
   }
   return result;
 }
 
 /// Σ add(block, Σ_{j ∈ b} x_j) over the blocks that hold each row.
 template <typename Add>
-Eigen::MatrixXd CompressedMatrix::sum_over_blocks(const Eigen::MatrixXd& x, const Add& add) const {
+CompressedMatrix::Rows CompressedMatrix::sum_over_blocks(const Rows& x, const Add& add) const {
   const auto& nodes = blocks_.basis.nodes;
-  Eigen::MatrixXd result(x.rows(), x.cols());
-  std::vector<double> sums(nodes.size());
-  std::vector<double> gathered(nodes.size());
-  for (Index column = 0; column < x.cols(); ++column) {
-    visit_upward([&](std::int32_t k) {
-      const NestedBasis::Node& node = nodes[k];
-      sums[k] = node.is_leaf() ? x.col(column).segment(node.begin, node.end - node.begin).sum()
-                               : sums[node.left] + sums[node.right];
-    });
-    visit_own([&](std::ptrdiff_t k) {
-      gathered[k] = 0;
-      for (const Use& use : far_.of(k)) gathered[k] += add(use, sums[use.other]);
-      for (const Use& use : near_.of(k)) gathered[k] += add(use, sums[use.other]);
-    });
-    visit_downward([&](std::int32_t k) {
-      const NestedBasis::Node& node = nodes[k];
-      if (node.is_leaf()) {
-        result.col(column).segment(node.begin, node.end - node.begin).setConstant(gathered[k]);
-        return;
-      }
-      gathered[node.left] += gathered[k];
-      gathered[node.right] += gathered[k];
-    });
-    share(result.col(column).data(), row_shares_, 1);
-  }
+  const Index width = x.cols();
+  Rows result(x.rows(), width);
+  std::vector<double> sums(nodes.size() * width);
+  std::vector<double> gathered(nodes.size() * width);
+  const auto at = [width](std::vector<double>& field, std::ptrdiff_t k) {
+    return Eigen::Map<Eigen::RowVectorXd>(field.data() + k * width, width);
+  };
+  visit_upward([&](std::int32_t k) {
+    const NestedBasis::Node& node = nodes[k];
+    if (node.is_leaf()) {
+      at(sums, k) = x.middleRows(node.begin, node.end - node.begin).colwise().sum();
+    } else {
+      at(sums, k) = at(sums, node.left) + at(sums, node.right);
+    }
+  });
+  visit_own([&](std::ptrdiff_t k) {
+    double* own = gathered.data() + k * width;
+    std::fill_n(own, width, 0.0);
+    const auto add_use = [&](const Use& use) {
+      const double* of_other = sums.data() + use.other * width;
+      for (Index c = 0; c < width; ++c) own[c] += add(use, of_other[c]);
+    };
+    far_.visit(k, add_use);
+    near_.visit(k, add_use);
+  });
+  visit_downward([&](std::int32_t k) {
+    const NestedBasis::Node& node = nodes[k];
+    if (node.is_leaf()) {
+      result.middleRows(node.begin, node.end - node.begin).rowwise() = at(gathered, k);
+      return;
+    }
+    at(gathered, node.left) += at(gathered, k);
+    at(gathered, node.right) += at(gathered, k);
+  });
+  share(result.data(), row_shares_, width);
   return result;
 }
 
 Eigen::MatrixXd CompressedMatrix::squared_errors(const Eigen::MatrixXd& x) const {
   return sum_over_blocks(
-      x, [](const auto& block, double sum) { return square(double{block.error} * sum); });
+      x, [](const Use& block, double sum) { return square(double{block.error} * sum); });
 }
 
 Eigen::MatrixXd CompressedMatrix::common_errors(const Eigen::MatrixXd& x) const {
   return sum_over_blocks(
-      x, [](const auto& block, double sum) { return double{block.error} * std::abs(sum); });
+      x, [](const Use& block, double sum) { return double{block.error} * std::abs(sum); });
 }
 
 Eigen::MatrixXd CompressedMatrix::variance_product(const Eigen::MatrixXd& x) const {
-  return sum_over_blocks(x, [](const auto& block, double sum) {
+  return variances(x);
+}
+
+CompressedMatrix::Rows CompressedMatrix::variances(const Rows& x) const {
+  return sum_over_blocks(x, [](const Use& block, double sum) {
     return block.may_change ? square(double{block.error}) * sum : 0.0;
+  });
+}
+
+void CompressedMatrix::add_changes(const Eigen::VectorXd& multipliers, const Rows& x,
+                                   Rows& result) const {
+  const Index width = x.cols();
+  Rows both(x.rows(), 2 * width);
+  parallel_ranges(x.rows(), kRowGrain, [&](Index begin, Index end) {
+    for (Index row = begin; row < end; ++row) {
+      both.row(row) << x.row(row), multipliers[row] * x.row(row);
+    }
+  });
+  const Rows changes = variances(both);
+  parallel_ranges(x.rows(), kRowGrain, [&](Index begin, Index end) {
+    for (Index row = begin; row < end; ++row) {
+      result.row(row) +=
+          multipliers[row] * changes.row(row).head(width) + changes.row(row).tail(width);
+    }
   });
 }
 
@@ -271,7 +311,6 @@ Eigen::MatrixXd CompressedMatrix::weighted_sums(const std::vector<Place>& places
                                                 const Eigen::MatrixXd& x,
                                                 const PairSums::Weight& weight) const {
   const auto& nodes = blocks_.basis.nodes;
-  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const auto n_nodes = static_cast<Index>(nodes.size());
   const Rows in = x;
   Rows result = Rows::Zero(x.rows(), x.cols());
@@ -301,11 +340,10 @@ Eigen::MatrixXd CompressedMatrix::weighted_sums(const std::vector<Place>& places
   };
   visit_own([&](std::ptrdiff_t k) {
     gathered.row(k).setZero();
-    for (const Use& use : far_.of(k)) {
+    far_.visit(k, [&](const Use& use) {
       // The first functions are 1, and the others' means 0.
-      const double density = blocks_.coefficients[use.first];
-      gathered.row(k) += weigh(density, means[k], means[use.other]) * sums.row(use.other);
-    }
+      gathered.row(k) += weigh(use.mean, means[k], means[use.other]) * sums.row(use.other);
+    });
     visit_near(static_cast<std::int32_t>(k),
                [&](std::int32_t row, std::int32_t column, float density) {
                  if (density == 0) return;

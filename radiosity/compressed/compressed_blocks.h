@@ -12,6 +12,7 @@
 #include "radiosity/base/geometry.h"
 #include "radiosity/base/parallel.h"
 #include "radiosity/base/ranks.h"
+#include "radiosity/compressed/block_product.h"
 #include "radiosity/compressed/nested_basis.h"
 #include "radiosity/operator/pair_sums.h"
 
@@ -84,9 +85,17 @@ class CompressedMatrix {
   [[nodiscard]] const CompressedBlocks& blocks() const { return blocks_; }
   [[nodiscard]] std::size_t bytes() const;
 
-  /// Σ_j G_ij / (A_i A_j) x_j for all columns of x, n x k, in the tree's order. Parallel, with the
-  /// same bits at any number of threads.
-  [[nodiscard]] Eigen::MatrixXd product(const Eigen::MatrixXd& x) const;
+  /// Values of rows in columns that are gone through together.
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  /// How many columns to give to a product if so many are left: 1, 4 or 8, the last of them zeros
+  /// if there are fewer.
+  [[nodiscard]] static Index width_of(Index n_left);
+  /// Σ_j G_ij / (A_i A_j) x_j for all columns of x, n x 1, 4 or 8, in the tree's order. Parallel,
+  /// with the same bits at any number of threads.
+  [[nodiscard]] Rows product(const Rows& x) const;
+  /// Adds Σ_b d_ab² Σ_{j ∈ b} (μ_i + μ_j) x_j over the blocks that hold row i and may change, with
+  /// their errors d, to a result of n x k.
+  void add_changes(const Eigen::VectorXd& multipliers, const Rows& x, Rows& result) const;
   /// Σ_b (d_ab Σ_{j ∈ b} x_j)² over the blocks that hold row i, with their errors d: n x k.
   [[nodiscard]] Eigen::MatrixXd squared_errors(const Eigen::MatrixXd& x) const;
   /// Σ_b d_ab |Σ_{j ∈ b} x_j| over the same: if errors of a row's blocks are alike.
@@ -113,22 +122,41 @@ class CompressedMatrix {
 
  private:
   friend class GroupSquares;
-  /// A block from one of its ends: what is needed of it, so that nothing is looked up elsewhere.
+  /// A block from one of its ends.
   struct Use {
     std::uint64_t first;  // of its numbers
     std::int32_t other;   // node
     float error;
+    float mean;  // of a far block: its first number
     DegreePair degrees;
     bool is_a;  // whether this node is the block's a
     bool may_change;
   };
-  /// The blocks of each node.
+  /// The blocks of each node, as lists of what belongs together, so that nobody goes through what
+  /// they don't need. First those that have no number but their mean, of far ones the most.
   struct Uses {
-    std::vector<std::int64_t> first;
-    std::vector<Use> all;
-    [[nodiscard]] std::span<const Use> of(std::ptrdiff_t node) const {
-      return {all.data() + first[node], all.data() + first[node + 1]};
+    struct Kind {
+      DegreePair degrees;
+      bool is_a;
+      bool may_change;
+    };
+    std::vector<std::int64_t> first;   // per node
+    std::vector<std::int32_t> n_even;  // per node: those with their mean alone
+    std::vector<std::int32_t> other;
+    std::vector<float> mean;
+    std::vector<float> error;
+    std::vector<Kind> kind;
+    std::vector<std::uint64_t> numbers;
+    [[nodiscard]] Use at(std::int64_t k) const {
+      return {numbers[k],      other[k],     error[k],          mean[k],
+              kind[k].degrees, kind[k].is_a, kind[k].may_change};
     }
+    /// Calls visit(use) for those of a node.
+    template <typename Visit>
+    void visit(std::ptrdiff_t node, const Visit& visit) const {
+      for (std::int64_t k = first[node]; k < first[node + 1]; ++k) visit(at(k));
+    }
+    [[nodiscard]] std::size_t bytes() const;
   };
   /// A node's functions: what products need of it.
   struct Functions {
@@ -138,8 +166,9 @@ class CompressedMatrix {
   template <typename Block>
   [[nodiscard]] Uses find_uses(const std::vector<Block>& blocks) const;
   void sort_far();
+  [[nodiscard]] StairMatrix numbers(std::int64_t far, std::ptrdiff_t node) const;
   template <int kColumns>
-  void add_far(std::ptrdiff_t node, const double* moments, double* sum) const;
+  void add_far(std::ptrdiff_t node, const double* moments, const double* totals, double* sum) const;
   template <int kColumns>
   void add_near(std::ptrdiff_t node, const double* x, double* sum) const;
   void find_subtrees();
@@ -158,7 +187,8 @@ class CompressedMatrix {
   template <typename Visit>
   void visit_near(std::int32_t k, const Visit& visit) const;
   template <typename Add>
-  [[nodiscard]] Eigen::MatrixXd sum_over_blocks(const Eigen::MatrixXd& x, const Add& add) const;
+  [[nodiscard]] Rows sum_over_blocks(const Rows& x, const Add& add) const;
+  [[nodiscard]] Rows variances(const Rows& x) const;
   template <int kColumns>
   void multiply(const double* x, double* result) const;
 

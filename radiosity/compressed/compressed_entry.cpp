@@ -49,7 +49,8 @@ CompressedMatrix::Entry CompressedMatrix::entry(Index row, Index column) const {
   };
   for (std::size_t level = 0; level < path.nodes.size(); ++level) {
     const std::int32_t k = path.nodes[level];
-    for (const Use& use : far_.of(k)) {
+    for (std::int64_t u = far_.first[k]; u < far_.first[k + 1]; ++u) {
+      const Use use = far_.at(u);
       const std::ptrdiff_t at = level_of(use.other);
       if (at < 0) continue;
       const auto& of_a = use.is_a ? path.values[level] : other.values[at];
@@ -66,7 +67,8 @@ CompressedMatrix::Entry CompressedMatrix::entry(Index row, Index column) const {
     }
   }
   const std::int32_t k = path.nodes.back();
-  for (const Use& use : near_.of(k)) {
+  for (std::int64_t u = near_.first[k]; u < near_.first[k + 1]; ++u) {
+    const Use use = near_.at(u);
     if (use.other != other.nodes.back()) continue;
     const NestedBasis::Node& a = nodes[use.is_a ? k : use.other];
     const NestedBasis::Node& b = nodes[use.is_a ? use.other : k];

@@ -48,30 +48,55 @@ void CompressedMatrix::sort_far() {
   blocks_.coefficients = std::move(sorted);
 }
 
+std::size_t CompressedMatrix::Uses::bytes() const {
+  return first.size() * sizeof(first[0]) + n_even.size() * sizeof(n_even[0]) +
+         other.size() * (sizeof(other[0]) + sizeof(mean[0]) + sizeof(error[0]) + sizeof(kind[0]) +
+                         sizeof(numbers[0]));
+}
+
 template <typename Block>
 CompressedMatrix::Uses CompressedMatrix::find_uses(const std::vector<Block>& blocks) const {
+  constexpr bool is_far = requires(const Block& block) { block.degrees; };
+  const auto is_even = [](const Block& block) {
+    if constexpr (is_far) return block.degrees.a == 0 && block.degrees.b == 0;
+    return false;
+  };
   Uses uses;
-  uses.first.assign(blocks_.basis.nodes.size() + 1, 0);
+  const std::size_t n_nodes = blocks_.basis.nodes.size();
+  uses.first.assign(n_nodes + 1, 0);
+  uses.n_even.assign(n_nodes, 0);
+  const auto for_ends = [](const Block& block, const auto& visit) {
+    visit(block.a, block.b, true);
+    if (block.a != block.b) visit(block.b, block.a, false);
+  };
   for (const Block& block : blocks) {
-    ++uses.first[block.a + 1];
-    if (block.a != block.b) ++uses.first[block.b + 1];
+    for_ends(block, [&](std::int32_t node, std::int32_t, bool) {
+      ++uses.first[node + 1];
+      uses.n_even[node] += is_even(block) ? 1 : 0;
+    });
   }
   for (std::size_t k = 1; k < uses.first.size(); ++k) uses.first[k] += uses.first[k - 1];
-  uses.all.resize(uses.first.back());
-  std::vector<std::int64_t> next(uses.first.begin(), uses.first.end() - 1);
+  const auto n_uses = static_cast<std::size_t>(uses.first.back());
+  uses.other.resize(n_uses);
+  uses.mean.resize(n_uses);
+  uses.error.resize(n_uses);
+  uses.kind.resize(n_uses);
+  uses.numbers.resize(n_uses);
+  std::vector<std::int64_t> next_even(uses.first.begin(), uses.first.end() - 1);
+  std::vector<std::int64_t> next(n_nodes);
+  for (std::size_t k = 0; k < n_nodes; ++k) next[k] = uses.first[k] + uses.n_even[k];
   for (const Block& block : blocks) {
-    Use use{.first = block.first,
-            .other = block.b,
-            .error = block.error,
-            .degrees = {},
-            .is_a = true,
-            .may_change = block.may_change};
-    if constexpr (requires { block.degrees; }) use.degrees = block.degrees;
-    uses.all[next[block.a]++] = use;
-    if (block.a == block.b) continue;
-    use.other = block.a;
-    use.is_a = false;
-    uses.all[next[block.b]++] = use;
+    for_ends(block, [&](std::int32_t node, std::int32_t other, bool is_a) {
+      const std::int64_t k = is_even(block) ? next_even[node]++ : next[node]++;
+      uses.other[k] = other;
+      uses.error[k] = block.error;
+      uses.kind[k] = {{}, is_a, block.may_change};
+      uses.numbers[k] = block.first;
+      if constexpr (is_far) {
+        uses.kind[k].degrees = block.degrees;
+        uses.mean[k] = blocks_.coefficients[block.first];
+      }
+    });
   }
   return uses;
 }

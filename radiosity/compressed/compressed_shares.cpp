@@ -39,15 +39,15 @@ void share_values(Ranks& ranks, double* values, std::span<const std::size_t> bou
 double CompressedMatrix::cost(std::int32_t node) const {
   const auto& nodes = blocks_.basis.nodes;
   double sum = nodes[node].used;
-  for (const Use& use : far_.of(node)) {
+  far_.visit(node, [&](const Use& use) {
     const std::int32_t a = use.is_a ? node : use.other;
     const std::int32_t b = use.is_a ? use.other : node;
     sum += n_coefficients(functions_[a].counts, functions_[b].counts, use.degrees);
-  }
+  });
   const double n_rows = nodes[node].end - nodes[node].begin;
-  for (const Use& use : near_.of(node)) {
+  near_.visit(node, [&](const Use& use) {
     sum += n_rows * (nodes[use.other].end - nodes[use.other].begin);
-  }
+  });
   return sum;
 }
 

@@ -4,11 +4,17 @@
 #include <cmath>
 #include <numeric>
 #include <utility>
+#include <vector>
 
 #include "radiosity/base/parallel.h"
 #include "radiosity/compressed/group_squares.h"
 
 namespace radiosity {
+namespace {
+
+constexpr Index kPartSize = 4096;
+
+}  // namespace
 
 CompressedTransport::CompressedTransport(Parts parts)
     : parts_(std::move(parts)),
@@ -28,34 +34,64 @@ void CompressedTransport::add_source(Parts::Source source) {
 
 Eigen::MatrixXd CompressedTransport::apply(const Eigen::MatrixXd& radiosity) const {
   const CountedProduct counted(parts_.ranks);
-  Eigen::MatrixXd power = order_.to_rows(radiosity, parts_.area);
-  Eigen::MatrixXd gathered = matrix_.product(power);
-  if (parts_.multipliers.size() > 0) {
-    const auto& mu = parts_.multipliers.array();
-    gathered.array() += matrix_.variance_product(power).array().colwise() * mu;
-    power.array().colwise() *= mu;
-    gathered += matrix_.variance_product(power);
+  Eigen::MatrixXd result(radiosity.rows(), radiosity.cols());
+  for (Index first = 0; first < radiosity.cols();) {
+    const Index width = CompressedMatrix::width_of(radiosity.cols() - first);
+    const Index n_columns = std::min(width, radiosity.cols() - first);
+    const CompressedMatrix::Rows power =
+        order_.to_rows(radiosity, parts_.area, first, n_columns, width);
+    CompressedMatrix::Rows gathered = matrix_.product(power);
+    if (parts_.multipliers.size() > 0) matrix_.add_changes(parts_.multipliers, power, gathered);
+    order_.to_patches(gathered, first, n_columns, result);
+    first += n_columns;
   }
-  Eigen::MatrixXd result = order_.to_patches(gathered);
-  for (const Parts::Source& source : parts_.sources) add_lacking(source, radiosity, result);
+  add_lacking(radiosity, result);
   return result;
 }
 
-/// (r vᵀ + v rᵀ - (Σ_s r) v vᵀ) x / A
-void CompressedTransport::add_lacking(const Parts::Source& source, const Eigen::MatrixXd& x,
-                                      Eigen::MatrixXd& result) const {
-  double area = 0;
-  double own = 0;
-  Eigen::RowVectorXd mean = Eigen::RowVectorXd::Zero(x.cols());
-  for (const std::int32_t j : source.patches) {
-    area += parts_.area[j];
-    own += source.lacking[j];
-    mean += parts_.area[j] * x.row(j);
+/// Adds Σ_s (r vᵀ + v rᵀ - (Σ r) v vᵀ) x / A over the sources, v those of their patches.
+void CompressedTransport::add_lacking(const Eigen::MatrixXd& x, Eigen::MatrixXd& result) const {
+  if (parts_.sources.empty()) return;
+  const auto n_sources = static_cast<Index>(parts_.sources.size());
+  const Index n_parts = (size() + kPartSize - 1) / kPartSize;
+  const auto range = [&](Index part) {
+    return std::pair(part * kPartSize, std::min(kPartSize, size() - part * kPartSize));
+  };
+  // Of rᵀ x, with a row for each source. Parts are added in their order.
+  std::vector<Eigen::MatrixXd> products(n_parts);
+  parallel_for(n_parts, [&](Index part) {
+    const auto [begin, n] = range(part);
+    products[part].resize(n_sources, x.cols());
+    for (Index s = 0; s < n_sources; ++s) {
+      products[part].row(s) =
+          parts_.sources[s].lacking.segment(begin, n).transpose() * x.middleRows(begin, n);
+    }
+  });
+  Eigen::MatrixXd product = Eigen::MatrixXd::Zero(n_sources, x.cols());
+  for (const Eigen::MatrixXd& part : products) product += part;
+
+  Eigen::MatrixXd mean = Eigen::MatrixXd::Zero(n_sources, x.cols());
+  for (Index s = 0; s < n_sources; ++s) {
+    const Parts::Source& source = parts_.sources[s];
+    double area = 0;
+    double own = 0;
+    for (const std::int32_t j : source.patches) {
+      area += parts_.area[j];
+      own += source.lacking[j];
+      mean.row(s) += parts_.area[j] * x.row(j);
+    }
+    mean.row(s) /= area;
+    const Eigen::RowVectorXd back = (product.row(s) - own * mean.row(s)) / area;
+    for (const std::int32_t j : source.patches) result.row(j) += back;
   }
-  mean /= area;
-  const Eigen::RowVectorXd back = (source.lacking.transpose() * x - own * mean) / area;
-  result += source.lacking.cwiseQuotient(parts_.area) * mean;
-  for (const std::int32_t j : source.patches) result.row(j) += back;
+  parallel_for(n_parts, [&](Index part) {
+    const auto [begin, n] = range(part);
+    for (Index s = 0; s < n_sources; ++s) {
+      const Eigen::VectorXd density =
+          parts_.sources[s].lacking.segment(begin, n).cwiseQuotient(parts_.area.segment(begin, n));
+      result.middleRows(begin, n).noalias() += density * mean.row(s);
+    }
+  });
 }
 
 Eigen::MatrixXd CompressedTransport::apply_error(const Eigen::MatrixXd& radiosity) const {

@@ -83,8 +83,7 @@ class CompressedTransport final : public Transport, public FactorRows, public Pa
 
  private:
   friend class CompressedAssembly;
-  void add_lacking(const Parts::Source& source, const Eigen::MatrixXd& x,
-                   Eigen::MatrixXd& result) const;
+  void add_lacking(const Eigen::MatrixXd& x, Eigen::MatrixXd& result) const;
   [[nodiscard]] double lacking_density(const Parts::Source& source, Index i, Index j) const;
   [[nodiscard]] Eigen::VectorXd row_of_column(Index i, const Eigen::VectorXd& column) const;
 

@@ -102,9 +102,9 @@ void GroupSquares::find_moments(std::span<const std::int32_t> rows, const Eigen:
 void GroupSquares::find_shares(Worker& worker) const {
   worker.shares.clear();
   const auto add = [&](const CompressedMatrix::Uses& uses, std::int32_t k, bool is_near) {
-    for (const CompressedMatrix::Use& use : uses.of(k)) {
+    uses.visit(k, [&](const CompressedMatrix::Use& use) {
       worker.shares.push_back({use.other, is_near, k, use.first, use.degrees, use.is_a});
-    }
+    });
   };
   for (const std::int32_t k : worker.path) {
     add(matrix_.far_, k, false);

@@ -60,6 +60,9 @@ void check_tree(const std::vector<Node>& nodes, Index n_rows) {
 }
 
 void check_functions(const Node& node, std::size_t k) {
+  if (node.counts[0] != 1 || node.used == 0) {
+    refuse("node", k, "has other functions of degree 0 than one");
+  }
   for (std::size_t degree = 1; degree < node.counts.size(); ++degree) {
     if (node.counts[degree] < node.counts[degree - 1]) {
       refuse("node", k, "has fewer functions of a higher degree");

@@ -59,7 +59,8 @@ TEST(UnevenLight, IsRightForAHalfCoveredPatch) {
   exchange << 0, factor, factor, 0;
   const test::DenseTestTransport transport(exchange, Eigen::Vector2d::Ones());
   const Solution solution = solve(transport, Eigen::Vector2d(0, 1), Eigen::Vector2d::Constant(rho));
-  const Eigen::MatrixXd error = uneven_light_error(mesh, transport, solution);
+  const Eigen::MatrixXd error =
+      uneven_light_error(mesh, transport, solution, make_neighbor_groups(mesh));
   // The covered half has ρ, the other half nothing; the emitter sees the covered half alone.
   const double evenly_lit = rho * factor * (rho * factor);
   const double true_light = rho * factor * rho;
@@ -73,13 +74,15 @@ TEST(UnevenLight, ScalesWithLightAndNotWithLengths) {
   const auto transport = make_dense_transport(mesh, visibility);
   const Eigen::MatrixXd light = exitance(scene, mesh);
   const Eigen::MatrixXd rho = reflectance(scene, mesh);
-  const Eigen::MatrixXd error = uneven_light_error(mesh, *transport, solve(*transport, light, rho));
+  const NeighborGroups groups = make_neighbor_groups(mesh);
+  const Eigen::MatrixXd error =
+      uneven_light_error(mesh, *transport, solve(*transport, light, rho), groups);
   EXPECT_GT(error.minCoeff(), 0);
   // Powers of two change no digit; what is left is the solution's own tolerance.
   Eigen::MatrixXd two_bands(mesh.size(), 2);
   two_bands << light, 8 * light;
   const Solution brighter = solve(*transport, two_bands, rho);
-  const Eigen::MatrixXd errors = uneven_light_error(mesh, *transport, brighter);
+  const Eigen::MatrixXd errors = uneven_light_error(mesh, *transport, brighter, groups);
   EXPECT_LE((errors.col(1) - 8 * errors.col(0)).cwiseAbs().maxCoeff(),
             1e-6 * errors.col(1).maxCoeff());
   EXPECT_LE((errors.col(0) - error.col(0)).cwiseAbs().maxCoeff(), 1e-2 * error.maxCoeff());
@@ -90,7 +93,7 @@ TEST(UnevenLight, ScalesWithLightAndNotWithLengths) {
     larger.area[i] *= 16;
     larger.centroid[i] *= 4;
   }
-  EXPECT_EQ(uneven_light_error(larger, *transport, brighter), errors);
+  EXPECT_EQ(uneven_light_error(larger, *transport, brighter, make_neighbor_groups(larger)), errors);
 }
 
 }  // namespace

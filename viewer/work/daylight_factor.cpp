@@ -44,11 +44,9 @@ void add_daylight_factors(const study::LitScene& lit, study::MeasuredPlan& measu
   const std::vector<radiosity::Lighting> lights = {{scene, solution}};
   const radiosity::Photometer photometer(lit.mesh, lights, weights);
   for (study::MeasuredPlanGrid& grid : measured.grids) {
-    const radiosity::Vec3 up = grid.plan.up.value_or(radiosity::Vec3::UnitZ());
-    const bool has_floor =
-        grid.plan.surface.empty() && radiosity::find_floor(lit.mesh, up).is_found;
-    radiosity::GridLight light = radiosity::measure_grid(
-        planes_of(grid.plan), lit.mesh, lit.visibility, photometer, has_floor, events.progress);
+    radiosity::GridLight light =
+        radiosity::measure_grid(planes_of(grid.plan), lit.mesh, lit.visibility, photometer,
+                                study::down_to_floor(grid.plan, scene, lit.mesh), events.progress);
     radiosity::GridQuantity factor = std::move(light.quantities.front());
     factor.name = kDaylightFactor;
     factor.unit = "%";
