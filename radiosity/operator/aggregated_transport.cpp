@@ -2,32 +2,50 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <utility>
 #include <vector>
+
+#include "radiosity/base/parallel.h"
 
 namespace radiosity {
 
 AggregatedTransport::AggregatedTransport(const Transport& finer, NeighborGroups groups)
     : finer_(finer), groups_(std::move(groups)), area_(Eigen::VectorXd::Zero(groups_.n_groups)) {
   for (Index i = 0; i < finer.size(); ++i) area_[groups_.group_of[i]] += finer.area()[i];
+  first_.assign(groups_.n_groups + 1, 0);
+  for (const std::int32_t group : groups_.group_of) ++first_[group + 1];
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  patches_.resize(groups_.group_of.size());
+  shares_.resize(patches_.size());
+  std::vector<std::int32_t> next(first_.begin(), first_.end() - 1);
+  for (std::size_t i = 0; i < patches_.size(); ++i) {
+    const std::int32_t group = groups_.group_of[i];
+    shares_[next[group]] = finer.area()[static_cast<Index>(i)] / area_[group];
+    patches_[next[group]++] = static_cast<std::int32_t>(i);
+  }
 }
 
 Eigen::MatrixXd AggregatedTransport::means(const Eigen::MatrixXd& values) const {
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(size(), values.cols());
-  // Rounding must not carry a mean out of its values' range: of patches that are all white, say.
-  Eigen::VectorXd low(size());
-  Eigen::VectorXd high(size());
-  for (Index c = 0; c < values.cols(); ++c) {
-    low.setConstant(std::numeric_limits<double>::infinity());
-    high = -low;
-    for (Index i = 0; i < values.rows(); ++i) {
-      const std::int32_t g = groups_.group_of[i];
-      result(g, c) += finer_.area()[i] / area_[g] * values(i, c);
-      low[g] = std::min(low[g], values(i, c));
-      high[g] = std::max(high[g], values(i, c));
+  Eigen::MatrixXd result(size(), values.cols());
+  const auto mean = [&](Index g, Index c) {
+    double sum = 0;
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (std::int32_t k = first_[g]; k < first_[g + 1]; ++k) {
+      const double value = values(patches_[k], c);
+      sum += shares_[k] * value;
+      low = std::min(low, value);
+      high = std::max(high, value);
     }
-    result.col(c) = result.col(c).cwiseMax(low).cwiseMin(high);
-  }
+    // Rounding must not carry a mean out of its values' range: of patches that are all white, say.
+    return std::min(std::max(sum, low), high);
+  };
+  parallel_segments(size(), [&](Index begin, Index n) {
+    for (Index c = 0; c < values.cols(); ++c) {
+      for (Index g = begin; g < begin + n; ++g) result(g, c) = mean(g, c);
+    }
+  });
   return result;
 }
 
@@ -48,7 +66,14 @@ Eigen::SparseMatrix<double> AggregatedTransport::means(
 }
 
 Eigen::MatrixXd AggregatedTransport::spread(const Eigen::MatrixXd& group_values) const {
-  return group_values(groups_.group_of, Eigen::all);
+  const auto n_patches = static_cast<Index>(groups_.group_of.size());
+  Eigen::MatrixXd result(n_patches, group_values.cols());
+  parallel_segments(n_patches, [&](Index begin, Index n) {
+    for (Index c = 0; c < group_values.cols(); ++c) {
+      for (Index i = begin; i < begin + n; ++i) result(i, c) = group_values(groups_.group_of[i], c);
+    }
+  });
+  return result;
 }
 
 Eigen::MatrixXd AggregatedTransport::apply(const Eigen::MatrixXd& radiosity) const {

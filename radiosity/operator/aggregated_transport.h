@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/SparseCore>
+#include <cstdint>
+#include <vector>
 
 #include "radiosity/base/geometry.h"
 #include "radiosity/operator/transport.h"
@@ -47,6 +49,9 @@ class AggregatedTransport final : public Transport, public FactorRows {
   const Transport& finer_;
   NeighborGroups groups_;
   Eigen::VectorXd area_;
+  std::vector<std::int32_t> first_;    // per group: into patches_
+  std::vector<std::int32_t> patches_;  // group after group, each in their order
+  std::vector<double> shares_;         // of these in the areas of their groups
 };
 
 }  // namespace radiosity

@@ -1,11 +1,13 @@
 #include "radiosity/scene/neighbor_groups.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <span>
 #include <unordered_map>
 
 #include "radiosity/base/median_split.h"
+#include "radiosity/base/parallel.h"
 
 namespace radiosity {
 namespace {
@@ -35,18 +37,49 @@ class GroupDivider {
     std::stable_sort(order.begin(), order.end(), [this](std::int32_t a, std::int32_t b) {
       return items_[a].surface < items_[b].surface;
     });
+    std::vector<Set> sets;
     for (auto first = order.begin(); first != order.end();) {
       const auto last = std::find_if(first, order.end(), [&](std::int32_t i) {
         return items_[i].surface != items_[*first].surface;
       });
-      divide({first, last});
+      sets.emplace_back(first, last);
       first = last;
     }
+    sets = divide_large(std::move(sets));
+    // Groups are numbered as if one set were divided after the other.
+    std::vector<std::int32_t> n_groups(sets.size(), 0);
+    const auto n_sets = static_cast<std::ptrdiff_t>(sets.size());
+    parallel_for(n_sets, [&](std::ptrdiff_t k) { divide(sets[k], n_groups[k]); });
+    std::vector<std::int32_t> first(sets.size() + 1, 0);
+    std::partial_sum(n_groups.begin(), n_groups.end(), first.begin() + 1);
+    parallel_for(n_sets, [&](std::ptrdiff_t k) {
+      for (const std::int32_t i : sets[k]) groups_.group_of[i] += first[k];
+    });
+    groups_.n_groups = first.back();
     return std::move(groups_);
   }
 
  private:
   using Set = std::span<std::int32_t>;
+  /// The parts of sets, in their order, none of which has more than some thousand items.
+  [[nodiscard]] std::vector<Set> divide_large(std::vector<Set> sets) const {
+    constexpr std::size_t kLargest = 16384;
+    const auto is_large = [](Set set) { return set.size() > kLargest; };
+    while (std::any_of(sets.begin(), sets.end(), is_large)) {
+      std::vector<std::array<Set, 2>> halves(sets.size());
+      parallel_for(static_cast<std::ptrdiff_t>(sets.size()), [&](std::ptrdiff_t k) {
+        halves[k] = is_large(sets[k]) ? split(sets[k]) : std::array<Set, 2>{sets[k], Set()};
+      });
+      sets.clear();
+      for (const auto& both : halves) {
+        for (const Set half : both) {
+          if (!half.empty()) sets.push_back(half);
+        }
+      }
+    }
+    return sets;
+  }
+
   template <typename Value>
   [[nodiscard]] Box3 box_of(Set set, const Value& value) const {
     Box3 box;
@@ -54,33 +87,37 @@ class GroupDivider {
     return box;
   }
 
-  void divide(Set set) {
-    const auto normal = [](const Item& item) { return item.normal; };
-    const auto place = [](const Item& item) { return item.place; };
-    const Box3 normals = box_of(set, normal);
-    const bool is_flat = normals.sizes().maxCoeff() <= kFlatness;
-    if (is_flat && set.size() <= kLargestGroup) {
-      for (const std::int32_t i : set) {
-        groups_.group_of[i] = static_cast<std::int32_t>(groups_.n_groups);
-      }
-      ++groups_.n_groups;
+  /// Divides a set, counting its groups.
+  void divide(Set set, std::int32_t& n_groups) {
+    if (set.size() <= kLargestGroup && is_flat(normals_of(set))) {
+      for (const std::int32_t i : set) groups_.group_of[i] = n_groups;
+      ++n_groups;
       return;
     }
+    for (const Set half : split(set)) divide(half, n_groups);
+  }
+
+  [[nodiscard]] Box3 normals_of(Set set) const {
+    return box_of(set, [](const Item& item) { return item.normal; });
+  }
+  [[nodiscard]] static bool is_flat(const Box3& normals) {
+    return normals.sizes().maxCoeff() <= kFlatness;
+  }
+
+  /// The halves of a set that is no group.
+  [[nodiscard]] std::array<Set, 2> split(Set set) const {
+    const Box3 normals = normals_of(set);
     int axis = 0;
-    if (is_flat) {
-      box_of(set, place).sizes().maxCoeff(&axis);
-      const auto halves =
-          split_at_median(set, [&](std::int32_t i) { return items_[i].place[axis]; });
-      for (const Set half : halves) divide(half);
-      return;
+    if (is_flat(normals)) {
+      box_of(set, [](const Item& item) { return item.place; }).sizes().maxCoeff(&axis);
+      return split_at_median(set, [&](std::int32_t i) { return items_[i].place[axis]; });
     }
     // Faces of different directions part in the middle of their range, wherever most of them are.
     normals.sizes().maxCoeff(&axis);
     const double limit = normals.center()[axis];
     const auto middle = std::stable_partition(
         set.begin(), set.end(), [&](std::int32_t i) { return items_[i].normal[axis] < limit; });
-    divide({set.begin(), middle});
-    divide({middle, set.end()});
+    return {Set(set.begin(), middle), Set(middle, set.end())};
   }
 
   std::span<const Item> items_;

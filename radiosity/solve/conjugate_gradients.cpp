@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "radiosity/base/parallel.h"
+
 namespace radiosity {
 namespace {
 
@@ -31,7 +33,9 @@ Eigen::MatrixXd descend(const IrradianceSystem& system, Iterate start, SolveMoni
   Eigen::VectorXd bounds = system.error_bounds(start);
   Eigen::MatrixXd irradiance = std::move(start.irradiance);
   Eigen::MatrixXd residual = std::move(start.gathered);
-  residual -= irradiance;
+  parallel_segments(system.size(), [&](Index begin, Index n) {
+    residual.middleRows(begin, n) -= irradiance.middleRows(begin, n);
+  });
   Eigen::MatrixXd direction = residual;
   const double limit = kMargin * monitor.tolerance();
   std::vector<Index> columns = columns_above(bounds, limit);
@@ -40,20 +44,32 @@ Eigen::MatrixXd descend(const IrradianceSystem& system, Iterate start, SolveMoni
       .unshot = [&system, &residual] { return system.passed_on(residual); }};
 
   while (!columns.empty() && monitor.may_spend(2)) {
-    const Eigen::MatrixXd reflected = system.reflect(
+    // Then what is left of the direction, image by image.
+    Eigen::MatrixXd image = system.reflect(
         direction, columns, allowed_errors(system, residual, bounds, columns, limit));
     std::vector<Index> remaining;
     for (std::size_t a = 0; a < columns.size(); ++a) {
       const Index c = columns[a];
-      const Eigen::VectorXd image = direction.col(c) - reflected.col(static_cast<Index>(a));
-      const double curvature = system.inner(c, direction.col(c), image);
+      Eigen::Ref<Eigen::VectorXd> image_of = image.col(static_cast<Index>(a));
+      parallel_segments(system.size(), [&](Index begin, Index n) {
+        image_of.segment(begin, n) =
+            direction.col(c).segment(begin, n) - image_of.segment(begin, n);
+      });
+      const double curvature = system.inner(c, direction.col(c), image_of);
       const double squared = system.inner(c, residual.col(c), residual.col(c));
       // Rounding, or row sums above 1: this column cannot go on.
       if (!(curvature > 0)) continue;
-      irradiance.col(c) += squared / curvature * direction.col(c);
-      residual.col(c) -= squared / curvature * image;
+      const double step = squared / curvature;
+      parallel_segments(system.size(), [&](Index begin, Index n) {
+        irradiance.col(c).segment(begin, n) += step * direction.col(c).segment(begin, n);
+        residual.col(c).segment(begin, n) -= step * image_of.segment(begin, n);
+      });
       const double next_squared = system.inner(c, residual.col(c), residual.col(c));
-      direction.col(c) = residual.col(c) + next_squared / squared * direction.col(c);
+      const double share = next_squared / squared;
+      parallel_segments(system.size(), [&](Index begin, Index n) {
+        direction.col(c).segment(begin, n) =
+            residual.col(c).segment(begin, n) + share * direction.col(c).segment(begin, n);
+      });
       bounds[c] = system.error_bound(c, std::sqrt(next_squared), irradiance.col(c));
       if (!(bounds[c] <= limit) && next_squared > 0) remaining.push_back(c);
     }

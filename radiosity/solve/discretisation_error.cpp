@@ -132,7 +132,7 @@ DiscretisationError discretisation_error(const PatchMesh& mesh, const Transport&
   assume_for_lone(lone, area, reflected, left);
   if (transport.has_quick_rows() || transport.shared_rows() != nullptr ||
       transport.pair_sums() != nullptr) {
-    left += uneven_light_error(mesh, transport, solution, quiet).cwiseAbs2();
+    left += uneven_light_error(mesh, transport, solution, groups, quiet).cwiseAbs2();
   }
   result.error = left.cwiseSqrt();
   result.n_unknown = static_cast<Index>(lone.size());

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "radiosity/base/parallel.h"
 #include "radiosity/operator/column_basis.h"
 #include "radiosity/solve/trapped_light.h"
 
@@ -105,10 +106,22 @@ double refine_contraction(const IrradianceSystem& system, Index band, SolveMonit
                                  : system.contraction[band];
 }
 
+Eigen::VectorXd least_radiosity(const IrradianceSystem& system) {
+  Eigen::VectorXd least = Eigen::VectorXd::Zero(system.n_columns());
+  for (Index c = 0; c < least.size(); ++c) {
+    if (!(system.exitance.col(c).minCoeff() >= 0)) continue;
+    least[c] = std::sqrt(system.transport->area().dot(system.source(c).cwiseAbs2()));
+  }
+  return least;
+}
+
 }  // namespace
 
 Eigen::VectorXd IrradianceSystem::passed_on(Index c, const Column& u) const {
-  Eigen::VectorXd result = rho(c).cwiseProduct(u);
+  Eigen::VectorXd result(u.size());
+  parallel_segments(u.size(), [&](Index begin, Index n) {
+    result.segment(begin, n) = rho(c).segment(begin, n).cwiseProduct(u.segment(begin, n));
+  });
   if (transmission.nonZeros() > 0) result += transmission * u;
   return result;
 }
@@ -126,7 +139,11 @@ Eigen::MatrixXd IrradianceSystem::gather(const Eigen::MatrixXd& radiosity) const
 }
 
 Eigen::MatrixXd IrradianceSystem::radiosity(const Eigen::MatrixXd& irradiance) const {
-  return exitance + passed_on(irradiance);
+  Eigen::MatrixXd result = passed_on(irradiance);
+  parallel_segments(size(), [&](Index begin, Index n) {
+    result.middleRows(begin, n) += exitance.middleRows(begin, n);
+  });
+  return result;
 }
 
 Eigen::MatrixXd IrradianceSystem::passed_on(const Eigen::MatrixXd& u) const {
@@ -147,9 +164,14 @@ Eigen::MatrixXd IrradianceSystem::reflect(const Eigen::MatrixXd& u,
 }
 
 double IrradianceSystem::inner(Index c, const Column& u, const Column& v) const {
-  double sum = (transport->area().array() * rho(c).array() * u.array() * v.array()).sum();
+  const auto& area = transport->area();
+  double sum = parallel_sum(u.size(), 0.0, [&](Index begin, Index n) {
+    return (area.segment(begin, n).array() * rho(c).segment(begin, n).array() *
+            u.segment(begin, n).array() * v.segment(begin, n).array())
+        .sum();
+  });
   if (transmission.nonZeros() > 0) {
-    sum += (transport->area().array() * u.array() * (transmission * v).array()).sum();
+    sum += (area.array() * u.array() * (transmission * v).array()).sum();
   }
   return sum;
 }
@@ -165,18 +187,24 @@ double IrradianceSystem::error_bound(Index c, double residual_norm,
   if (absolute == 0) return 0;
 
   const auto& area = transport->area();
-  const Eigen::VectorXd b = exitance.col(c) + passed_on(c, irradiance);
+  const Eigen::VectorXd b = passed_on(c, irradiance);
+  const double squared = parallel_sum(b.size(), 0.0, [&](Index begin, Index n) {
+    return area.segment(begin, n).dot(
+        (exitance.col(c).segment(begin, n) + b.segment(begin, n)).cwiseAbs2());
+  });
   // B >= M_e + ρ H_0 where M_e >= 0 bounds ‖B‖ from below even while the iterate is poor.
-  const double least =
-      exitance.col(c).minCoeff() >= 0 ? std::sqrt(area.dot(source(c).cwiseAbs2())) : 0.;
-  const double norm = std::max(least, std::sqrt(area.dot(b.cwiseAbs2())) - absolute);
+  const double norm = std::max(least_radiosity[c], std::sqrt(squared) - absolute);
   return norm > 0 ? absolute / norm : std::numeric_limits<double>::infinity();
 }
 
 Eigen::VectorXd IrradianceSystem::error_bounds(const Iterate& iterate) const {
   Eigen::VectorXd bounds(n_columns());
   for (Index c = 0; c < n_columns(); ++c) {
-    const Eigen::VectorXd residual = iterate.gathered.col(c) - iterate.irradiance.col(c);
+    Eigen::VectorXd residual(size());
+    parallel_segments(size(), [&](Index begin, Index n) {
+      residual.segment(begin, n) =
+          iterate.gathered.col(c).segment(begin, n) - iterate.irradiance.col(c).segment(begin, n);
+    });
     bounds[c] = error_bound(c, std::sqrt(inner(c, residual, residual)), iterate.irradiance.col(c));
   }
   return bounds;
@@ -212,6 +240,7 @@ IrradianceSystem make_irradiance_system(const Transport& transport, const Eigen:
   system.direct = gathered.middleCols(1 + n_bands, exitance.cols());
   if (system.incident.size() > 0) system.direct += system.incident;
   system.reflected_start = gathered.rightCols(n_start);
+  system.least_radiosity = least_radiosity(system);
   system.largest_reflectance = system.passed_share.colwise().maxCoeff().transpose();
   system.contraction.resize(n_bands);
   for (Index band = 0; band < n_bands; ++band) {
@@ -238,6 +267,7 @@ IrradianceSystem with_exitance(const IrradianceSystem& system, Eigen::MatrixXd e
   result.seen_reflectance = system.seen_reflectance;
   result.largest_reflectance = system.largest_reflectance;
   result.contraction = system.contraction;
+  result.least_radiosity = least_radiosity(result);
   monitor.spend(1);
   return result;
 }

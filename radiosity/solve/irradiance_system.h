@@ -46,6 +46,7 @@ struct IrradianceSystem {
   Eigen::VectorXd row_sums;          ///< F 1, n
   Eigen::MatrixXd passed_share;      ///< ρ 1, the share of its light that a patch keeps up, n x b
   Eigen::MatrixXd seen_reflectance;  ///< F ρ 1, n x b
+  Eigen::VectorXd least_radiosity;   ///< ‖M_e + ρ H_0‖ <= ‖B‖ where M_e >= 0, else 0; k
   Eigen::VectorXd largest_reflectance;  ///< ρ_max, b
   Eigen::VectorXd contraction;          ///< q, b; >= 1 where nothing better could be proved
 

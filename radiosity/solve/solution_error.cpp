@@ -6,7 +6,9 @@
 #include <limits>
 #include <random>
 #include <utility>
+#include <vector>
 
+#include "radiosity/base/parallel.h"
 #include "radiosity/operator/transport.h"
 #include "radiosity/solve/conjugate_gradients.h"
 
@@ -91,18 +93,28 @@ Eigen::MatrixXd remaining_variance(const IrradianceSystem& system, const Eigen::
   const Index k = sigma.cols();
   std::mt19937_64 random(kProbeSeed);
   Eigen::MatrixXd errors = sigma.replicate(1, kErrorProbes);
-  for (Index i = 0; i < errors.rows(); ++i) {
-    const std::uint64_t bits = random();
-    for (int probe = 0; probe < kErrorProbes; ++probe) {
-      if ((bits >> probe & 1) != 0) errors.row(i).segment(probe * k, k) *= -1;
+  std::vector<std::uint64_t> bits(errors.rows());
+  for (std::uint64_t& word : bits) word = random();
+  parallel_segments(errors.rows(), [&](Index begin, Index n) {
+    for (Index column = 0; column < errors.cols(); ++column) {
+      for (Index i = begin; i < begin + n; ++i) {
+        if ((bits[i] >> (column / k) & 1) != 0) errors(i, column) *= -1;
+      }
     }
-  }
+  });
   const Eigen::MatrixXd propagated = propagate(system, system.passed_on(errors), progress);
   Eigen::MatrixXd variance = Eigen::MatrixXd::Zero(sigma.rows(), k);
   for (Index p = 0; p < errors.cols(); ++p) {
-    const double a = common.weight.col(p % k).dot(errors.col(p));
-    variance.col(p % k) +=
-        (propagated.col(p) - a * common.response.col(p % k)).cwiseAbs2() / kErrorProbes;
+    const Index c = p % k;
+    const double a = parallel_sum(errors.rows(), 0.0, [&](Index begin, Index n) {
+      return common.weight.col(c).segment(begin, n).dot(errors.col(p).segment(begin, n));
+    });
+    parallel_segments(errors.rows(), [&](Index begin, Index n) {
+      variance.col(c).segment(begin, n) +=
+          (propagated.col(p).segment(begin, n) - a * common.response.col(c).segment(begin, n))
+              .cwiseAbs2() /
+          kErrorProbes;
+    });
   }
   return variance;
 }
@@ -168,8 +180,10 @@ Eigen::MatrixXd reflected_light(const Transport& transport, const Solution& solu
   SolveOptions options = probe_options(progress);
   options.transmission = solution.transmission;
   SolveMonitor monitor(options);
+  // Whose own light is not asked for.
+  const Eigen::MatrixXd no_exitance(transport.size(), 0);
   const IrradianceSystem system =
-      make_irradiance_system(transport, solution.exitance, solution.reflectance, monitor);
+      make_irradiance_system(transport, no_exitance, solution.reflectance, monitor);
   return propagate(system, std::move(sources), progress);
 }
 

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "radiosity/base/parallel.h"
-#include "radiosity/scene/neighbor_groups.h"
 #include "radiosity/solve/solution_error.h"
 
 namespace radiosity {
@@ -176,22 +175,23 @@ Eigen::MatrixXd with_random_signs(const NeighborGroups& groups, const Eigen::Mat
   std::vector<std::uint64_t> bits(groups.n_groups);
   for (std::uint64_t& word : bits) word = random();
   Eigen::MatrixXd result = light.replicate(1, kLightProbes);
-  for (Index i = 0; i < result.rows(); ++i) {
-    for (Index probe = 0; probe < kLightProbes; ++probe) {
-      if ((bits[groups.group_of[i]] >> probe & 1) == 0) continue;
-      result.row(i).segment(probe * light.cols(), light.cols()) *= -1;
+  parallel_segments(result.rows(), [&](Index begin, Index n) {
+    for (Index column = 0; column < result.cols(); ++column) {
+      for (Index i = begin; i < begin + n; ++i) {
+        const std::uint64_t bit = bits[groups.group_of[i]] >> (column / light.cols()) & 1;
+        if (bit != 0) result(i, column) *= -1;
+      }
     }
-  }
+  });
   return result;
 }
 
-Received receive(const PatchMesh& mesh, const Transport& transport, const Places& places,
-                 const Variation& variation, const Progress& progress) {
+Received receive(const Transport& transport, const Places& places, const Variation& variation,
+                 const NeighborGroups& groups, const Progress& progress) {
   const Index n = transport.size();
   const Index k = variation.light.cols();
   const Eigen::MatrixXd squared_light = variation.light.cwiseAbs2();
-  const Eigen::MatrixXd signed_light =
-      with_random_signs(make_neighbor_groups(mesh), variation.light);
+  const Eigen::MatrixXd signed_light = with_random_signs(groups, variation.light);
   Received received{Eigen::MatrixXd(n, k), Eigen::MatrixXd(n, k * kLightProbes)};
   for_rows(transport, places, progress, [&](const Rows& rows) {
     const Index size = rows.factors.cols();
@@ -211,7 +211,7 @@ Received receive(const PatchMesh& mesh, const Transport& transport, const Places
 }
 
 Received receive(const PatchMesh& mesh, const Transport& transport, const PairSums& pairs,
-                 const Variation& variation) {
+                 const Variation& variation, const NeighborGroups& groups) {
   const Eigen::ArrayXd& exchange = variation.exchange;
   const Eigen::ArrayXd area = transport.area().array();
   const auto scaled = [](const Eigen::MatrixXd& x, const Eigen::ArrayXd& factors) {
@@ -224,8 +224,7 @@ Received receive(const PatchMesh& mesh, const Transport& transport, const PairSu
       return (p > 1 ? square(pair.density) : pair.density) * (q > 1 ? square(varying) : varying);
     });
   };
-  const Eigen::MatrixXd signed_light =
-      with_random_signs(make_neighbor_groups(mesh), variation.light);
+  const Eigen::MatrixXd signed_light = with_random_signs(groups, variation.light);
   const Eigen::MatrixXd squared_light = variation.light.cwiseAbs2();
   Received received;
   received.probes = sums(signed_light, 1, 1) - sums(scaled(signed_light, exchange), 1, 0);
@@ -236,23 +235,25 @@ Received receive(const PatchMesh& mesh, const Transport& transport, const PairSu
 }
 
 Received received_wrongly(const PatchMesh& mesh, const Transport& transport,
-                          const Solution& solution, const Progress& progress) {
+                          const Solution& solution, const NeighborGroups& groups,
+                          const Progress& progress) {
   if (const PairSums* pairs = transport.pair_sums()) {
     progress.check();
     const Variation variation = find_variation(mesh, transport, *pairs, solution);
     progress.check();
-    return receive(mesh, transport, *pairs, variation);
+    return receive(mesh, transport, *pairs, variation, groups);
   }
   const Places places = make_places(mesh);
   const Variation variation = find_variation(transport, places, solution, progress);
-  return receive(mesh, transport, places, variation, progress);
+  return receive(transport, places, variation, groups, progress);
 }
 
 }  // namespace
 
 Eigen::MatrixXd uneven_light_error(const PatchMesh& mesh, const Transport& transport,
-                                   const Solution& solution, const Progress& progress) {
-  Received received = received_wrongly(mesh, transport, solution, progress);
+                                   const Solution& solution, const NeighborGroups& groups,
+                                   const Progress& progress) {
+  Received received = received_wrongly(mesh, transport, solution, groups, progress);
   const Index n_bands = solution.reflectance.cols();
   for (Index c = 0; c < received.probes.cols(); ++c) {
     received.probes.col(c).array() *= solution.reflectance.col(c % n_bands).array();

@@ -4,6 +4,7 @@
 
 #include "radiosity/base/progress.h"
 #include "radiosity/operator/transport.h"
+#include "radiosity/scene/neighbor_groups.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/solve/solution.h"
 
@@ -19,9 +20,11 @@ namespace radiosity {
 ///     D_j² = ρ_j² Σ_k (F_jk v_jk (B_k - H_j))²,
 /// and s_i² = ρ_i² Σ_j (F_ij c_ji D_j)² is received wrongly; a patch that is half covered by
 /// another in contact with it comes out right. Reflections of that are added by a few solutions in
-/// which neighbours share a random sign. Costs all rows of F twice and those solutions; of an
-/// operator with sums over pairs some of these, with the means of distant clusters. Deterministic.
+/// which `groups` of neighbours share a random sign. Costs all rows of F twice and those solutions;
+/// of an operator with sums over pairs some of these, with the means of distant clusters.
+/// Deterministic.
 Eigen::MatrixXd uneven_light_error(const PatchMesh& mesh, const Transport& transport,
-                                   const Solution& solution, const Progress& progress = {});
+                                   const Solution& solution, const NeighborGroups& groups,
+                                   const Progress& progress = {});
 
 }  // namespace radiosity

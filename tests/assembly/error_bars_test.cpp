@@ -7,6 +7,7 @@
 #include "meshing/patches/patches.h"
 #include "radiosity/assembly/make_dense_transport.h"
 #include "radiosity/assembly/transport_options.h"
+#include "radiosity/scene/neighbor_groups.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/radiometry.h"
 #include "radiosity/solve/discretisation_error.h"
@@ -59,7 +60,8 @@ TEST(UnevenLight, IsRightForAHalfCoveredPatch) {
   exchange << 0, factor, factor, 0;
   const test::DenseTestTransport transport(exchange, Eigen::Vector2d::Ones());
   const Solution solution = solve(transport, Eigen::Vector2d(0, 1), Eigen::Vector2d::Constant(rho));
-  const Eigen::MatrixXd error = uneven_light_error(mesh, transport, solution);
+  const Eigen::MatrixXd error =
+      uneven_light_error(mesh, transport, solution, make_neighbor_groups(mesh));
   // The covered half has ρ, the other half nothing; the emitter sees the covered half alone.
   const double evenly_lit = rho * factor * (rho * factor);
   const double true_light = rho * factor * rho;
@@ -73,13 +75,15 @@ TEST(UnevenLight, ScalesWithLightAndNotWithLengths) {
   const auto transport = make_dense_transport(mesh, visibility);
   const Eigen::MatrixXd light = exitance(scene, mesh);
   const Eigen::MatrixXd rho = reflectance(scene, mesh);
-  const Eigen::MatrixXd error = uneven_light_error(mesh, *transport, solve(*transport, light, rho));
+  const Eigen::MatrixXd error = uneven_light_error(mesh, *transport, solve(*transport, light, rho),
+                                                   make_neighbor_groups(mesh));
   EXPECT_GT(error.minCoeff(), 0);
   // Powers of two change no digit; what is left is the solution's own tolerance.
   Eigen::MatrixXd two_bands(mesh.size(), 2);
   two_bands << light, 8 * light;
   const Solution brighter = solve(*transport, two_bands, rho);
-  const Eigen::MatrixXd errors = uneven_light_error(mesh, *transport, brighter);
+  const Eigen::MatrixXd errors =
+      uneven_light_error(mesh, *transport, brighter, make_neighbor_groups(mesh));
   EXPECT_LE((errors.col(1) - 8 * errors.col(0)).cwiseAbs().maxCoeff(),
             1e-6 * errors.col(1).maxCoeff());
   EXPECT_LE((errors.col(0) - error.col(0)).cwiseAbs().maxCoeff(), 1e-2 * error.maxCoeff());
@@ -90,7 +94,7 @@ TEST(UnevenLight, ScalesWithLightAndNotWithLengths) {
     larger.area[i] *= 16;
     larger.centroid[i] *= 4;
   }
-  EXPECT_EQ(uneven_light_error(larger, *transport, brighter), errors);
+  EXPECT_EQ(uneven_light_error(larger, *transport, brighter, make_neighbor_groups(larger)), errors);
 }
 
 }  // namespace

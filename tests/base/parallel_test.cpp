@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cfenv>
 #include <chrono>
 #include <stdexcept>
 #include <thread>
+#include <vector>
 
 namespace radiosity {
 namespace {
@@ -40,6 +42,42 @@ TEST(ParallelFor, RoundsAsItsCallerDoes) {
     });
     std::fesetround(before);
     EXPECT_EQ(n_other, 0) << mode;
+  }
+}
+
+TEST(ParallelSum, HasTheSameBitsAtAnyNumberOfThreads) {
+  for (const std::ptrdiff_t n : {0L, 1L, 8191L, 8192L, 8193L, 100000L}) {
+    const auto sum = [&] {
+      return parallel_sum(n, 0.0, [](std::ptrdiff_t begin, std::ptrdiff_t length) {
+        double part = 0;
+        for (std::ptrdiff_t i = begin; i < begin + length; ++i) {
+          part += 1 / (1 + static_cast<double>(i));
+        }
+        return part;
+      });
+    };
+    double expected = 0;
+    {
+      const ThreadLimit one(1);
+      expected = sum();
+    }
+    double plain = 0;
+    for (std::ptrdiff_t i = n - 1; i >= 0; --i) plain += 1 / (1 + static_cast<double>(i));
+    EXPECT_NEAR(expected, plain, 1e-12) << n;
+    for (const std::size_t n_threads : {2U, 3U}) {
+      const ThreadLimit limit(n_threads);
+      EXPECT_EQ(sum(), expected) << n;
+    }
+  }
+}
+
+TEST(ParallelSegments, MakeUpAll) {
+  for (const std::ptrdiff_t n : {0L, 1L, 8192L, 20000L}) {
+    std::vector<int> visits(static_cast<std::size_t>(n), 0);
+    parallel_segments(n, [&](std::ptrdiff_t begin, std::ptrdiff_t length) {
+      for (std::ptrdiff_t i = begin; i < begin + length; ++i) ++visits[static_cast<std::size_t>(i)];
+    });
+    EXPECT_EQ(std::count(visits.begin(), visits.end(), 1), n);
   }
 }
 

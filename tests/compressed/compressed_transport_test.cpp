@@ -107,6 +107,23 @@ TEST_F(CompressedTransportOfARoom, ClosesItsRows) {
   EXPECT_LT((sums.array() - 1).abs().mean(), 1e-4);
 }
 
+/// However many columns go through blocks at once, of a closed room with what closes it.
+TEST_F(CompressedTransportOfARoom, ActsOnColumnsTogetherAsOnEach) {
+  const Index n = compressed_->size();
+  ASSERT_GT(compressed_->parts().multipliers.size(), 0);
+  Eigen::MatrixXd x(n, 13);
+  for (Index c = 0; c < x.cols(); ++c) {
+    for (Index i = 0; i < n; ++i) x(i, c) = std::sin(static_cast<double>(i * (c + 1)));
+  }
+  Eigen::MatrixXd one_by_one(n, x.cols());
+  for (Index c = 0; c < x.cols(); ++c) one_by_one.col(c) = compressed_->apply(x.col(c));
+  for (Index n_columns = 0; n_columns <= x.cols(); ++n_columns) {
+    const Eigen::MatrixXd together = compressed_->apply(x.leftCols(n_columns));
+    ASSERT_EQ(together.cols(), n_columns);
+    EXPECT_TRUE(together.isApprox(one_by_one.leftCols(n_columns), 1e-13)) << n_columns;
+  }
+}
+
 TEST_F(CompressedTransportOfARoom, KeepsTheEnergyOfAFurnace) {
   // ρ = ½ and M_e = 1 everywhere: B = 2 but for the rows' errors.
   const Index n = compressed_->size();
@@ -124,8 +141,9 @@ TEST_F(CompressedTransportOfARoom, TellsWhatUnevenLightMakesOfIt) {
   emitted.topRows(n / 3).col(0).setOnes();
   emitted.bottomRows(n / 3).col(1).setOnes();
   const Solution solution = solve(*dense, emitted, Eigen::MatrixXd::Constant(n, 1, 0.6));
-  const Eigen::MatrixXd expected = uneven_light_error(room_->mesh, *dense, solution);
-  const Eigen::MatrixXd error = uneven_light_error(room_->mesh, *compressed_, solution);
+  const NeighborGroups groups = make_neighbor_groups(room_->mesh);
+  const Eigen::MatrixXd expected = uneven_light_error(room_->mesh, *dense, solution, groups);
+  const Eigen::MatrixXd error = uneven_light_error(room_->mesh, *compressed_, solution, groups);
   ASSERT_EQ(error.cols(), 2);
   ASSERT_GT(expected.minCoeff(), 0);
   EXPECT_LT(difference(*dense, error, expected), 0.1);
