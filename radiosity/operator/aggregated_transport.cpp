@@ -17,9 +17,12 @@ AggregatedTransport::AggregatedTransport(const Transport& finer, NeighborGroups 
   for (const std::int32_t group : groups_.group_of) ++first_[group + 1];
   std::partial_sum(first_.begin(), first_.end(), first_.begin());
   patches_.resize(groups_.group_of.size());
+  shares_.resize(patches_.size());
   std::vector<std::int32_t> next(first_.begin(), first_.end() - 1);
   for (std::size_t i = 0; i < patches_.size(); ++i) {
-    patches_[next[groups_.group_of[i]]++] = static_cast<std::int32_t>(i);
+    const std::int32_t group = groups_.group_of[i];
+    shares_[next[group]] = finer.area()[static_cast<Index>(i)] / area_[group];
+    patches_[next[group]++] = static_cast<std::int32_t>(i);
   }
 }
 
@@ -30,10 +33,10 @@ Eigen::MatrixXd AggregatedTransport::means(const Eigen::MatrixXd& values) const 
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
     for (std::int32_t k = first_[g]; k < first_[g + 1]; ++k) {
-      const std::int32_t i = patches_[k];
-      sum += finer_.area()[i] / area_[g] * values(i, c);
-      low = std::min(low, values(i, c));
-      high = std::max(high, values(i, c));
+      const double value = values(patches_[k], c);
+      sum += shares_[k] * value;
+      low = std::min(low, value);
+      high = std::max(high, value);
     }
     // Rounding must not carry a mean out of its values' range: of patches that are all white, say.
     return std::min(std::max(sum, low), high);

@@ -51,6 +51,7 @@ class AggregatedTransport final : public Transport, public FactorRows {
   Eigen::VectorXd area_;
   std::vector<std::int32_t> first_;    // per group: into patches_
   std::vector<std::int32_t> patches_;  // group after group, each in their order
+  std::vector<double> shares_;         // of these in the areas of their groups
 };
 
 }  // namespace radiosity

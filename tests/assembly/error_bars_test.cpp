@@ -7,6 +7,7 @@
 #include "meshing/patches/patches.h"
 #include "radiosity/assembly/make_dense_transport.h"
 #include "radiosity/assembly/transport_options.h"
+#include "radiosity/scene/neighbor_groups.h"
 #include "radiosity/scene/patch_mesh.h"
 #include "radiosity/scene/radiometry.h"
 #include "radiosity/solve/discretisation_error.h"
@@ -74,15 +75,15 @@ TEST(UnevenLight, ScalesWithLightAndNotWithLengths) {
   const auto transport = make_dense_transport(mesh, visibility);
   const Eigen::MatrixXd light = exitance(scene, mesh);
   const Eigen::MatrixXd rho = reflectance(scene, mesh);
-  const NeighborGroups groups = make_neighbor_groups(mesh);
-  const Eigen::MatrixXd error =
-      uneven_light_error(mesh, *transport, solve(*transport, light, rho), groups);
+  const Eigen::MatrixXd error = uneven_light_error(mesh, *transport, solve(*transport, light, rho),
+                                                   make_neighbor_groups(mesh));
   EXPECT_GT(error.minCoeff(), 0);
   // Powers of two change no digit; what is left is the solution's own tolerance.
   Eigen::MatrixXd two_bands(mesh.size(), 2);
   two_bands << light, 8 * light;
   const Solution brighter = solve(*transport, two_bands, rho);
-  const Eigen::MatrixXd errors = uneven_light_error(mesh, *transport, brighter, groups);
+  const Eigen::MatrixXd errors =
+      uneven_light_error(mesh, *transport, brighter, make_neighbor_groups(mesh));
   EXPECT_LE((errors.col(1) - 8 * errors.col(0)).cwiseAbs().maxCoeff(),
             1e-6 * errors.col(1).maxCoeff());
   EXPECT_LE((errors.col(0) - error.col(0)).cwiseAbs().maxCoeff(), 1e-2 * error.maxCoeff());
