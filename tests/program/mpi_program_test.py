@@ -242,9 +242,10 @@ class MpiProgram(unittest.TestCase):
             solve = ["solve", SCENES / scene, *options, "--quiet", "--json"]
             self.succeed([RADIOSITY, *solve, "-o", "one.csv"])
             expected = self.radiosity_of("one.csv")
-            for ksp in ["gmres", "bcgs", "cg", "bicg"]:
+            for ksp, ranks in [("gmres", (1, 2, 3)), ("bcgs", (1, 2, 3)), ("cg", (2,)),
+                               ("bicg", (2,))]:
                 files = set()
-                for n in (1, 2, 3):
+                for n in ranks:
                     done = self.succeed(mpirun(
                         n, *solve, "-o", "all.csv", "--ksp", f"-ksp_type {ksp}"))
                     solved = json.loads(done.stdout)["solve"]
