@@ -9,6 +9,7 @@ import ctypes
 import json
 import os
 import random
+import re
 import shlex
 import shutil
 import signal
@@ -242,9 +243,10 @@ class MpiProgram(unittest.TestCase):
             solve = ["solve", SCENES / scene, *options, "--quiet", "--json"]
             self.succeed([RADIOSITY, *solve, "-o", "one.csv"])
             expected = self.radiosity_of("one.csv")
-            for ksp in ["gmres", "bcgs", "cg", "bicg"]:
+            for ksp, ranks in [("gmres", (1, 2, 3)), ("bcgs", (1, 2, 3)), ("cg", (2,)),
+                               ("bicg", (2,))]:
                 files = set()
-                for n in (1, 2, 3):
+                for n in ranks:
                     done = self.succeed(mpirun(
                         n, *solve, "-o", "all.csv", "--ksp", f"-ksp_type {ksp}"))
                     solved = json.loads(done.stdout)["solve"]
@@ -291,6 +293,20 @@ class MpiProgram(unittest.TestCase):
         command = mpirun(2, "solve", SCENES / "cornell-box.json", "--ksp", "-ksp_type cg")
         self.expect_failure([alone if word == str(RADIOSITY_MPI) else word for word in command],
                             "built without PETSc")
+
+    def test_tells_what_products_send(self):
+        solve = ["solve", SCENES / "cornell-box.json", "--patches", "900", "--json"]
+        for n in (1, 2, 3):
+            done = self.succeed(mpirun(n, *solve))
+            n_patches = json.loads(done.stdout)["patches"]
+            told = re.search(r"in (\d+) products, ([\d.]+) MB each", done.stderr)
+            if n == 1:
+                self.assertIsNone(told, done.stderr)
+                continue
+            # Sums of 4 or 8 columns, 8 bytes a number, twice; in the middle three times.
+            least = 8 * n_patches * 4 * min(n, 3)
+            self.assertGreaterEqual(float(told[2]) * 1e6, 0.99 * least, done.stderr)
+            self.assertLessEqual(float(told[2]) * 1e6, 2.01 * least, done.stderr)
 
     def test_writes_pieces(self):
         solve = ["solve", SCENES / "cornell-box.json", "--patches", "200", "--quiet"]
