@@ -90,6 +90,7 @@ TEST(Session, KeepsWhatIsOpenIfMorePatchesAreRefused) {
     session.restart(options);
     wait_until(session, [&] { return !last_error(session).empty(); });
     EXPECT_EQ(session.model().mesh, mesh);
+    EXPECT_EQ(session.refusal(), last_error(session));  // for a script that waits for it
     EXPECT_EQ(session.options().memory, coarse().memory);
     EXPECT_NE(last_error(session).find("1e-06 GB can be used"), std::string::npos);
     session.clear_messages();

@@ -2,16 +2,14 @@
 
 #include <utility>
 
-#include "viewer/desk/desk.h"
-
 namespace viewer {
 namespace {
 
-void take_sums(Desk& desk, PatchSums sums) {
-  desk.facts->direct = std::move(sums.direct);
-  desk.facts->arrivals = std::move(sums.arrivals);
-  desk.facts->is_summed = true;
-  desk.emitter_shares = std::move(sums.emitter_shares);
+void take_sums(Asking asking, PatchSums sums) {
+  asking.facts->direct = std::move(sums.direct);
+  asking.facts->arrivals = std::move(sums.arrivals);
+  asking.facts->is_summed = true;
+  asking.emitter_shares = std::move(sums.emitter_shares);
 }
 
 /// Those of the light before stay until there are new ones.
@@ -39,33 +37,32 @@ PatchSums patch_sums(const Known& known, const LightMix& mix) {
   return sums;
 }
 
-bool update_asking(Desk& desk) {
-  const bool has_come = desk.summing.deliver();
-  const Session& session = desk.session;
+bool update_asking(const Session& session, Asking asking) {
+  const bool has_come = asking.summing.deliver();
   const Session::Versions& now = session.versions();
-  const Session::Versions& then = desk.facts_versions;
+  const Session::Versions& then = asking.versions;
   if (now.light == then.light && now.selection == then.selection && now.model == then.model) {
     return has_come;
   }
-  desk.facts_versions = now;
-  desk.summing.cancel();
-  const std::optional<PatchFacts> before = std::exchange(desk.facts, std::nullopt);
+  asking.versions = now;
+  asking.summing.cancel();
+  const std::optional<PatchFacts> before = std::exchange(asking.facts, std::nullopt);
   if (!session.selected()) {
-    desk.emitter_shares.clear();
+    asking.emitter_shares.clear();
     return true;
   }
-  desk.facts = patch_facts(session);
+  asking.facts = patch_facts(session);
   const Known known = session.known();
   if (known.model.mesh->size() <= kManyPatches) {
-    take_sums(desk, patch_sums(known, session.mix()));
+    take_sums(asking, patch_sums(known, session.mix()));
     return true;
   }
-  const bool is_same = before && before->patch == desk.facts->patch && now.model == then.model;
-  if (is_same) keep_sums(*desk.facts, *before);
-  if (!is_same || !known.light_path) desk.emitter_shares.clear();
+  const bool is_same = before && before->patch == asking.facts->patch && now.model == then.model;
+  if (is_same) keep_sums(*asking.facts, *before);
+  if (!is_same || !known.light_path) asking.emitter_shares.clear();
   if (!known.light || !known.row) return true;
-  desk.summing.start([&desk, known, mix = session.mix()](const Worker::Context& context) {
-    context.post([&desk, sums = patch_sums(known, mix)] { take_sums(desk, sums); });
+  asking.summing.start([asking, known, mix = session.mix()](const Worker::Context& context) {
+    context.post([asking, sums = patch_sums(known, mix)] { take_sums(asking, sums); });
   });
   return true;
 }

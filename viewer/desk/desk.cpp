@@ -16,7 +16,6 @@
 #include "radiosity/scene/patch_mesh.h"
 #include "viewer/desk/asking.h"
 #include "viewer/desk/couplings.h"
-#include "viewer/desk/measuring.h"
 #include "viewer/work/standing.h"
 
 namespace viewer {
@@ -160,7 +159,8 @@ bool update(Desk& desk) {
     }
   }
   if (now.selection != then.selection || now.model != then.model) update_marks(desk);
-  has_changed |= update_asking(desk);
+  has_changed |=
+      update_asking(session, {desk.facts, desk.emitter_shares, desk.facts_versions, desk.summing});
   return has_changed;
 }
 
@@ -266,7 +266,7 @@ std::string hovered_text(const Desk& desk) {
   if (desk.hovered_reading) {
     const bool is_grid = desk.look.show == Show::grid;
     const std::string unit =
-        is_grid && desk.legend ? desk.legend->unit : measured_unit(desk.session);
+        is_grid && desk.legend ? desk.legend->unit : (desk.session.is_thermal() ? "W/m²" : "lux");
     const char* what = is_grid ? "grid" : "work plane";
     return fmt::format("{}, {} {}", what, number_text(*desk.hovered_reading), unit);
   }

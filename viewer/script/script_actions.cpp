@@ -49,6 +49,7 @@ bool wait_solved(Stage& stage, ScriptArguments& arguments) {
   check_patience(stage, arguments);
   const Session& session = stage.desk.session;
   if (stage.is_first || !session.is_settled() || session.is_paused()) return false;
+  if (session.refusal()) throw std::runtime_error(*session.refusal());
   if (!is_solved(session)) throw std::runtime_error(last_error(session));
   return true;
 }

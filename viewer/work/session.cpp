@@ -49,6 +49,7 @@ Session::Session(study::StudyOptions options, io::ReadOptions reading)
 
 void Session::open(const std::string& path, const std::optional<std::string>& unit) {
   asked_path_ = path;
+  refusal_.reset();
   opening_.start([this, path, unit, options = options_, reading = reading_,
                   start = Clock::now()](const Worker::Context& context) mutable {
     OpenedFile file;
@@ -74,12 +75,14 @@ void Session::restart(const study::StudyOptions& options) {
     tell_error("only a scene can be solved again; a result file holds its result alone");
     return;
   }
+  refusal_.reset();
   opening_.start([this, options, path = model_.path, scene = model_.scene, unit = model_.unit,
                   start = Clock::now()](const Worker::Context& context) {
     OpenedFile file = open_scene(path, scene, options, context.progress);
     file.model.unit = unit;
     posting<OpenedFile>(context, [this, options, start](OpenedFile opened) {
       if (opened.refusal) {  // what is open is worth more than its polygons
+        refusal_ = opened.refusal;
         tell_error(*opened.refusal);
         return;
       }

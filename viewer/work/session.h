@@ -46,6 +46,8 @@ class Session {
   /// Solves the open scene anew with other patches. Where that cannot be, all stays as it is; the
   /// console tells why.
   void restart(const study::StudyOptions& options);
+  /// Why the latest of them could not be; empty if it could, or is under way.
+  [[nodiscard]] const std::optional<std::string>& refusal() const { return refusal_; }
   /// Holds the work in the background back, or lets it go on.
   void set_paused(bool is_on) { pause_.set(is_on); }
   [[nodiscard]] bool is_paused() const { return pause_.is_on(); }
@@ -184,6 +186,7 @@ class Session {
   study::StudyOptions options_;
   io::ReadOptions reading_;
   std::string asked_path_;
+  std::optional<std::string> refusal_;
   Model model_;
   std::shared_ptr<const Light> light_;
   LightMix mix_;
