@@ -187,6 +187,12 @@ void ContactCutter::cut_cell(std::int32_t cell, const Segment& segment) {
   const Vec3& normal = mesh_.normal[cells_[cell].patch];
   const Vec3 across = normal.cross(along);
   const double length = (segment[1] - segment[0]).norm();
+  // A line is known as well as the ends of its segment, and less well further on.
+  const auto is_on_line = [&](const Vec3& point, double off) {
+    const double t = along.dot(point - segment[0]);
+    const double beyond = std::max({0.0, -t, t - length});
+    return std::abs(off) <= tolerance_ * (1 + 2 * beyond / length);
+  };
   // Parts of a polygon that is not flat lie in other planes.
   const double height = normal.dot(segment[0] - at(cells_[cell].loop[0]));
   if (std::abs(height) > 8 * tolerance_ + kCutRounding * length) return;
@@ -197,7 +203,7 @@ void ContactCutter::cut_cell(std::int32_t cell, const Segment& segment) {
     double size = 0;
     for (const std::int32_t v : loop) {
       const double d = across.dot(at(v) - segment[0]);
-      side.push_back(std::abs(d) <= tolerance_ ? 0 : d);
+      side.push_back(is_on_line(at(v), d) ? 0 : d);
       size = std::max(size, (at(v) - at(loop[0])).norm());
     }
     const auto [lowest, highest] = std::minmax_element(side.begin(), side.end());

@@ -246,6 +246,53 @@ TEST(DefaultPatches, AreSmallBesideManyPolygons) {
 }
 
 /// What is too thin to be cut off is told.
+/// A floor and on it two rows of walls that stand in the same lines, one divided into few pieces
+/// and one into many, all coordinates rounded to `digit`.
+Scene floor_with_two_rows(double angle, double digit) {
+  Scene scene;
+  scene.materials.emplace_back();
+  scene.surfaces = {{"floor", 0, false}, {"few", 0, false}, {"many", 0, false}};
+  const Eigen::AngleAxisd turn(0.9, Vec3(2, -1, 1.5).normalized());
+  const auto add_rounded = [&](std::array<Vec3, 4> corners, std::int32_t surface) {
+    for (Vec3& corner : corners) {
+      corner = turn * corner;
+      for (double& x : corner) x = std::round(x / digit) * digit;
+    }
+    add<4>(scene, corners, surface);
+  };
+  add_rounded({Vec3(0, 0, 0), Vec3(4, 0, 0), Vec3(4, 3, 0), Vec3(0, 3, 0)}, 0);
+  const Vec3 start(0.7, 0.8, 0);
+  const Vec3 along(2.3 * std::cos(angle), 2.3 * std::sin(angle), 0);
+  for (const auto& [surface, n] : {std::pair(1, 2), std::pair(2, 9)}) {
+    for (int k = 0; k < n; ++k) {
+      Vec3 a = start + k * along / n;
+      Vec3 b = start + (k + 1) * along / n;
+      if (surface == 2) std::swap(a, b);
+      add_rounded({a, b, b + Vec3::UnitZ(), a + Vec3::UnitZ()}, surface);
+    }
+  }
+  scene.precision = digit / 2;
+  return scene;
+}
+
+// Lines that rounding has moved apart do not cut slivers out between them.
+TEST(ContactCuts, LinesAreOneAsFarAsTheyAreKnown) {
+  constexpr double kDigit = 1e-5;
+  for (int k = 0; k < 12; ++k) {
+    const Scene scene = floor_with_two_rows(0.05 * k, kDigit);
+    const PatchMesh mesh = make_patches(scene, {.n_patches = 150});
+    for (Index i = 0; i < mesh.size(); ++i) {
+      if (mesh.surface[i] != 0) continue;
+      double longest = 0;
+      for (int m = 0; m < mesh.n_corners(i); ++m) {
+        const Vec3& next = mesh.corner(i, (m + 1) % mesh.n_corners(i));
+        longest = std::max(longest, (next - mesh.corner(i, m)).norm());
+      }
+      EXPECT_GT(mesh.area[i] / longest, 20 * kDigit) << k << ": " << i;
+    }
+  }
+}
+
 TEST(ContactCuts, TellWhatTheyCannotCut) {
   Scene scene;
   scene.materials.emplace_back();

@@ -19,9 +19,9 @@ bool touches_the_floor(const Vec3& a, const Vec3& u, const Vec3& v) {
   add_grid(mesh, Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), 1, 1);
   add_grid(mesh, a, u, v, 1, 1);
   const PatchContact contact(mesh, kReach);
-  const bool result = contact.cross_or_cover(0, 1);
-  EXPECT_EQ(contact.cross_or_cover(1, 0), result);
-  return result;
+  const Contact result = contact.between(0, 1);
+  EXPECT_EQ(contact.between(1, 0), result);
+  return result != Contact::none;
 }
 
 TEST(PatchContact, EdgesThatMeetAreNone) {
