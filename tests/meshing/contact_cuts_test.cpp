@@ -245,7 +245,6 @@ TEST(DefaultPatches, AreSmallBesideManyPolygons) {
   EXPECT_EQ(make_patches(bumps, meshing::make_patch_options({}, bumps)).size(), bumps.n_polygons());
 }
 
-/// What is too thin to be cut off is told.
 /// A floor and on it two rows of walls that stand in the same lines, one divided into few pieces
 /// and one into many, all coordinates rounded to `digit`.
 Scene floor_with_two_rows(double angle, double digit) {
@@ -263,7 +262,7 @@ Scene floor_with_two_rows(double angle, double digit) {
   add_rounded({Vec3(0, 0, 0), Vec3(4, 0, 0), Vec3(4, 3, 0), Vec3(0, 3, 0)}, 0);
   const Vec3 start(0.7, 0.8, 0);
   const Vec3 along(2.3 * std::cos(angle), 2.3 * std::sin(angle), 0);
-  for (const auto& [surface, n] : {std::pair(1, 2), std::pair(2, 9)}) {
+  for (const auto& [surface, n] : {std::pair(1, 2), std::pair(2, 40)}) {
     for (int k = 0; k < n; ++k) {
       Vec3 a = start + k * along / n;
       Vec3 b = start + (k + 1) * along / n;
@@ -293,6 +292,7 @@ TEST(ContactCuts, LinesAreOneAsFarAsTheyAreKnown) {
   }
 }
 
+// What is too thin to be cut off is told.
 TEST(ContactCuts, TellWhatTheyCannotCut) {
   Scene scene;
   scene.materials.emplace_back();
