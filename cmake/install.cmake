@@ -19,6 +19,13 @@ if(NOT RADIOSITY_BUILD_PROGRAM)
   return()
 endif()
 install(TARGETS radiosity_program)
+if(TARGET radiosity_mpi_program)
+  install(TARGETS radiosity_mpi_program)
+endif()
+if(TARGET radiosity_petsc)
+  # Where radiosity-mpi looks for it.
+  install(TARGETS radiosity_petsc LIBRARY DESTINATION libexec/radiosity)
+endif()
 install(DIRECTORY scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/radiosity)
 install(DIRECTORY tests/data DESTINATION ${CMAKE_INSTALL_DATADIR}/radiosity/tests)
 # The README links to files that are installed elsewhere.

@@ -11,10 +11,13 @@
 namespace apps {
 namespace {
 
-/// The module beside the program. Throws SolveError if it is not there or does not load.
+/// The module beside the program, or where it is installed. Throws SolveError if it is not there or
+/// does not load.
 const PetscModule& load_module() {
-  const std::filesystem::path file =
-      std::filesystem::read_symlink("/proc/self/exe").replace_filename("radiosity-petsc.so");
+  constexpr const char* kName = "radiosity-petsc.so";
+  const auto folder = std::filesystem::read_symlink("/proc/self/exe").parent_path();
+  std::filesystem::path file = folder / kName;
+  if (!std::filesystem::exists(file)) file = folder.parent_path() / "libexec/radiosity" / kName;
   if (!std::filesystem::exists(file)) {
     throw radiosity::SolveError(
         "--ksp: this radiosity-mpi was built without PETSc; 'tools/setup --mpi' installs it");
