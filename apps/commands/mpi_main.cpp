@@ -1,5 +1,7 @@
 #include <fmt/format.h>
+#include <sched.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -90,6 +92,19 @@ void tell_use(apps::MpiRanks& ranks, bool has_failed) {
       ranks.size(), static_cast<double>(most) * 1e-6, static_cast<double>(moved) * 1e-6, products);
 }
 
+/// mpirun may bind ranks to so few cores that others idle, which nothing else tells.
+void warn_of_idle_cores(const apps::MpiRanks& ranks) {
+  cpu_set_t own;
+  const long n_cores = ::sysconf(_SC_NPROCESSORS_ONLN);
+  if (ranks.rank() > 0 || ::sched_getaffinity(0, sizeof own, &own) != 0) return;
+  const int n_own = CPU_COUNT(&own);
+  if (static_cast<long>(n_own) * ranks.n_on_machine() >= n_cores) return;
+  fmt::print(stderr,
+             "radiosity-mpi: warning: mpirun has bound each rank to {} of {} cores, more threads "
+             "cannot use others; 'mpirun --bind-to none' lets them\n",
+             n_own, n_cores);
+}
+
 bool is_quiet(const CLI::App& program) {
   const auto commands = program.get_subcommands();
   if (commands.empty()) return true;
@@ -138,6 +153,7 @@ int main(int argc, char** argv) {
   });
   const apps::FormFactorsCommand form_factors(program, interruption, &ranks);
   add_timeout(program, ranks);
+  warn_of_idle_cores(ranks);
   const End end = run(program, interruption, argc, argv);
   std::fflush(stdout);
   if (ranks.rank() == 0 && !end.message.empty()) output.tell(end.message);

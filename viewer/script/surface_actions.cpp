@@ -37,7 +37,8 @@ std::vector<std::int32_t> surfaces_of(const Stage& stage, ScriptArguments& argum
     const char* what = is_material ? "material" : "emitter";
     const std::vector<SurfaceGroup> groups =
         is_material ? material_groups(*session.model().scene) : lamp_groups(session.mix());
-    const SurfaceGroup& group = named(groups, what, arguments.name(what));
+    const std::string name = arguments.name(what);
+    const SurfaceGroup& group = named(groups, what, name);
     if (group.surfaces.empty()) {
       throw std::invalid_argument(fmt::format("{} '{}' has no surfaces", what, group.name));
     }
