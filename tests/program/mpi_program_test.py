@@ -34,6 +34,7 @@ ENVIRONMENT = os.environ | {
     "OMPI_ALLOW_RUN_AS_ROOT": "1",
     "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
     "OMPI_MCA_rmaps_base_oversubscribe": "1",
+    "OMPI_MCA_hwloc_base_binding_policy": "none",
     "OMPI_MCA_btl_vader_single_copy_mechanism": "none",  # containers forbid it, which it tells
 }
 
@@ -293,6 +294,13 @@ class MpiProgram(unittest.TestCase):
         command = mpirun(2, "solve", SCENES / "cornell-box.json", "--ksp", "-ksp_type cg")
         self.expect_failure([alone if word == str(RADIOSITY_MPI) else word for word in command],
                             "built without PETSc")
+
+    @unittest.skipIf((os.cpu_count() or 1) < 2, "there is one core")
+    def test_warns_of_cores_that_idle(self):
+        command = mpirun(1, "solve", SCENES / "cornell-box.json", "--patches", "50", "--quiet")
+        self.assertEqual(self.succeed(command).stderr, "")
+        bound = self.succeed([command[0], "--bind-to", "core", *command[1:]])
+        self.assertIn("bound each rank to 1 of", bound.stderr)
 
     def test_tells_what_products_send(self):
         solve = ["solve", SCENES / "cornell-box.json", "--patches", "900", "--json"]
