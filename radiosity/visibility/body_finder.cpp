@@ -23,6 +23,8 @@ class BodyFinder {
       : pieces_(pieces), piece_(piece), vertices_(vertices), thickness_(thickness) {}
 
   std::optional<FoundBody> find() {
+    // Closed, but flat: sheets back to back, which may have holes.
+    if (piece_.open_edges.empty() && piece_.volume == 0) return std::nullopt;
     if (piece_.facets.size() < 3 || !find_faces()) return std::nullopt;
     if (!piece_.open_edges.empty() && !add_cap()) return std::nullopt;
     if (body_.faces.size() < 4 || body_.faces.size() > Blocker::kMostFaces) return std::nullopt;

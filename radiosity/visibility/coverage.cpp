@@ -61,9 +61,11 @@ class CoverFinder {
     }
     pieces_ = find_surface_pieces(mesh_, one_sided, thickness_);
     piece_of_patch_.assign(mesh_.size(), -1);
+    facet_of_patch_.assign(mesh_.size(), -1);
     for (std::size_t p = 0; p < pieces_.pieces.size(); ++p) {
       for (const std::int32_t f : pieces_.pieces[p].facets) {
         piece_of_patch_[one_sided[f]] = static_cast<std::int32_t>(p);
+        facet_of_patch_[one_sided[f]] = f;
       }
     }
     add_pieces();
@@ -131,11 +133,19 @@ class CoverFinder {
   /// but not if it is the shell around it.
   [[nodiscard]] bool is_before(const Cover& cover, std::int32_t patch) {
     const std::int32_t own = piece_of_patch_[patch];
+    // A solid with parts without thickness has a face for either side of these.
+    if (cover.piece == own) return is_in_solid(own, sides_of(facet_of_patch_[patch]).front);
     const bool is_of_hollow = own >= 0 && pieces_.pieces[own].is_hollow();
     if (pieces_.pieces[cover.piece].is_hollow()) {
       return own >= 0 && pieces_.pieces[own].is_solid() && stands_in(own, cover.piece);
     }
     return !is_of_hollow || stands_in(cover.piece, own);
+  }
+
+  [[nodiscard]] bool is_in_solid(std::int32_t solid, const Vec3& point) {
+    const SurfacePiece& piece = pieces_.pieces[solid];
+    return piece.is_solid() &&
+           windings_.try_emplace(solid, pieces_, piece).first->second.about(point) != 0;
   }
 
   [[nodiscard]] bool stands_in(std::int32_t solid, std::int32_t hollow) {
@@ -311,6 +321,7 @@ class CoverFinder {
   std::vector<Plane> planes_;  // of the patches
   SurfacePieces pieces_;
   std::vector<std::int32_t> patch_of_facet_;
+  std::vector<std::int32_t> facet_of_patch_;
   std::vector<std::int32_t> piece_of_patch_;
   std::vector<Cover> covers_;
   std::optional<BoxTree> tree_;  // of the covers

@@ -112,7 +112,8 @@ class RegionFinder {
     }
     for (auto& [name, border] : borders) {
       if (border.corners.empty()) continue;
-      if (border.volume < -kNoVolume * border.area * size) continue;  // around its region
+      // Around its region. Digits make a volume of sheets back to back, too.
+      if (border.volume < -(kNoVolume * size + kReach * reach_) * border.area) continue;
       for (const auto& [x, y, z] : kDirections) {
         leave(name, border, Vec3(x, y, z).normalized(), kStart * size);
       }
