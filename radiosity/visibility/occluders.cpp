@@ -23,6 +23,8 @@ constexpr std::size_t kMaxCorners = Blocker::kMostFaces - 2;
 /// A hull is the union of its patches if its area exceeds theirs by no more than this share, and
 /// what the thickness makes along its border.
 constexpr double kSameArea = 1e-9;
+/// Gaps at least as wide as so many thicknesses are holes.
+constexpr double kGapThicknesses = 16;
 /// Polygons that meet in one corner are compared with each other up to this number.
 constexpr std::size_t kMostAtCorner = 32;
 
@@ -177,6 +179,12 @@ class Merger {
     // Equal areas prove that the hull is covered, provided that nothing is covered twice.
     const double slack = kSameArea * group.area + thickness_ * perimeter;
     if (std::abs(area - group.area) > slack || has_overlap(outlines, thickness_)) return {};
+    // What digits along all edges may be is enough for a small hole.
+    if (area - group.area > kSameArea * group.area) {
+      std::vector<Point2> border;
+      for (const std::int32_t k : hull) border.push_back(points[k]);
+      if (has_gap(outlines, border, kGapThicknesses * thickness_)) return {};
+    }
     std::vector<Vec3> result;
     for (const std::int32_t k : hull) result.push_back(corners[k]);
     return result;
