@@ -5,9 +5,6 @@
 // stage; of products with 1, 3, 4, 8 and 12 columns the medians.
 
 #include <fmt/format.h>
-#if defined(__GLIBC__)
-#include <malloc.h>
-#endif
 
 #include <algorithm>
 #include <chrono>
@@ -15,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/terminal/machine.h"
 #include "bench/usage.h"
 #include "io/result/operator_file.h"
 #include "io/scene/scene_file.h"
@@ -28,15 +26,6 @@ namespace {
 using namespace radiosity;
 using bench::peak_megabytes;
 using bench::processor_seconds;
-
-/// As the program does it.
-void keep_freed_memory() {
-#if defined(__GLIBC__)
-  constexpr int kLargest = 256 << 20;
-  ::mallopt(M_MMAP_THRESHOLD, kLargest);
-  ::mallopt(M_TRIM_THRESHOLD, 2 * kLargest);
-#endif
-}
 
 struct Taken {
   double wall = 0;        ///< s
@@ -84,7 +73,7 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "usage: stored_operator_bench FILE.h5 SCENE.json [REPEATS]\n");
     return 2;
   }
-  keep_freed_memory();
+  apps::keep_freed_memory();  // as the program does
   const Scene scene = io::read_scene(argv[2]);
   io::StoredOperator stored;
   print("reading", measure([&] { stored = io::read_operator(argv[1]); }));

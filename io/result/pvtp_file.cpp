@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "io/base/atomic_file.h"
+#include "io/base/xml_escaped.h"
 #include "io/result/vtk_polydata.h"
 
 namespace io {
@@ -72,27 +73,6 @@ std::string declared(vtkDataArray& array, const char* name) {
          "\n";
 }
 
-/// File names may hold what XML takes for its own.
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
-
 }  // namespace
 
 std::filesystem::path piece_path(const std::filesystem::path& pvtp, int part) {
@@ -127,7 +107,7 @@ void write_piece_index(const std::filesystem::path& pvtp, int n_parts,
   text += "    </PPoints>\n";
   for (int part = 0; part < n_parts; ++part) {
     text += fmt::format("    <Piece Source=\"{}\"/>\n",
-                        escaped(piece_path(pvtp, part).filename().string()));
+                        xml_escaped(piece_path(pvtp, part).filename().string()));
   }
   text += "  </PPolyData>\n</VTKFile>\n";
   write_stream_atomically(pvtp, [&](std::ofstream& stream) { stream << text; });

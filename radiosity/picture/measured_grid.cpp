@@ -23,7 +23,7 @@ constexpr double kSurrounded = 0.5;
 PointPlace point_place(const Visibility& visibility, const Vec3& point, const Vec3& normal,
                        const std::optional<Vec3>& down) {
   const auto below = visibility.first_hit(point, -normal);
-  const bool is_outside = down && !visibility.first_hit(point, *down);
+  const bool is_outside = down && !(*down == -normal ? below : visibility.first_hit(point, *down));
   const PointPlace if_not_inside = is_outside ? PointPlace::outside : PointPlace::open;
   const auto above = visibility.first_hit(point, normal);
   const auto is_back = [](const std::optional<Hit>& hit) { return hit && !hit->front; };

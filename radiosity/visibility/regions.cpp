@@ -22,6 +22,8 @@ constexpr double kReach = 2;
 constexpr double kStart = 2e-6;
 /// Volume, relative to area times size, that may be rounding.
 constexpr double kNoVolume = 1e-6;
+/// How far apart digits may put sheets back to back, in reaches.
+constexpr double kApart = 2;
 /// Directions in which rays leave a border: any that are along no axis or face.
 constexpr std::array<std::array<double, 3>, 4> kDirections{{{0.5377, 0.3188, 0.7807},
                                                             {-0.6124, 0.5711, -0.5466},
@@ -113,7 +115,7 @@ class RegionFinder {
     for (auto& [name, border] : borders) {
       if (border.corners.empty()) continue;
       // Around its region. Digits make a volume of sheets back to back, too.
-      if (border.volume < -(kNoVolume * size + kReach * reach_) * border.area) continue;
+      if (border.volume < -(kNoVolume * size + kApart * reach_) * border.area) continue;
       for (const auto& [x, y, z] : kDirections) {
         leave(name, border, Vec3(x, y, z).normalized(), kStart * size);
       }

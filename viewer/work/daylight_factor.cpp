@@ -5,7 +5,6 @@
 
 #include "radiosity/meter/grid_light.h"
 #include "radiosity/meter/photometer.h"
-#include "radiosity/picture/point_grid.h"
 #include "radiosity/solve/quantity.h"
 #include "radiosity/visibility/sky_light.h"
 #include "study/daylight.h"
