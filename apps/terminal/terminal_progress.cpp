@@ -47,7 +47,11 @@ void TerminalProgress::report(std::string_view stage, double done, double total,
   if (style_ == Style::none) return;
   const std::lock_guard lock(mutex_);
   const auto now = Clock::now();
-  if (stage != stage_) start_stage(stage, done, now);
+  // The same stage begins anew, with another amount of work or once all of it was done.
+  const bool is_anew = done < stage_done_ && (total != stage_total_ || stage_told_);
+  if (stage != stage_ || is_anew) start_stage(stage, done, now);
+  stage_done_ = done;
+  stage_total_ = total;
   const bool ended = total > 0 && done >= total;
   if (ended && stage_told_) return;
   const auto interval = style_ == Style::bar ? Clock::duration(kRedrawInterval) : kLineInterval;

@@ -23,7 +23,8 @@ class TerminalProgress {
   TerminalProgress& operator=(const TerminalProgress&) = delete;
 
   /// Work stands at `done` of `total` (0 if unknown), counted in `unit`. The rate counts from the
-  /// first report of a stage on. Callable from any thread.
+  /// first report of a stage on; a stage may be gone through again, with less done of another
+  /// amount. Callable from any thread.
   void report(std::string_view stage, double done, double total, std::string_view unit);
 
   /// Prints "radiosity: warning: ..." and keeps the message. Also when the style is `none`.
@@ -45,7 +46,9 @@ class TerminalProgress {
   std::mutex mutex_;
   std::string stage_;
   Clock::time_point stage_start_;
-  double stage_base_ = 0;  ///< what was done when the stage started, by an earlier run perhaps
+  double stage_done_ = 0;   ///< as last reported
+  double stage_total_ = 0;  ///< likewise
+  double stage_base_ = 0;   ///< what was done when the stage started, by an earlier run perhaps
   Clock::time_point last_drawn_;
   bool stage_told_ = false;   ///< the end of the stage has been printed
   bool bar_visible_ = false;  ///< the cursor stands on a line with a bar
