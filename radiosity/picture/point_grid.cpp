@@ -75,7 +75,7 @@ Floor find_floor(const PatchMesh& mesh, const Vec3& up) {
 
 PointGrid make_work_plane(const PatchMesh& mesh, const Vec3& up, const WorkPlaneOptions& options) {
   Index axis = 0;
-  const double largest = up.cwiseAbs().maxCoeff(&axis);
+  [[maybe_unused]] const double largest = up.cwiseAbs().maxCoeff(&axis);
   assert(up.squaredNorm() == largest * largest);
   const Floor floor = find_floor(mesh, up);
   const std::array<Index, 2> across = {(axis + 1) % 3, (axis + 2) % 3};
