@@ -209,6 +209,7 @@ class CompressedAssembly {
     if (light_.exitance.size() > 0 && light_.exitance.maxCoeff() > 0) {
       const Solution solution = solve(transport, light_.exitance, light_.reflectance,
                                       {.tolerance = kLightTolerance,
+                                       .estimates_errors = false,
                                        .progress = {.report = {}, .stop = options_.progress.stop}});
       const Index n = fields.cols();
       fields.conservativeResize(Eigen::NoChange, n + solution.radiosity.cols());
