@@ -20,17 +20,46 @@ struct Heights {
       any_below |= of_corner[k] < 0;
     }
   }
+
+  /// The same with one run of `n` corners at most on either side, as convex polygons have: what
+  /// rounding put on the wrong side is in the plane.
+  [[nodiscard]] Heights in_two_runs(std::size_t n) const {
+    std::array<bool, ConvexPolygon::kCapacity> is_kept{};
+    for (const double sign : {1.0, -1.0}) {
+      std::size_t furthest = 0;
+      for (std::size_t k = 1; k < n; ++k) {
+        if (sign * of_corner[k] > sign * of_corner[furthest]) furthest = k;
+      }
+      for (const std::size_t step : {std::size_t{1}, n - 1}) {
+        for (std::size_t i = 0, k = furthest; i < n && sign * of_corner[k] >= 0; ++i) {
+          is_kept[k] = true;
+          k = (k + step) % n;
+        }
+      }
+    }
+    Heights result = *this;
+    for (std::size_t k = 0; k < n; ++k) {
+      if (!is_kept[k]) result.of_corner[k] = 0;
+    }
+    return result;
+  }
 };
 
-/// Appends the part above the plane, with a sign of -1 that below it.
-void add_above(std::span<const Vec3> polygon, const Heights& heights, double sign,
-               ConvexPolygon& result) {
+/// The part above the plane, with a sign of -1 that below it.
+void find_above(std::span<const Vec3> polygon, const Heights& heights, double sign,
+                ConvexPolygon& result) {
+  result.clear();
+  int n_crossings = 0;
   for (std::size_t k = 0; k < polygon.size(); ++k) {
     const std::size_t next = k + 1 < polygon.size() ? k + 1 : 0;
     const double height = heights.of_corner[k];
     const double height_next = heights.of_corner[next];
     if (sign * height >= 0) result.push_back(polygon[k]);
     if (height * height_next < 0) {
+      if (++n_crossings > 2) {
+        find_above(polygon, heights.in_two_runs(polygon.size()), sign, result);
+        return;
+      }
       const double s = height / (height - height_next);
       result.push_back(polygon[k] + s * (polygon[next] - polygon[k]));
     }
@@ -67,7 +96,7 @@ ConvexPolygon clip_to_half_space(std::span<const Vec3> polygon, const Vec3& on_p
   ConvexPolygon result;
   if (!heights.any_above) return result;
   if (!heights.any_below) return ConvexPolygon(polygon);
-  add_above(polygon, heights, 1, result);
+  find_above(polygon, heights, 1, result);
   return result;
 }
 
@@ -77,8 +106,7 @@ bool keep_above(const Vec3& on_plane, const Vec3& normal, ConvexPolygon& polygon
     polygon.clear();
   } else if (heights.any_below) {
     const ConvexPolygon whole = polygon;
-    polygon.clear();
-    add_above(whole.points(), heights, 1, polygon);
+    find_above(whole.points(), heights, 1, polygon);
   }
   return !polygon.empty();
 }
@@ -86,14 +114,14 @@ bool keep_above(const Vec3& on_plane, const Vec3& normal, ConvexPolygon& polygon
 bool split(const ConvexPolygon& polygon, const Vec3& on_plane, const Vec3& normal, double thickness,
            ConvexPolygon& above, ConvexPolygon& below) {
   const Heights heights(polygon.points(), on_plane, normal, thickness);
-  above.clear();
-  below.clear();
   if (!heights.any_above || !heights.any_below) {
+    above.clear();
+    below.clear();
     (heights.any_above ? above : below) = polygon;
     return false;
   }
-  add_above(polygon.points(), heights, 1, above);
-  add_above(polygon.points(), heights, -1, below);
+  find_above(polygon.points(), heights, 1, above);
+  find_above(polygon.points(), heights, -1, below);
   return true;
 }
 
