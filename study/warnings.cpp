@@ -129,16 +129,21 @@ void warn_of_spent_patches(const meshing::Refinement& refinement, Index n_patche
                   n_patches, refinement.error, tolerance));
 }
 
-bool is_size_unknown(const DiscretisationError& discretisation, const Solution& solution) {
-  return discretisation.n_unknown == solution.radiosity.rows() && !solution.reflectance.isZero(0);
+bool is_size_unknown(const DiscretisationError& discretisation) {
+  return discretisation.unknown_share > 0.5;
 }
 
 void warn_of_unknown_size(const DiscretisationError& discretisation, const Solution& solution,
                           const StudyEvents& events) {
-  if (!is_size_unknown(discretisation, solution)) return;
-  events.warn(
-      "each surface has one patch only: without coarser ones to compare with, what their size "
-      "makes wrong may be more than the errors given say; --patches N makes more");
+  if (!is_size_unknown(discretisation)) return;
+  const std::string which =
+      discretisation.n_unknown == solution.radiosity.rows()
+          ? "each surface has one patch only"
+          : fmt::format("{:.0f} % of the reflected light is that of surfaces of one patch only",
+                        100 * discretisation.unknown_share);
+  events.warn(which +
+              ": without coarser ones to compare with, what their size makes wrong may be more "
+              "than the errors given say; --patches N makes more");
 }
 
 void warn_of_unconverged(const Solution& solution, const SolveOptions& options,

@@ -51,10 +51,9 @@ void warn_of_unverified(const radiosity::VerifiedLight& verified, double toleran
 void warn_of_spent_patches(const meshing::Refinement& refinement, radiosity::Index n_patches,
                            double tolerance, const StudyEvents& events);
 
-/// Whether all patches are alone on their surfaces where light is reflected: nothing tells what
-/// their size makes wrong.
-bool is_size_unknown(const radiosity::DiscretisationError& discretisation,
-                     const radiosity::Solution& solution);
+/// Whether most light is reflected by patches alone on their surfaces: nothing tells what their
+/// size makes wrong.
+bool is_size_unknown(const radiosity::DiscretisationError& discretisation);
 /// Says it.
 void warn_of_unknown_size(const radiosity::DiscretisationError& discretisation,
                           const radiosity::Solution& solution, const StudyEvents& events);

@@ -51,13 +51,33 @@ ClosedRows correct_closure(UncertainExchange& exchange, const Eigen::VectorXd& r
   return result;
 }
 
+Eigen::VectorXd limit_rows(UncertainExchange& exchange, const Eigen::VectorXd& row_sums,
+                           const Eigen::VectorXd& areas, double tolerance, int n_rounds) {
+  const auto is_over = (row_sums.array() > (1 + tolerance) * areas.array() &&
+                        are_explained(exchange, row_sums, areas))
+                           .eval();
+  if (!is_over.any()) return row_sums;
+  exchange.freeze(Eigen::VectorXd::Ones(exchange.size()));  // nothing
+  Eigen::VectorXd sums = row_sums;
+  for (int round = 0; round < n_rounds; ++round) {
+    const Eigen::ArrayXd excess = is_over.select((sums - areas).array().max(0), 0.0);
+    if ((excess <= exchange.rounding() * areas.array()).all()) break;
+    const Eigen::ArrayXd weights =
+        exchange.weighted_sums(Eigen::VectorXd::Ones(exchange.size())).array();
+    exchange.adjust((weights > 0).select(-excess / weights.max(1e-300), 0.0).matrix());
+    sums = exchange.row_sums();
+  }
+  return sums;
+}
+
 ClosedRows close_rows(UncertainExchange& exchange, const Eigen::VectorXd& row_sums,
                       const Eigen::VectorXd& areas, Closed closed, double tolerance, int n_rounds) {
   const bool is_closed =
       closed == Closed::yes || (closed == Closed::automatic &&
                                 is_closed_within_errors(exchange, row_sums, areas, tolerance));
   if (is_closed) return correct_closure(exchange, row_sums, areas, tolerance, n_rounds);
-  return {false, {}, {row_sums, row_sums, Eigen::VectorXd::Ones(exchange.size())}};
+  const Eigen::VectorXd sums = limit_rows(exchange, row_sums, areas, tolerance, n_rounds);
+  return {false, {}, {sums, sums, Eigen::VectorXd::Ones(exchange.size())}};
 }
 
 }  // namespace radiosity

@@ -35,7 +35,7 @@ struct ClosedRows {
   bool is_closed = false;          ///< whether the scene was taken as closed
   std::vector<Index> open_rows{};  ///< rows too far from closed to be an error; left as they are
   /// Wanted are the areas, and what there is in rows that stay as they are, whose mask is 0. Of
-  /// scenes that are not closed, all is as it is.
+  /// scenes that are not closed, what there is in all of them.
   RowSums sums{};
 };
 
@@ -52,8 +52,16 @@ ClosedRows correct_closure(UncertainExchange& exchange, const Eigen::VectorXd& r
                            const Eigen::VectorXd& areas, double tolerance,
                            int n_rounds = kBalanceRounds);
 
-/// Corrects the rows if the scene is said, or found, to be closed: wherever the exchange areas are
-/// kept, this decides.
+/// Lowers the uncertain entries of rows whose sum is above their area, m², by more than the
+/// relative `tolerance` until none of them is above it: no patch has more around it than all
+/// directions. Each in proportion to its variance; rows whose excess no error explains stay as they
+/// are. Returns the sums then.
+Eigen::VectorXd limit_rows(UncertainExchange& exchange, const Eigen::VectorXd& row_sums,
+                           const Eigen::VectorXd& areas, double tolerance,
+                           int n_rounds = kBalanceRounds);
+
+/// Corrects the rows if the scene is said, or found, to be closed, and otherwise limits them:
+/// wherever the exchange areas are kept, this decides.
 ClosedRows close_rows(UncertainExchange& exchange, const Eigen::VectorXd& row_sums,
                       const Eigen::VectorXd& areas, Closed closed, double tolerance,
                       int n_rounds = kBalanceRounds);

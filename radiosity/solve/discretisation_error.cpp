@@ -73,6 +73,19 @@ void assume_for_lone(const std::vector<Index>& lone, const Eigen::VectorXd& area
   }
 }
 
+/// What share of the reflected light some patches have, largest over the bands.
+double share_of(const std::vector<Index>& patches, const Eigen::VectorXd& area,
+                const Eigen::MatrixXd& reflected) {
+  double largest = 0;
+  for (Index c = 0; c < reflected.cols(); ++c) {
+    double sum = 0;
+    for (const Index i : patches) sum += area[i] * reflected(i, c);
+    const double all = area.dot(reflected.col(c));
+    if (all > 0) largest = std::max(largest, sum / all);
+  }
+  return largest;
+}
+
 /// Root mean square over the area of the errors relative to the reflected light, largest over the
 /// bands.
 double relative_error(const Eigen::VectorXd& area, const Eigen::MatrixXd& reflected,
@@ -136,6 +149,7 @@ DiscretisationError discretisation_error(const PatchMesh& mesh, const Transport&
   }
   result.error = left.cwiseSqrt();
   result.n_unknown = static_cast<Index>(lone.size());
+  result.unknown_share = share_of(lone, area, reflected);
   // Where no light of patches arrives at all there is none to be wrong about.
   result.error = (solution.exchanged_irradiance().array() == 0).select(0, result.error);
   result.relative = relative_error(area, reflected, result.error);

@@ -22,6 +22,8 @@ struct DiscretisationError {
   /// (or to kDarkShare of its mean where they are darker), largest over the columns.
   double relative = 0;
   Index n_unknown = 0;  ///< patches alone in their group, which coarser patches tell nothing about
+  double unknown_share =
+      0;  ///< of the reflected light, that of these patches; largest of the columns
 };
 
 /// Compares the solution with those on patches about twice and four times the size, whose exchange

@@ -115,6 +115,52 @@ TEST(Closure, WhatIsNotClosedStaysAsItIs) {
   }
 }
 
+// No patch has more around it than all directions, whether the scene is closed or not.
+TEST(Closure, RowsOfOpenScenesHaveNoMoreThanTheirAreas) {
+  int n_over = 0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const Noisy noisy(seed);
+    ExchangeMatrix tiles = noisy.tiles();
+    const Eigen::VectorXd sums = tiles.row_sums();
+    Eigen::VectorXd areas = noisy.areas;
+    for (Index i = 0; i < kRows; i += 2) areas[i] *= 1.1;
+    const double tolerance = 1e-5;
+    const ClosedRows rows = close_rows(tiles, sums, areas, Closed::automatic, tolerance);
+    EXPECT_FALSE(rows.is_closed);
+    EXPECT_EQ(rows.sums.wanted, rows.sums.present);
+    const Eigen::MatrixXd after = matrix(tiles);
+    EXPECT_EQ(after, after.transpose());
+    EXPECT_GE(after.minCoeff(), 0);
+    const Eigen::ArrayXd excess = sums.array() - areas.array();
+    const double rounding = 1e-12 * areas.maxCoeff();
+    for (Index i = 0; i < kRows; ++i) {
+      EXPECT_NEAR(after.row(i).sum(), rows.sums.present[i], rounding) << i;
+      EXPECT_LE(after.row(i).sum(), sums[i] + rounding) << i;
+      if (excess[i] > tolerance * areas[i]) {
+        ++n_over;
+        EXPECT_LE(after.row(i).sum(), areas[i] + rounding) << i;
+      }
+      for (Index j = 0; j < kRows; ++j) {
+        const double change = noisy.values(i, j) - after(i, j);
+        EXPECT_GE(change, 0) << i << ", " << j;
+        const bool may_change = noisy.sigma(i, j) > 0 && std::max(excess[i], excess[j]) > 0;
+        EXPECT_LE(change, may_change ? 3 * noisy.sigma(i, j) : 0) << i << ", " << j;
+      }
+    }
+  }
+  EXPECT_GT(n_over, 50);
+}
+
+TEST(Closure, AnExcessThatNoErrorExplainsStays) {
+  const Noisy noisy(3);
+  Eigen::VectorXd areas = 1.1 * noisy.areas;
+  areas[5] *= 0.7;
+  ExchangeMatrix tiles = noisy.tiles();
+  const Eigen::VectorXd sums = tiles.row_sums();
+  EXPECT_EQ(close_rows(tiles, sums, areas, Closed::no, kClosureTolerance).sums.present, sums);
+  EXPECT_EQ(matrix(tiles), noisy.values);
+}
+
 TEST(Closure, AHoleIsCountedAndNotMended) {
   const Noisy noisy(2);
   Eigen::VectorXd areas = noisy.areas;

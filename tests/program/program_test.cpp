@@ -533,6 +533,36 @@ TEST_F(Program, SaysWhatAPatchAloneOnItsSurfaceCannotTell) {
   EXPECT_NE(outcome.err.find("one patch only"), std::string::npos) << outcome.err;
 }
 
+// The walls are what counts, though a ball of many facets hangs between them.
+TEST_F(Program, SaysWhenMostLightIsThatOfPatchesAloneOnTheirSurfaces) {
+  constexpr int kSides = 24;
+  Json scene = Json::parse(contents(fs::path(RADIOSITY_SCENES) / "furnace-cube.json"));
+  Json& ball = scene["surfaces"].emplace_back(
+      Json{{"name", "ball"}, {"material", "wall"}, {"polygons", {}}});
+  const auto corner = [](int row, int column) {
+    const double latitude = M_PI * (row / 12. - 0.5);
+    const double longitude = 2 * M_PI * (column % kSides) / kSides;
+    const double r = 0.05 * std::cos(latitude);
+    return Json{0.5 + r * std::cos(longitude), 0.5 + r * std::sin(longitude),
+                0.5 + 0.05 * std::sin(latitude)};
+  };
+  for (int row = 1; row < 11; ++row) {
+    for (int k = 0; k < kSides; ++k) {
+      ball["polygons"].push_back(
+          {corner(row, k), corner(row, k + 1), corner(row + 1, k + 1), corner(row + 1, k)});
+    }
+  }
+  const std::string path = write_file("ball.json", scene.dump());
+  const Outcome coarse = run({"solve", path, "--as-is", "--quiet"});
+  ASSERT_EQ(coarse.exit_code, 0) << coarse.err;
+  EXPECT_NE(coarse.err.find("% of the reflected light is that of surfaces of one patch only"),
+            std::string::npos)
+      << coarse.err;
+  const Outcome fine = run({"solve", path, "--patches", "800", "--quiet"});
+  ASSERT_EQ(fine.exit_code, 0) << fine.err;
+  EXPECT_EQ(fine.err.find("one patch only"), std::string::npos) << fine.err;
+}
+
 TEST_F(Program, TellsWhenStandardOutputIsFull) {
   if (!fs::exists("/dev/full")) GTEST_SKIP();
   fs::create_symlink("/dev/full", folder() / "printed" / "stdout");

@@ -275,7 +275,7 @@ void solve_light(const Model& before, const LightMix& mix, const LightStart& sta
       radiosity::discretisation_error(*model.mesh, *model.transport, complete, progress);
   Light light{Light::Kind::complete,
               with_discretisation_error(std::move(complete), discretisation)};
-  if (study::is_size_unknown(discretisation, light.solution)) {
+  if (study::is_size_unknown(discretisation)) {
     study::warn_of_unknown_size(discretisation, light.solution, {.warned = events.warned});
   } else {
     light.relative_error = relative_error(*model.mesh, light.solution);
