@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "meshing/inspect/inspect.h"
 #include "radiosity/base/error.h"
@@ -17,8 +18,17 @@ constexpr double kLeastExcess = 0.01;
 /// As closure reckons: independent entries by their root, alike ones by their sum.
 constexpr double kSigmas = 6;
 
-std::string cause(const Scene& scene) {
+/// Patches are small for the digits of their corners if they are fewer half units of the last one.
+constexpr double kFewPrecisions = 100;
+
+std::string cause(const Scene& scene, double size) {
   if (const auto overlap = meshing::overlap_finding(scene)) return *overlap;
+  if (size < kFewPrecisions * scene.precision) {
+    return fmt::format(
+        "it is {:.2g} m large where coordinates are taken as rounded to {:.2g} m; they need more "
+        "digits, or a smaller --precision if they have them",
+        size, scene.precision);
+  }
   return "radiosity inspect shows what is wrong with the scene";
 }
 
@@ -37,7 +47,7 @@ void refuse_excess(const Scene& scene, const PatchMesh& mesh, const AssemblyRepo
       "{}: the form factors of a patch of surface '{}', polygon {}, add up to {:.4g}, but no more "
       "than 1 can be: {}",
       scene.source, mesh.surface_names[mesh.surface[worst]], mesh.polygon[worst], sum,
-      cause(scene)));
+      cause(scene, std::sqrt(mesh.area[worst]))));
 }
 
 }  // namespace study

@@ -139,8 +139,9 @@ void Cleaner::find_bad_shapes(std::vector<std::string>& repairs) {
                   " polygons have" + most + " and are left out", repairs);
   no_area.report(scene_, " polygon encloses no area and is left out",
                  " polygons enclose no area and are left out", repairs);
-  crossing.report(scene_, " polygon has an outline that crosses itself and is left out",
-                  " polygons have outlines that cross themselves and are left out", repairs);
+  crossing.report(scene_, " polygon has an outline that crosses or touches itself and is left out",
+                  " polygons have outlines that cross or touch themselves and are left out",
+                  repairs);
   repeating.report(scene_, " polygon repeats a corner, which counts once",
                    " polygons repeat a corner, which counts once", repairs);
 }

@@ -23,7 +23,7 @@ std::vector<Finding> find_bad_polygons(const ExaminedScene& examined) {
                    "its " + std::to_string(n_given) + " corners enclose no area; remove it");
     } else if (has_crossing_outline(shape.kind, examined.points(i))) {
       findings.add(Kind::degenerate_polygon, Severity::serious, i,
-                   "its outline crosses itself; reorder its corners or split it");
+                   "its outline crosses or touches itself; reorder its corners or split it");
     } else if (examined.polygons.polygon(i).size() < n_given) {
       findings.add(Kind::degenerate_polygon, Severity::note, i,
                    "a corner repeats the one before it and will be ignored");

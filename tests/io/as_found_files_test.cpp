@@ -112,7 +112,8 @@ TEST_F(AsFoundFiles, BadPolygonsAreLeftOutAndNamed) {
   expect_repair("a.obj", kBox + "f 1 2\nf 1\nf\nf 1 2 2\nf 1 1 1\n", 6,
                 "5 polygons enclose no area and are left out: surface 'a', polygon 6; surface 'a', "
                 "polygon 7; surface 'a', polygon 8; and 2 more");
-  expect_repair("a.obj", kBox + "f 1 4 3 2\n", 6, "1 polygon has an outline that crosses itself");
+  expect_repair("a.obj", kBox + "f 1 4 3 2\n", 6,
+                "1 polygon has an outline that crosses or touches itself");
   expect_repair("a.obj", kBoxVertices + "f 1 2 4 4 3\n", 1, "1 polygon repeats a corner");
   // Left out by itself, though its outline is also that of another.
   expect_repair("a.off", "OFF\n4 3 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n2 0 1\n3 0 1 1\n", 1,
