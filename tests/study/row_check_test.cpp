@@ -16,7 +16,7 @@ using namespace radiosity;
 /// What is said of a unit cube whose coordinates are rounded like that, if a row sums to so much.
 std::string refusal(double precision, double sum) {
   Scene scene = io::read_scene(RADIOSITY_SCENES "/furnace-cube.json");
-  const PatchMesh mesh = meshing::make_patches(scene, {.as_is = true});
+  const PatchMesh mesh = meshing::make_patches(scene, {});
   scene.precision = precision;
   AssemblyReport report;
   report.row_sums = Eigen::VectorXd::Ones(mesh.size());
