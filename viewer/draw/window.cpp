@@ -186,7 +186,7 @@ Window::Window(const WindowOptions& asked) : parts_(std::make_unique<Parts>()) {
   set_style(parts.scale);
   add_font(parts.scale);
   ImGui_ImplGlfw_InitForOpenGL(parts.window, true);
-  parts.events->hold_keys();
+  parts.events->hold();
   ImGui_ImplOpenGL3_Init("#version 150");
 }
 
@@ -234,6 +234,7 @@ bool Window::handle_events(double seconds) {
   } else {
     glfwPollEvents();
   }
+  parts_->events->end_poll();
   glfwGetFramebufferSize(parts_->window, &parts_->width, &parts_->height);
   return parts_->events->take_any();
 }
@@ -243,9 +244,10 @@ bool Window::is_shown() const {
 }
 
 void Window::begin_frame() {
-  parts_->events->forward_keys();
+  parts_->events->forward();
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
+  parts_->events->place_mouse();
   ImGui::NewFrame();
 }
 
