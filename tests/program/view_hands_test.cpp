@@ -169,6 +169,52 @@ TEST_F(ViewHands, ResizeTheWindow) {
   EXPECT_EQ(running.wait().exit_code, 0);
 }
 
+// Of screens that differ in density only the person knows, where the system does not tell.
+TEST_F(ViewHands, EnlargeAllTextAtOnce) {
+  const Running running = start_reporting(2);
+  const json start = report("0.json");
+  act("key --delay 20 ctrl+plus ctrl+plus");
+  const json larger = press(1);
+  EXPECT_EQ(larger["scale"], 1.5);
+  EXPECT_EQ(larger["region"]["left"], 1.5 * start["region"]["left"].get<int>());
+  expect_same_camera(larger, start);
+  act("key --delay 20 ctrl+minus ctrl+minus ctrl+minus");
+  const json smaller = press(2);
+  EXPECT_EQ(smaller["scale"], 0.75);
+  EXPECT_GT(smaller["region"]["width"], start["region"]["width"]);
+  EXPECT_EQ(running.wait().exit_code, 0);
+}
+
+// Whoever takes the display away is told, in one line, and nothing hangs.
+TEST_F(ViewHands, EndWithTheDisplay) {
+  std::optional<VirtualDisplay> other;
+  other.emplace();
+  ASSERT_TRUE(other->is_there());
+  const Running running = start({"view", kBox, "--patches", "5000"});
+  ASSERT_TRUE(wait_until([] { return window_place("cornell-box.json - radiosity").width > 0; }));
+  other.reset();
+  const Outcome outcome = running.wait();
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.err.find("X connection"), std::string::npos) << outcome.err;
+}
+
+// Two windows of one scene do not know of each other.
+TEST_F(ViewHands, MayBeTwo) {
+  const json actions = {{{"load", kBox}}, "wait-solved", {{"report", result("a.json")}}};
+  const json others = {{{"load", kBox}}, "wait-solved", {{"report", result("b.json")}}};
+  const auto start_one = [&](const std::string& name, const json& list) {
+    fs::create_directory(folder() / name);
+    const std::string script = write_file(name + ".json", list.dump());
+    return Running({"view", "--patches", "60", "--script", script}, folder() / name);
+  };
+  const Running one = start_one("one", actions);
+  const Running two = start_one("two", others);
+  EXPECT_EQ(one.wait().exit_code, 0);
+  EXPECT_EQ(two.wait().exit_code, 0);
+  EXPECT_EQ(report("a.json")["light"]["mean_radiosity"],
+            report("b.json")["light"]["mean_radiosity"]);
+}
+
 // Whatever it is at, it is gone at once and well.
 TEST_F(ViewHands, CloseWhileItIsBusy) {
   const Running running = start({"view", kBox, "--patches", "20000"});

@@ -8,14 +8,17 @@
 #include <iterator>
 #include <limits>
 #include <set>
+#include <string_view>
 #include <utility>
 
 namespace viewer {
 namespace {
 
-/// The key that bears the letter, as the user's keyboard has it.
+/// The key that bears the letter, as the user's keyboard has it; plus and minus likewise.
 int lettered_key(int key, int scancode) {
   const char* name = glfwGetKeyName(key, scancode);
+  if (name != nullptr && std::string_view("+") == name) return GLFW_KEY_EQUAL;
+  if (name != nullptr && std::string_view("-") == name) return GLFW_KEY_MINUS;
   const bool is_letter = name != nullptr && name[0] >= 'a' && name[0] <= 'z' && name[1] == '\0';
   return is_letter ? GLFW_KEY_A + (name[0] - 'a') : key;
 }
@@ -91,6 +94,10 @@ WindowEvents::WindowEvents(GLFWwindow* window) : window_(window), place_{kNowher
     of(source).has_any_ = true;
     // What is dragged beyond the edge is still held.
     if (is_inside == GLFW_FALSE && !is_any_down(source)) of(source).note(Place{kNowhere, kNowhere});
+  });
+  glfwSetWindowContentScaleCallback(window, [](GLFWwindow* source, float scale, float) {
+    of(source).screen_scale_ = scale;
+    of(source).has_any_ = true;
   });
   const auto note_window = [](GLFWwindow* source) { of(source).has_any_ = true; };
   glfwSetWindowRefreshCallback(window, note_window);
@@ -205,6 +212,10 @@ void WindowEvents::forward() {
 bool WindowEvents::take_any() { return std::exchange(has_any_, false) || !waiting_.empty(); }
 
 std::vector<std::string> WindowEvents::take_dropped_files() { return std::exchange(dropped_, {}); }
+
+std::optional<double> WindowEvents::take_screen_scale() {
+  return std::exchange(screen_scale_, std::nullopt);
+}
 
 std::vector<KeyPress> WindowEvents::take_keys() { return std::exchange(keys_, {}); }
 

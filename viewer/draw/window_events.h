@@ -2,6 +2,7 @@
 
 #include <array>
 #include <deque>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -35,6 +36,8 @@ class WindowEvents {
   /// Whether anything has happened since the last call, or something still waits.
   bool take_any();
   std::vector<std::string> take_dropped_files();
+  /// The scale that another screen asks for, if the window has come to one since the last call.
+  std::optional<double> take_screen_scale();
   std::vector<KeyPress> take_keys();
 
  private:
@@ -79,6 +82,7 @@ class WindowEvents {
 
   GLFWwindow* window_;
   std::vector<std::string> dropped_;
+  std::optional<double> screen_scale_;
   std::deque<Event> waiting_;
   int waiting_frames_ = 0;  // until anything is handed over again
   std::vector<KeyPress> keys_;
