@@ -139,6 +139,7 @@ void set_style(double scale) {
   style.WindowBorderSize = 1;
   style.Colors[ImGuiCol_WindowBg] = ImVec4(0.10F, 0.105F, 0.12F, 1.0F);
   style.Colors[ImGuiCol_PopupBg] = style.Colors[ImGuiCol_WindowBg];
+  style.Colors[ImGuiCol_ModalWindowDimBg] = ImVec4(0, 0, 0, 0.4F);  // not pale, as if it were off
   style.ScaleAllSizes(static_cast<float>(scale));
 }
 

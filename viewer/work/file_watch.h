@@ -21,7 +21,7 @@ struct FileStamp {
 /// Of each file once, in that order; of what is no file none.
 std::vector<FileStamp> file_stamps(const std::vector<std::filesystem::path>& files);
 
-/// Looks once a second, on a thread of its own, since disks may be far away, whether files are still
+/// Looks once a second, on its own thread, since disks may be far away, whether files are still
 /// what they were when they were read.
 class FileWatch {
  public:
