@@ -142,6 +142,33 @@ TEST_F(ViewHands, DropFilesOntoTheWindow) {
   EXPECT_EQ(running.wait().exit_code, 0);
 }
 
+// A file that has changed is told of, and read again by a key, whatever it is called.
+TEST_F(ViewHands, ReadAgainWhatHasChanged) {
+  const auto plate = [&](const char* length) {
+    return write_file("ä plate.obj", "v 0 0 0\nv " + std::string(length) + " 0 0\nv " + length +
+                                         " 1 0\nv 0 1 0\nf 1 2 3 4\n");
+  };
+  const std::string file = plate("1");
+  const json actions = {{{"load", file}},     "wait-idle", {{"report", result("0.json")}},
+                        {{"wait-key", "F1"}}, "wait-idle", {{"report", result("1.json")}},
+                        {{"wait-key", "F2"}}, "wait-idle", {{"report", result("2.json")}}};
+  const Running running = start_script(actions);
+  ASSERT_TRUE(wait_until([&] { return fs::exists(result("0.json")); }));
+  EXPECT_TRUE(report("0.json")["changed_file"].is_null());
+  plate("2");
+  std::this_thread::sleep_for(std::chrono::seconds(6));  // two looks, and some
+  const json told = press(1);
+  EXPECT_EQ(told["changed_file"], file);
+  EXPECT_NEAR(told["size"][0], 1, 1e-9);
+  EXPECT_NE(told["messages"].back()["text"].get<std::string>().find("has changed on disk"),
+            std::string::npos);
+  act("key ctrl+r");
+  const json again = press(2);
+  EXPECT_NEAR(again["size"][0], 2, 1e-9);
+  EXPECT_TRUE(again["changed_file"].is_null());
+  EXPECT_EQ(running.wait().exit_code, 0);
+}
+
 // The picture fills what the panels leave of any size, and what was seen in it is still seen.
 TEST_F(ViewHands, ResizeTheWindow) {
   const Running running = start_reporting(4);

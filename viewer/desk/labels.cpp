@@ -7,10 +7,9 @@ namespace viewer {
 
 std::optional<Box> Labels::take(std::initializer_list<Box> places) {
   for (const Box& place : places) {
-    const bool is_free =
-        is_clear(plan_, region_, place) &&
-        std::none_of(taken_.begin(), taken_.end(),
-                     [&](const Box& other) { return other.overlaps(place); });
+    const bool is_free = is_clear(plan_, region_, place) &&
+                         std::none_of(taken_.begin(), taken_.end(),
+                                      [&](const Box& other) { return other.overlaps(place); });
     if (!is_free) continue;
     taken_.push_back(place);
     return place;
