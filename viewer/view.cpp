@@ -121,6 +121,8 @@ class Application final : public ScriptHost {
   }
 
   void draw_frame() {
+    if (desk_.wanted_scale) window_.set_scale(*std::exchange(desk_.wanted_scale, std::nullopt));
+    desk_.scale = window_.scale();
     window_.begin_frame();
     const auto start = Clock::now();
     lively_ = std::max(0, lively_ - 1);

@@ -6,6 +6,7 @@
 
 #include "radiosity/scene/scene.h"
 #include "viewer/desk/camera_control.h"
+#include "viewer/desk/desk.h"
 #include "viewer/desk/saved_views.h"
 #include "viewer/desk/tape.h"
 
@@ -53,6 +54,18 @@ TEST(CameraControl, OrbitAboutThePivotIsOrbit) {
   other.orbit_about(other.pivot(), 0.4, -0.2);
   EXPECT_LE((one.camera().position - other.camera().position).norm(), 1e-12);
   EXPECT_LE((one.camera().direction - other.camera().direction).norm(), 1e-12);
+}
+
+TEST(Desk, TextIsNeverTooLargeOrTooSmall) {
+  viewer::Desk desk;
+  viewer::enlarge(desk, 1);
+  EXPECT_EQ(desk.wanted_scale, 1.25);
+  viewer::enlarge(desk, 1);
+  EXPECT_EQ(desk.wanted_scale, 1.5);
+  viewer::enlarge(desk, 100);
+  EXPECT_EQ(desk.wanted_scale, 4);
+  viewer::enlarge(desk, -100);
+  EXPECT_EQ(desk.wanted_scale, 0.5);
 }
 
 TEST(SavedViews, AreFoundReplacedAndForgotten) {

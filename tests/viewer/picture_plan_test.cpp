@@ -7,6 +7,7 @@
 
 #include "tests/viewer/sessions.h"
 #include "viewer/desk/desk.h"
+#include "viewer/desk/labels.h"
 #include "viewer/desk/picture_plan.h"
 #include "viewer/desk/picture_words.h"
 #include "viewer/desk/status_parts.h"
@@ -165,6 +166,32 @@ TEST(PicturePlan, TellsWhereThereIsRoomLeft) {
     }
     EXPECT_GT(n_clear, 0);
   }
+}
+
+// Readings close together, and numbers among them: each is whole, or is not there.
+TEST(Labels, LieOverNothing) {
+  const Region region = {.left = 310, .top = 22, .width = 400, .height = 300};
+  const viewer::Legend legend = long_legend();
+  const PicturePlan plan =
+      make_picture_plan(region, {.badge = "solved", .legend = &legend}, plain_sizes(1));
+  viewer::Labels labels(plan, region);
+  std::vector<Box> taken = boxes(plan);
+  int n_taken = 0;
+  for (int k = 0; k < 400; ++k) {
+    const auto left = static_cast<float>(region.left + (k * 89) % 400);
+    const auto top = static_cast<float>(region.top + (k * 53) % 300);
+    const auto place = labels.take({{left, top, 60, 17}, {left - 80, top, 60, 17}});
+    if (!place) continue;
+    ++n_taken;
+    EXPECT_TRUE(is_clear(plan, region, *place));
+    for (const Box& other : taken) EXPECT_FALSE(other.overlaps(*place)) << k;
+    taken.push_back(*place);
+  }
+  EXPECT_GT(n_taken, 10);
+  // What has to be told is, and others keep clear of it, too.
+  const Box first = taken.back();
+  EXPECT_EQ(labels.take_any({first}).left, first.left);
+  EXPECT_FALSE(labels.take({first}));
 }
 
 }  // namespace

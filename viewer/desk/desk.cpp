@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "io/base/output_check.h"
 #include "io/result/result_file.h"
@@ -60,6 +61,10 @@ void greet(Desk& desk) {
   desk.domain = domain;
   desk.up = desk.asked_up.value_or(guessed_up(*session.model().mesh, session.model().camera));
   use_scene_camera(desk);
+  const auto kept = std::exchange(desk.kept_sight, std::nullopt);
+  if (!kept || kept->path != session.model().path) return;
+  desk.up = kept->up;
+  desk.camera = CameraControl(kept->camera.camera(), session.model().bounds);
 }
 
 /// Seconds since some beginning.
@@ -162,6 +167,11 @@ bool update(Desk& desk) {
   has_changed |=
       update_asking(session, {desk.facts, desk.emitter_shares, desk.facts_versions, desk.summing});
   return has_changed;
+}
+
+void reload(Desk& desk) {
+  desk.session.reload();
+  desk.kept_sight = {desk.session.model().path, desk.up, desk.camera};
 }
 
 void show(Desk& desk, const std::string& name) {
@@ -284,6 +294,17 @@ std::string hovered_text(const Desk& desk) {
   const int digits = standing(desk.session).is_rough ? kRoughDigits : kDigits;
   const std::string unit = desk.legend->unit.empty() ? "" : " " + desk.legend->unit;
   return fmt::format("{}, {}{}", surface, number_text(desk.legend->values[patch], digits), unit);
+}
+
+void set_scale(Desk& desk, double scale) {
+  constexpr double kSmallest = 0.5;
+  constexpr double kLargest = 4;
+  desk.wanted_scale = std::clamp(scale, kSmallest, kLargest);
+}
+
+void enlarge(Desk& desk, int quarters) {
+  const double now = desk.wanted_scale.value_or(desk.scale);
+  set_scale(desk, (std::round(4 * now) + quarters) / 4);
 }
 
 void set_console_lines(Desk& desk, int n_lines) {

@@ -45,6 +45,13 @@ const char* first_quantity(Domain domain);
 /// Lines of the console, unless it is given more.
 inline constexpr int kConsoleLines = 3;
 
+/// From where a file is seen that is read again.
+struct KeptSight {
+  std::string path;
+  UpAxis up = UpAxis::y;
+  CameraControl camera;
+};
+
 /// Everything that the window shows. Panels, keys and scripts act on it through the functions below
 /// and through its session, so that all can do the same.
 struct Desk {
@@ -55,7 +62,8 @@ struct Desk {
   Look look;
   Watching watching;
   CameraControl camera;
-  std::vector<SavedView> views;  ///< the file's and new ones, kept while it is open
+  std::optional<KeptSight> kept_sight = {};  ///< while it is read again
+  std::vector<SavedView> views;              ///< the file's and new ones, kept while it is open
   Tape tape;
   bool is_meter_in_hand = false;  ///< clicks add points to the light meter
   UpAxis up = UpAxis::y;
@@ -74,10 +82,11 @@ struct Desk {
   SurfaceMarks marks = {};                     ///< in list and picture
   SurfaceListing listing = SurfaceListing::surfaces;  ///< how surfaces are listed
   bool is_list_open = false;
-  TotalOrder surface_order;                ///< of the list
-  std::vector<SurfaceTotal> totals;        ///< in that order; see `sorted_totals`
-  Session::Versions totals_versions = {};  ///< at which these were found
-  double scale = 1;                        ///< of text and lines, relative to a plain screen
+  TotalOrder surface_order;                 ///< of the list
+  std::vector<SurfaceTotal> totals;         ///< in that order; see `sorted_totals`
+  Session::Versions totals_versions = {};   ///< at which these were found
+  double scale = 1;                         ///< of text and lines, relative to a plain screen
+  std::optional<double> wanted_scale = {};  ///< that the window shall take
   bool shows_panels = true;
   bool shows_help = false;
   int console_lines = kConsoleLines;
@@ -110,6 +119,10 @@ struct Desk {
 /// Brings the session and what is told of the selected patch up to date; a file that was opened is
 /// shown from its camera, with a range of values that fits. Whether anything changed.
 bool update(Desk& desk);
+
+/// Opens what is open again, as it is on disk now: seen from where the camera is, with the same
+/// quantity; lamps and materials are those of the file. Throws SceneError if nothing is open.
+void reload(Desk& desk);
 
 /// Shows what has that name (`show_named`), on a scale that suits it. Throws std::invalid_argument
 /// if nothing has.
@@ -146,6 +159,10 @@ std::optional<radiosity::Index> patch_at(const Desk& desk, double x, double y);
 /// What the mouse points at: "floor, 123.4 lux"; "" if it is nothing.
 std::string hovered_text(const Desk& desk);
 
+/// Makes text, panels and lines larger by so many quarters of their plain size, or smaller.
+void enlarge(Desk& desk, int quarters);
+/// Makes them as large as that; what would not fit or be read is brought into range.
+void set_scale(Desk& desk, double scale);
 /// Gives the console so many lines, at least one.
 void set_console_lines(Desk& desk, int n_lines);
 /// All messages, a line each, errors marked.

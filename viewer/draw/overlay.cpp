@@ -12,6 +12,7 @@
 
 #include "io/picture/color_bar.h"
 #include "radiosity/scene/patch_mesh.h"
+#include "viewer/desk/labels.h"
 #include "viewer/desk/measuring.h"
 #include "viewer/desk/picture_words.h"
 #include "viewer/draw/legend_view.h"
@@ -168,8 +169,16 @@ bool is_place_seen(const Desk& desk, const Vec3& point) {
   return !hit || hit->distance > (1 - kRounding) * distance;
 }
 
+void draw_label(ImDrawList& list, const Box& paper, float margin, ImU32 ink,
+                const std::string& text) {
+  list.AddRectFilled(ImVec2(paper.left, paper.top), ImVec2(paper.right(), paper.bottom()),
+                     kNumberPaper, 2);
+  list.AddText(ImVec2(paper.left + margin, paper.top), ink, text.c_str());
+}
+
 /// Numbers on isolines, as far as they are seen whole and do not lie over each other.
-void draw_iso_numbers(const Desk& desk, const PicturePlan& plan, ImDrawList& list) {
+void draw_iso_numbers(const Desk& desk, Labels& labels, ImDrawList& list) {
+  constexpr float kMargin = 2;
   std::vector<ImVec2> places;
   for (const IsoNumber& number : desk.iso_numbers) {
     const auto place = project(desk, number.place);
@@ -180,14 +189,12 @@ void draw_iso_numbers(const Desk& desk, const PicturePlan& plan, ImDrawList& lis
       return std::abs(other.x - place->x) < 1.5F * size.x &&
              std::abs(other.y - place->y) < 1.2F * size.y;
     });
-    const ImVec2 corner(place->x - size.x / 2, place->y - size.y / 2);
-    const Box paper = {corner.x - 2, corner.y, size.x + 4, size.y};
-    const bool is_whole = is_clear(plan, desk.region, paper);
-    if (!is_free || !is_whole || !is_place_seen(desk, number.place)) continue;
+    if (!is_free || !is_place_seen(desk, number.place)) continue;
+    const auto paper = labels.take(
+        {{place->x - size.x / 2 - kMargin, place->y - size.y / 2, size.x + 2 * kMargin, size.y}});
+    if (!paper) continue;
     places.push_back(*place);
-    list.AddRectFilled(ImVec2(paper.left, paper.top), ImVec2(paper.right(), paper.bottom()),
-                       kNumberPaper, 2);
-    list.AddText(corner, kInk, text.c_str());
+    draw_label(list, *paper, kMargin, kInk, text);
   }
 }
 
@@ -209,7 +216,7 @@ void draw_marked(const Desk& desk, ImDrawList& list, float scale) {
 }
 
 /// The tape measure with its length.
-void draw_tape(const Desk& desk, ImDrawList& list, float scale) {
+void draw_tape(const Desk& desk, Labels& labels, ImDrawList& list, float scale) {
   if (!desk.tape.from) return;
   const auto draw_end = [&](const std::optional<ImVec2>& end) {
     if (!end) return;
@@ -227,14 +234,18 @@ void draw_tape(const Desk& desk, ImDrawList& list, float scale) {
   list.AddLine(*from, *to, kTape, 2 * scale);
   const std::string text = number_text(difference->norm()) + " m";
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-  const ImVec2 place((from->x + to->x - size.x) / 2, (from->y + to->y) / 2 - 1.4F * size.y);
-  list.AddRectFilled(ImVec2(place.x - 3, place.y), ImVec2(place.x + size.x + 3, place.y + size.y),
-                     kNumberPaper, 2);
-  list.AddText(place, kTape, text.c_str());
+  constexpr float kMargin = 3;
+  const float left = (from->x + to->x - size.x) / 2 - kMargin;
+  const float middle = (from->y + to->y) / 2;
+  const float width = size.x + 2 * kMargin;
+  const Box paper = labels.take_any({{left, middle - 1.4F * size.y, width, size.y},
+                                     {left, middle + 0.4F * size.y, width, size.y}});
+  draw_label(list, paper, kMargin, kTape, text);
 }
 
 /// The light meter's points with what they read.
-void draw_meters(const Desk& desk, const PicturePlan& plan, ImDrawList& list, float scale) {
+void draw_meters(const Desk& desk, Labels& labels, ImDrawList& list, float scale) {
+  constexpr float kMargin = 3;
   for (std::size_t k = 0; k < desk.meter.points().size(); ++k) {
     const MeterPoint& point = desk.meter.points()[k];
     const auto place = project(desk, point.position);
@@ -245,13 +256,18 @@ void draw_meters(const Desk& desk, const PicturePlan& plan, ImDrawList& list, fl
     const std::string text = fmt::format("{}: {} {}", k + 1, value ? number_text(*value) : "...",
                                          measured_unit(desk.session));
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-    ImVec2 corner(place->x + 9 * scale, place->y - size.y / 2);
-    // To its left where the colour bar stands to its right.
-    const Box paper = {corner.x - 3, corner.y, size.x + 6, size.y};
-    if (!is_clear(plan, desk.region, paper)) corner.x = place->x - 9 * scale - size.x;
-    list.AddRectFilled(ImVec2(corner.x - 3, corner.y),
-                       ImVec2(corner.x + size.x + 3, corner.y + size.y), kNumberPaper, 2);
-    list.AddText(corner, kMeter, text.c_str());
+    // To its right, or where something stands there to its left, above or below.
+    const float width = size.x + 2 * kMargin;
+    const float right = place->x + 9 * scale - kMargin;
+    const float left = place->x - 9 * scale + kMargin - width;
+    const float middle = place->y - size.y / 2;
+    const Box paper = labels.take_any({{right, middle, width, size.y},
+                                       {left, middle, width, size.y},
+                                       {right, middle - size.y, width, size.y},
+                                       {right, middle + size.y, width, size.y},
+                                       {left, middle - size.y, width, size.y},
+                                       {left, middle + size.y, width, size.y}});
+    draw_label(list, paper, kMargin, kMeter, text);
   }
 }
 
@@ -268,9 +284,10 @@ void draw_overlay(const Desk& desk, double scale) {
   const PicturePlan plan = planned_picture(desk, scale);
   if (desk.look.show == Show::unseen) draw_open_patches(desk, list, size);
   draw_marked(desk, list, size);
-  draw_iso_numbers(desk, plan, list);
-  draw_meters(desk, plan, list, size);
-  draw_tape(desk, list, size);
+  Labels labels(plan, desk.region);
+  draw_meters(desk, labels, list, size);
+  draw_tape(desk, labels, list, size);
+  draw_iso_numbers(desk, labels, list);
   if (const auto shooter = shown_shooter(desk.session, desk.look)) {
     if (is_seen(desk, *shooter)) outline(desk, list, *shooter, kShooter, 3 * size);
   }

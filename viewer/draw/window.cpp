@@ -131,6 +131,7 @@ bool is_software_renderer() {
 }
 
 void set_style(double scale) {
+  ImGui::GetStyle() = ImGuiStyle();  // sizes are scaled once
   ImGui::StyleColorsDark();
   ImGuiStyle& style = ImGui::GetStyle();
   style.WindowRounding = 0;
@@ -138,6 +139,7 @@ void set_style(double scale) {
   style.WindowBorderSize = 1;
   style.Colors[ImGuiCol_WindowBg] = ImVec4(0.10F, 0.105F, 0.12F, 1.0F);
   style.Colors[ImGuiCol_PopupBg] = style.Colors[ImGuiCol_WindowBg];
+  style.Colors[ImGuiCol_ModalWindowDimBg] = ImVec4(0, 0, 0, 0.4F);  // not pale, as if it were off
   style.ScaleAllSizes(static_cast<float>(scale));
 }
 
@@ -150,17 +152,29 @@ struct Window::Parts {
   std::vector<vtkRenderer*> renderers;  // those that are in the render window
   std::optional<WindowEvents> events;
   double scale = 1;
+  bool has_own_scale = false;  // not that of the screen
   bool is_software = false;
   bool is_antialiased = true;
   bool is_stale = false;  // what VTK keeps is not what the window shall show
   int width = 0;
   int height = 0;
+
+  void draw_at_scale(double wanted) {
+    if (wanted == scale) return;
+    scale = wanted;
+    set_style(scale);
+    ImGui::GetIO().Fonts->Clear();
+    add_font(scale);
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    ImGui_ImplOpenGL3_CreateFontsTexture();
+  }
 };
 
 Window::Window(const WindowOptions& asked) : parts_(std::make_unique<Parts>()) {
   Parts& parts = *parts_;
   const WindowOptions options = completed(asked);
   parts.scale = options.scale;
+  parts.has_own_scale = asked.scale > 0;
   parts.window = open_window(options);
   glfwMakeContextCurrent(parts.window);
   glfwSwapInterval(1);
@@ -186,7 +200,7 @@ Window::Window(const WindowOptions& asked) : parts_(std::make_unique<Parts>()) {
   set_style(parts.scale);
   add_font(parts.scale);
   ImGui_ImplGlfw_InitForOpenGL(parts.window, true);
-  parts.events->hold_keys();
+  parts.events->hold();
   ImGui_ImplOpenGL3_Init("#version 150");
 }
 
@@ -219,6 +233,11 @@ int Window::width() const { return parts_->width; }
 int Window::height() const { return parts_->height; }
 double Window::scale() const { return parts_->scale; }
 
+void Window::set_scale(double scale) {
+  parts_->has_own_scale = true;
+  parts_->draw_at_scale(scale);
+}
+
 bool Window::is_software() const { return parts_->is_software; }
 
 void Window::set_antialiased(bool is_on) {
@@ -234,7 +253,10 @@ bool Window::handle_events(double seconds) {
   } else {
     glfwPollEvents();
   }
+  parts_->events->end_poll();
   glfwGetFramebufferSize(parts_->window, &parts_->width, &parts_->height);
+  const auto scale = parts_->events->take_screen_scale();  // of another screen that it was moved to
+  if (scale && !parts_->has_own_scale) parts_->draw_at_scale(std::max(1.0, *scale));
   return parts_->events->take_any();
 }
 
@@ -243,9 +265,10 @@ bool Window::is_shown() const {
 }
 
 void Window::begin_frame() {
-  parts_->events->forward_keys();
+  parts_->events->forward();
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
+  parts_->events->place_mouse();
   ImGui::NewFrame();
 }
 

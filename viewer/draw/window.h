@@ -45,6 +45,9 @@ class Window {
   [[nodiscard]] int height() const;
   /// Size of text and panels relative to a plain screen.
   [[nodiscard]] double scale() const;
+  /// Makes text and panels another size, from the next frame on; what the screen asks for no longer
+  /// counts. Not to be called within a frame.
+  void set_scale(double scale);
 
   /// Whether OpenGL is done by the processor, which then has less time for other things.
   [[nodiscard]] bool is_software() const;

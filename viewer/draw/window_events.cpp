@@ -5,15 +5,20 @@
 #include <imgui_impl_glfw.h>
 
 #include <algorithm>
+#include <iterator>
+#include <limits>
 #include <set>
+#include <string_view>
 #include <utility>
 
 namespace viewer {
 namespace {
 
-/// The key that bears the letter, as the user's keyboard has it.
+/// The key that bears the letter, as the user's keyboard has it; plus and minus likewise.
 int lettered_key(int key, int scancode) {
   const char* name = glfwGetKeyName(key, scancode);
+  if (name != nullptr && std::string_view("+") == name) return GLFW_KEY_EQUAL;
+  if (name != nullptr && std::string_view("-") == name) return GLFW_KEY_MINUS;
   const bool is_letter = name != nullptr && name[0] >= 'a' && name[0] <= 'z' && name[1] == '\0';
   return is_letter ? GLFW_KEY_A + (name[0] - 'a') : key;
 }
@@ -26,16 +31,16 @@ bool may_open_dialog(int key, int modifiers) {
          key == GLFW_KEY_ESCAPE;
 }
 
-/// From 1.87 on ImGui spreads events over frames by itself, which a fast click needs: down in one,
-/// up in the next. Keys are in order here, and must not lag behind those that the viewer takes at
-/// once: they wait for that.
-#if IMGUI_VERSION_NUM >= 18700
-constexpr int kClickFrames = 2;
-void set_trickling(bool is_on) { ImGui::GetIO().ConfigInputTrickleEventQueue = is_on; }
-#else
-constexpr int kClickFrames = 0;
-void set_trickling(bool /*is_on*/) {}
-#endif
+constexpr double kDoubleClick = 0.3;                            // seconds between presses, at most
+constexpr float kAnyTime = 1e9F;                                // s
+constexpr float kNowhere = -std::numeric_limits<float>::max();  // where ImGui has no mouse
+
+bool is_any_down(GLFWwindow* window) {
+  for (int button = GLFW_MOUSE_BUTTON_1; button <= GLFW_MOUSE_BUTTON_LAST; ++button) {
+    if (glfwGetMouseButton(window, button) != GLFW_RELEASE) return true;
+  }
+  return false;
+}
 
 }  // namespace
 
@@ -43,20 +48,57 @@ WindowEvents& WindowEvents::of(GLFWwindow* window) {
   return *static_cast<WindowEvents*>(glfwGetWindowUserPointer(window));
 }
 
-WindowEvents::WindowEvents(GLFWwindow* window) : window_(window) {
+/// What a frame has been given.
+struct WindowEvents::Frame {
+  std::set<int> pressed;  // keys
+  bool has_keys = false;
+  bool has_button = false;
+  bool has_wheel = false;
+  bool has_moved = false;
+
+  // A dialog or a field that a button opens takes letters from the next frame on.
+  [[nodiscard]] bool fits(const Letter& /*event*/) const { return !has_button && !has_wheel; }
+  // ImGui looks once a frame at keys that give no letter: it would not see one that is up again.
+  [[nodiscard]] bool fits(const Key& event) const {
+    const bool is_over = event.action == GLFW_RELEASE && pressed.contains(event.key);
+    return !has_button && !has_wheel && !is_over;
+  }
+  // Buttons and the wheel act where the mouse is.
+  [[nodiscard]] bool fits(const Place& /*event*/) const { return !has_button && !has_wheel; }
+  // Whoever drags something looks where it is while it is held, and no more once it is let go.
+  [[nodiscard]] bool fits(const Button& event) const {
+    const bool ends_drag = event.action == GLFW_RELEASE && has_moved;
+    return !has_keys && !has_button && !has_wheel && !ends_drag;
+  }
+  [[nodiscard]] bool fits(const Wheel& /*event*/) const { return !has_keys && !has_button; }
+
+  void note(const Letter& /*event*/) { has_keys = true; }
+  void note(const Key& event) {
+    has_keys = true;
+    const bool has_letter = event.key < GLFW_KEY_ESCAPE;
+    if (event.action != GLFW_RELEASE && !has_letter) pressed.insert(event.key);
+  }
+  void note(const Place& /*event*/) { has_moved = true; }
+  void note(const Button& /*event*/) { has_button = true; }
+  void note(const Wheel& /*event*/) { has_wheel = true; }
+};
+
+WindowEvents::WindowEvents(GLFWwindow* window) : window_(window), place_{kNowhere, kNowhere} {
   glfwSetWindowUserPointer(window, this);
+  pressed_.fill(-kAnyTime);
   glfwSetDropCallback(window, [](GLFWwindow* source, int n, const char** paths) {
     of(source).dropped_.insert(of(source).dropped_.end(), paths, paths + n);
     of(source).has_any_ = true;
   });
-  glfwSetMouseButtonCallback(window, [](GLFWwindow* source, int, int, int) {
+  glfwSetCursorEnterCallback(window, [](GLFWwindow* source, int is_inside) {
     of(source).has_any_ = true;
-    of(source).waiting_frames_ = std::max(of(source).waiting_frames_, kClickFrames);
+    // What is dragged beyond the edge is still held.
+    if (is_inside == GLFW_FALSE && !is_any_down(source)) of(source).note(Place{kNowhere, kNowhere});
   });
-  const auto note_place = [](GLFWwindow* source, double, double) { of(source).has_any_ = true; };
-  glfwSetCursorPosCallback(window, note_place);
-  glfwSetScrollCallback(window, note_place);
-  glfwSetCursorEnterCallback(window, [](GLFWwindow* source, int) { of(source).has_any_ = true; });
+  glfwSetWindowContentScaleCallback(window, [](GLFWwindow* source, float scale, float) {
+    of(source).screen_scale_ = scale;
+    of(source).has_any_ = true;
+  });
   const auto note_window = [](GLFWwindow* source) { of(source).has_any_ = true; };
   glfwSetWindowRefreshCallback(window, note_window);
   glfwSetWindowCloseCallback(window, note_window);
@@ -64,54 +106,116 @@ WindowEvents::WindowEvents(GLFWwindow* window) : window_(window) {
                                  [](GLFWwindow* source, int, int) { of(source).has_any_ = true; });
 }
 
-void WindowEvents::hold_keys() {
+void WindowEvents::hold() {
   glfwSetKeyCallback(window_, [](GLFWwindow* source, int key, int scancode, int action, int mods) {
-    of(source).waiting_.push_back({key, scancode, action, mods});
+    of(source).note(Key{key, scancode, action, mods});
   });
-  glfwSetCharCallback(window_, [](GLFWwindow* source, unsigned letter) {
-    of(source).waiting_.push_back({.letter = letter});
+  glfwSetCharCallback(window_,
+                      [](GLFWwindow* source, unsigned letter) { of(source).note(Letter{letter}); });
+  glfwSetCursorPosCallback(window_, [](GLFWwindow* source, double x, double y) {
+    of(source).note(Place{x, y});
+  });
+  glfwSetScrollCallback(window_, [](GLFWwindow* source, double right, double up) {
+    of(source).note(Wheel{right, up});
+  });
+  glfwSetMouseButtonCallback(window_, [](GLFWwindow* source, int button, int action, int mods) {
+    if (button >= kButtons) return;
+    const bool is_double = action == GLFW_PRESS && of(source).is_again_at_once(button);
+    of(source).note(Button{button, action, mods, is_double});
   });
 }
 
-void WindowEvents::forward(const KeyEvent& event) {
-  if (event.letter != 0) {
-    ImGui_ImplGlfw_CharCallback(window_, event.letter);
-    return;
-  }
+void WindowEvents::note(const Event& event) {
+  // Where the mouse has been in between does not matter.
+  const bool has_moved_on = !waiting_.empty() && std::holds_alternative<Place>(waiting_.back()) &&
+                            std::holds_alternative<Place>(event);
+  if (has_moved_on) waiting_.pop_back();
+  waiting_.push_back(event);
+}
+
+/// Notes that a button was pressed. It can have been at any time since all had been noted last,
+/// which may be long ago where frames are slow: whether it can have been at once after the last
+/// time.
+bool WindowEvents::is_again_at_once(int button) {
+  const double last = std::exchange(pressed_.at(button), glfwGetTime());
+  return polled_ - last < kDoubleClick;
+}
+
+void WindowEvents::end_poll() { polled_ = glfwGetTime(); }
+
+void WindowEvents::forward(const Key& event) {
   ImGui_ImplGlfw_KeyCallback(window_, event.key, event.scancode, event.action, event.modifiers);
   if (event.action == GLFW_RELEASE) return;
   keys_.push_back({.key = lettered_key(event.key, event.scancode),
                    .has_control = (event.modifiers & GLFW_MOD_CONTROL) != 0,
                    .has_shift = (event.modifiers & GLFW_MOD_SHIFT) != 0});
+  if (may_open_dialog(event.key, event.modifiers)) waiting_frames_ = kDialogFrames;
 }
 
-void WindowEvents::forward_keys() {
-  set_trickling(true);
+void WindowEvents::forward(const Letter& event) {
+  ImGui_ImplGlfw_CharCallback(window_, event.code);
+}
+
+void WindowEvents::forward(const Wheel& event) {
+  ImGui_ImplGlfw_ScrollCallback(window_, event.right, event.up);
+}
+
+// Before 1.87 ImGui looks at the mouse when a frame begins, from then on it is told.
+void WindowEvents::forward(const Place& event) {
+  place_ = event;
+#if IMGUI_VERSION_NUM >= 18700
+  ImGui_ImplGlfw_CursorPosCallback(window_, event.x, event.y);
+#endif
+}
+
+void WindowEvents::forward(const Button& event) {
+  is_down_.at(event.button) = event.action != GLFW_RELEASE;
+  if (event.action == GLFW_PRESS) {
+    ImGui::GetIO().MouseDoubleClickTime = event.is_double ? kAnyTime : 0;
+  }
+#if IMGUI_VERSION_NUM >= 18700
+  ImGui_ImplGlfw_MouseButtonCallback(window_, event.button, event.action, event.modifiers);
+#endif
+}
+
+void WindowEvents::place_mouse() const {
+#if IMGUI_VERSION_NUM < 18700
+  ImGuiIO& io = ImGui::GetIO();
+  io.MousePos = ImVec2(static_cast<float>(place_.x), static_cast<float>(place_.y));
+  std::copy(is_down_.begin(), is_down_.end(), std::begin(io.MouseDown));
+#endif
+}
+
+void WindowEvents::forward() {
+#if IMGUI_VERSION_NUM >= 18700
+  ImGui::GetIO().ConfigInputTrickleEventQueue = false;  // they are spread over frames here
+#endif
+  ImGui::GetIO().MouseDoubleClickTime = static_cast<float>(kDoubleClick);
   if (waiting_frames_ > 0) {
     --waiting_frames_;
     return;
   }
-  std::set<int> pressed;
-  while (!waiting_.empty()) {
-    const KeyEvent event = waiting_.front();
-    // ImGui looks once a frame at keys that give no letter: it would not see one that is up again.
-    const bool is_over = event.letter == 0 && event.action == GLFW_RELEASE;
-    if (is_over && pressed.contains(event.key)) return;
+  Frame frame;
+  while (!waiting_.empty() && waiting_frames_ == 0) {
+    const Event event = waiting_.front();
+    if (!std::visit([&](const auto& what) { return frame.fits(what); }, event)) return;
     waiting_.pop_front();
-    forward(event);
-    set_trickling(false);
-    if (event.letter != 0 || is_over) continue;
-    if (event.key >= GLFW_KEY_ESCAPE) pressed.insert(event.key);  // below are those with letters
-    if (may_open_dialog(event.key, event.modifiers)) {
-      waiting_frames_ = kDialogFrames;
-      return;
-    }
+    std::visit(
+        [&](const auto& what) {
+          forward(what);
+          frame.note(what);
+        },
+        event);
   }
 }
 
 bool WindowEvents::take_any() { return std::exchange(has_any_, false) || !waiting_.empty(); }
 
 std::vector<std::string> WindowEvents::take_dropped_files() { return std::exchange(dropped_, {}); }
+
+std::optional<double> WindowEvents::take_screen_scale() {
+  return std::exchange(screen_scale_, std::nullopt);
+}
 
 std::vector<KeyPress> WindowEvents::take_keys() { return std::exchange(keys_, {}); }
 

@@ -301,6 +301,8 @@ constexpr Key kKeys[] = {{"left drag", "turn about the point under the mouse"},
                          {"Tab", "hide or show the panels"},
                          {"Ctrl+O", "open a file (or drop it here)"},
                          {"Ctrl+P", "save the picture"},
+                         {"Ctrl+R", "read the file again"},
+                         {"Ctrl++ Ctrl+−", "larger or smaller text"},
                          {"Ctrl+Z, Ctrl+Shift+Z", "undo, redo (lamps, materials)"},
                          {"Enter, Esc", "in dialogs: do it, cancel"},
                          {"?", "this help"}};

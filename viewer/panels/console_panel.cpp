@@ -15,10 +15,14 @@ constexpr const char* kMoreLines = "More lines";
 constexpr const char* kFewerLines = "Fewer lines";
 constexpr float kButtonWidth = 6;  // heights of text
 
-/// Of a message that can be shown in the picture, what shows it.
-void draw_show_button(Desk& desk, bool has_own_line) {
+/// What a person may do about a message.
+void draw_button(Desk& desk, const Message& message, bool has_own_line) {
   if (!has_own_line) ImGui::SameLine();
-  if (ImGui::SmallButton("Show them")) show(desk, "unseen");
+  if (message.is_about_openings) {
+    if (ImGui::SmallButton("Show them")) show(desk, "unseen");
+  } else if (ImGui::SmallButton("Reload")) {
+    reload(desk);
+  }
 }
 
 void draw_messages(Desk& desk) {
@@ -30,12 +34,13 @@ void draw_messages(Desk& desk) {
     const ImVec4 plain = message.is_past ? kPastInk : kPlainInk;
     ImGui::PushStyleColor(ImGuiCol_Text, message.is_error && !message.is_past ? kErrorInk : plain);
     // A line that can be clicked has a button at its end, one that is longer below it.
-    const bool has_button = message.is_about_openings && !message.is_past;
+    const bool has_button =
+        (message.is_about_openings || message.is_about_file) && !message.is_past;
     const bool is_long = ImGui::CalcTextSize(message.text.c_str()).x >
                          ImGui::GetContentRegionAvail().x - kButtonWidth * ImGui::GetFontSize();
     ImGui::TextWrapped("%s", message.text.c_str());
     ImGui::PopStyleColor();
-    if (has_button) draw_show_button(desk, is_long);
+    if (has_button) draw_button(desk, message, is_long);
   }
 }
 

@@ -175,6 +175,9 @@ void Input::handle_mouse(Desk& desk, double scale) {
 void Input::press(Desk& desk, Panels& panels, const KeyPress& key) {
   if (key.has_control) {
     if (key.key == GLFW_KEY_O) panels.choose_file(desk);
+    if (key.key == GLFW_KEY_R && desk.session.is_open()) reload(desk);
+    if (key.key == GLFW_KEY_EQUAL || key.key == GLFW_KEY_KP_ADD) enlarge(desk, 1);
+    if (key.key == GLFW_KEY_MINUS || key.key == GLFW_KEY_KP_SUBTRACT) enlarge(desk, -1);
     if (key.key == GLFW_KEY_P) panels.begin_save(desk, SaveDialog::Kind::picture);
     const bool is_redo = key.key == GLFW_KEY_Y || (key.key == GLFW_KEY_Z && key.has_shift);
     if (is_redo) desk.session.redo_mix();

@@ -37,8 +37,11 @@ void choose_shown(Desk& desk) {
   const radiosity::Bands& bands = desk.session.model().bands;
   const ShowInfo& now = show_info(show_name(desk.look));
   ImGui::SetNextItemWidth(-1);
-  const bool is_open = ImGui::BeginCombo("##show", caption_with_unit(now, bands).c_str(),
-                                         ImGuiComboFlags_HeightLargest);
+  // The colour bar tells the unit, too.
+  std::string caption = caption_with_unit(now, bands);
+  const float room = ImGui::GetContentRegionAvail().x - 2 * ImGui::GetFrameHeight();
+  if (ImGui::CalcTextSize(caption.c_str()).x > room) caption = now.caption;
+  const bool is_open = ImGui::BeginCombo("##show", caption.c_str(), ImGuiComboFlags_HeightLargest);
   if (!is_open) {
     draw_definition(now);
     return;

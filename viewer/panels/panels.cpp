@@ -143,6 +143,7 @@ void Panels::draw_file_menu(Desk& desk) {
     }
     ImGui::EndMenu();
   }
+  if (ImGui::MenuItem("Reload", "Ctrl+R", false, desk.session.is_open())) reload(desk);
   ImGui::Separator();
   if (ImGui::MenuItem("Save picture ...", "Ctrl+P")) begin_save(desk, SaveDialog::Kind::picture);
   if (ImGui::MenuItem("Save result ...", nullptr, false, desk.session.has_result())) {
@@ -192,6 +193,8 @@ void Panels::draw_menu(Desk& desk) {
     ImGui::MenuItem("Luminaires", nullptr, &desk.look.luminaires, has_luminaires);
     ImGui::MenuItem("Polar curves", nullptr, &desk.look.polar_curves,
                     has_luminaires && desk.look.luminaires);
+    if (ImGui::MenuItem("Larger text", "Ctrl++")) enlarge(desk, 1);
+    if (ImGui::MenuItem("Smaller text", "Ctrl+-")) enlarge(desk, -1);
     ImGui::MenuItem("Panels", "Tab", &desk.shows_panels);
     ImGui::EndMenu();
   }

@@ -52,8 +52,8 @@ void draw_controls(Desk& desk, const IterationRecord& record) {
 
 void draw_speed(Watching& watching) {
   auto speed = static_cast<float>(watching.speed);
-  const std::string text = fmt::format("{:.2g} steps per second", watching.speed);
-  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 11 * ImGui::GetFontSize());
+  const std::string text = fmt::format("{:.2g} steps/s", watching.speed);
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 7 * ImGui::GetFontSize());
   if (ImGui::SliderFloat("##speed", &speed, static_cast<float>(kSlowest),
                          static_cast<float>(kFastest), " ",
                          ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp)) {

@@ -17,6 +17,12 @@ bool set_lines(Stage& stage, ScriptArguments& arguments) {
 
 std::map<std::string, ActionKind> console_actions() {
   return {{"set-console", {"lines", set_lines}},
+          {"set-scale",
+           {"scale",
+            [](Stage& stage, ScriptArguments& arguments) {
+              set_scale(stage.desk, arguments.number("scale"));
+              return true;
+            }}},
           {"clear-messages",
            {"",
             [](Stage& stage, ScriptArguments&) {

@@ -28,7 +28,14 @@ bool open_example(Stage& stage, ScriptArguments& arguments) {
 }  // namespace
 
 std::map<std::string, ActionKind> help_actions() {
-  return {{"tour", {"step", set_tour}}, {"open-example", {"name", open_example}}};
+  return {{"reload",
+           {"",
+            [](Stage& stage, ScriptArguments&) {
+              reload(stage.desk);
+              return true;
+            }}},
+          {"tour", {"step", set_tour}},
+          {"open-example", {"name", open_example}}};
 }
 
 }  // namespace viewer

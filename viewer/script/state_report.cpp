@@ -317,6 +317,8 @@ json state_report(const Desk& desk) {
         {{"error", message.is_error}, {"text", message.text}, {"past", message.is_past}});
   }
   return {{"path", session.model().path},
+          {"changed_file",
+           session.changed_file() ? json(session.changed_file()->string()) : json(nullptr)},
           {"patches", session.is_open() ? session.model().mesh->size() : 0},
           {"size", size_json(session)},
           {"unit", session.model().unit ? json(*session.model().unit) : json(nullptr)},

@@ -1,13 +1,12 @@
 #include "viewer/work/preview.h"
 
 #include <chrono>
-#include <condition_variable>
-#include <mutex>
 #include <utility>
 
 #include "radiosity/picture/shooting_preview.h"
 #include "radiosity/scene/radiometry.h"
 #include "viewer/work/pipeline.h"
+#include "viewer/work/worker.h"
 
 namespace viewer {
 namespace {
@@ -34,13 +33,6 @@ Solution preview_solution(Eigen::MatrixXd radiosity, const Eigen::MatrixXd& exit
   solution.exitance = exitance;
   solution.reflectance = reflectance;
   return solution;
-}
-
-void rest(Seconds time, const std::stop_token& stop) {
-  std::mutex mutex;
-  std::condition_variable_any never;
-  std::unique_lock lock(mutex);
-  never.wait_for(lock, stop, time, [] { return false; });
 }
 
 }  // namespace

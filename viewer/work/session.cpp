@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "radiosity/base/error.h"
 #include "radiosity/scene/radiometry.h"
 #include "radiosity/solve/solution.h"
 #include "radiosity/solve/solve.h"
@@ -53,20 +54,35 @@ void Session::open(const std::string& path, const std::optional<std::string>& un
   opening_.start([this, path, unit, options = options_, reading = reading_,
                   start = Clock::now()](const Worker::Context& context) mutable {
     OpenedFile file;
+    // What is written while it is read is not what was read.
+    std::vector<FileStamp> stamps = file_stamps({path});
     if (is_result_file(path)) {
       file = open_result(path);
     } else {
       if (unit) reading.unit = unit;
       auto scene = std::make_shared<const Scene>(read_whole_scene(path, reading, context.progress));
+      for (FileStamp& stamp : file_stamps(scene->files)) {
+        if (stamp.path != path) stamps.push_back(std::move(stamp));
+      }
       file = open_scene(path, std::move(scene), options, context.progress);
       file.model.unit = reading.unit;
     }
-    posting<OpenedFile>(context, [this, start](OpenedFile opened) {
+    posting<OpenedFile>(context, [this, start, stamps](OpenedFile opened) {
       ++versions_.file;
+      file_watch_.watch(stamps);
       for (Message& message : messages_) message.is_past = true;
       take_file(std::move(opened), start);
     })(std::move(file));
   });
+}
+
+void Session::reload() {
+  if (!is_open()) throw radiosity::SceneError("there is no file to be opened again");
+  std::vector<std::filesystem::path> files = {model_.path};
+  if (model_.scene)
+    files.insert(files.end(), model_.scene->files.begin(), model_.scene->files.end());
+  file_watch_.watch(file_stamps(files));
+  open(model_.path, model_.unit);
 }
 
 void Session::restart(const study::StudyOptions& options) {
@@ -293,6 +309,11 @@ bool Session::update() {
       tell_error(*error);
       has_changed = true;
     }
+  }
+  if (file_watch_.update()) {
+    tell(changed_file()->string() + " has changed on disk since it was read");
+    messages_.back().is_about_file = true;
+    has_changed = true;
   }
   // Between two stages of a job nothing is busy, but what the first one found is not taken yet.
   const WorkStatus now = status();

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <deque>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,6 +13,7 @@
 #include "radiosity/scene/scene.h"
 #include "study/study_options.h"
 #include "viewer/work/factor_row.h"
+#include "viewer/work/file_watch.h"
 #include "viewer/work/iteration_record.h"
 #include "viewer/work/job_progress.h"
 #include "viewer/work/known.h"
@@ -30,6 +32,7 @@ struct Message {
   std::string text;
   bool is_past = false;            ///< it was told before the file that is open
   bool is_about_openings = false;  ///< what it tells can be shown: `Show::unseen`
+  bool is_about_file = false;      ///< it tells that what is open has changed on disk
 };
 
 /// The scene in the window, what is computed about it in the background, and the questions that a
@@ -43,6 +46,14 @@ class Session {
   /// given. What is open stays, and goes on being solved, until the new one is there, and for good
   /// if that cannot be opened; the console tells why.
   void open(const std::string& path, const std::optional<std::string>& unit = {});
+  /// Opens the same file again, in the same unit. It is announced anew if that fails and the file
+  /// changes again. Throws SceneError if none is open.
+  void reload();
+  /// The file of those that were read that has since been written again; absent if none has. The
+  /// console tells.
+  [[nodiscard]] const std::optional<std::filesystem::path>& changed_file() const {
+    return file_watch_.changed();
+  }
   /// Solves the open scene anew with other patches. Where that cannot be, all stays as it is; the
   /// console tells why.
   void restart(const study::StudyOptions& options);
@@ -215,6 +226,7 @@ class Session {
 
   Pause pause_;
   // Last, so that they end first.
+  FileWatch file_watch_;
   Worker opening_;     // from the file to the patches
   Worker pipeline_;    // from the patches to the form factors
   Worker previewing_;  // meanwhile

@@ -27,6 +27,13 @@ void Pause::wait(const std::stop_token& stop) {
   changed_.wait(lock, stop, [this] { return !is_on_; });
 }
 
+void rest(std::chrono::duration<double> time, const std::stop_token& stop) {
+  std::mutex mutex;
+  std::condition_variable_any never;
+  std::unique_lock lock(mutex);
+  never.wait_for(lock, stop, time, [] { return false; });
+}
+
 Worker::Worker(Pause* pause) : pause_(pause), thread_([this] { run(); }) {}
 
 Worker::~Worker() {

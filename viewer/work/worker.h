@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <functional>
 #include <mutex>
@@ -27,6 +28,9 @@ class Pause {
   std::condition_variable_any changed_;
   bool is_on_ = false;
 };
+
+/// Sleeps for so long, or until `stop` is requested.
+void rest(std::chrono::duration<double> time, const std::stop_token& stop);
 
 /// Where a worker stands.
 struct WorkStatus {
