@@ -24,9 +24,10 @@ template <typename Block = Eigen::MatrixXd, typename AddTile>
 Eigen::MatrixXd sum_over_tiles(const Strips& strips, const Eigen::MatrixXd& x, const AddTile& add,
                                Ranks* ranks = nullptr) {
   const SumParts all(strips);
-  const auto [first_part, last_part] =
+  const std::pair<Index, Index> own =
       ranks != nullptr ? all.share(ranks->rank(), ranks->size()) : std::pair(Index{0}, all.n_parts);
-  const Index n_parts = last_part - first_part;
+  const Index first_part = own.first;
+  const Index n_parts = own.second - first_part;
   Eigen::MatrixXd result(x.rows(), x.cols());
   for (Index first = 0; first < x.cols(); first += kSumColumns) {
     const Index n_columns = std::min(kSumColumns, x.cols() - first);

@@ -20,9 +20,11 @@ VirtualDisplay::VirtualDisplay() {
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, channel[1], 3);
   posix_spawn_file_actions_addopen(&actions, 2, "/dev/null", O_WRONLY, 0);
-  // With -displayfd the server looks for a free number by itself and tells which.
-  std::array<const char*, 9> arguments = {"Xvfb",         "-displayfd", "3",   "-screen", "0",
-                                          "1600x1200x24", "-nolisten",  "tcp", nullptr};
+  // With -displayfd the server looks for a free number by itself and tells which; with -noreset it
+  // does not begin anew, and refuse who comes meanwhile, whenever the last program has gone.
+  std::array<const char*, 10> arguments = {"Xvfb",     "-displayfd",   "3",         "-screen",
+                                           "0",        "1600x1200x24", "-nolisten", "tcp",
+                                           "-noreset", nullptr};
   const int error =
       posix_spawnp(&pid_, "Xvfb", &actions, nullptr, const_cast<char**>(arguments.data()), environ);
   posix_spawn_file_actions_destroy(&actions);

@@ -13,6 +13,7 @@
 #include <vtkRenderer.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -48,8 +49,32 @@ void prefer_x11() {
 #endif
 }
 
+/// Xlib ends a program whose display is lost by exit(), from within whatever it is at. What threads
+/// are still working with must not be destroyed under them then.
+class QuickExit {
+ public:
+  QuickExit() {
+    static const bool is_registered = std::atexit(leave) == 0;
+    is_needed() = is_registered;
+  }
+  ~QuickExit() { is_needed() = false; }
+  QuickExit(const QuickExit&) = delete;
+  QuickExit& operator=(const QuickExit&) = delete;
+
+ private:
+  static std::atomic<bool>& is_needed() {
+    static std::atomic<bool> value = false;
+    return value;
+  }
+  static void leave() {
+    if (is_needed()) std::_Exit(EXIT_FAILURE);
+  }
+};
+
 /// GLFW itself, for as long as there is a window.
 struct Library {
+  QuickExit quick_exit;
+
   Library() {
     prefer_x11();
     glfwSetErrorCallback([](int, const char* text) { last_glfw_error() = text; });
