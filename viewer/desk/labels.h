@@ -2,7 +2,6 @@
 
 #include <initializer_list>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "viewer/desk/picture_plan.h"
@@ -13,7 +12,7 @@ namespace viewer {
 /// there.
 class Labels {
  public:
-  Labels(PicturePlan plan, const Region& region) : plan_(std::move(plan)), region_(region) {}
+  Labels(const PicturePlan& plan, const Region& region) : plan_(plan), region_(region) {}
 
   /// The first of these boxes that is free, and is no more then; absent if none is.
   std::optional<Box> take(std::initializer_list<Box> places);
