@@ -100,8 +100,9 @@ class Drawing {
     return {kMargin + cell_.x() * place.x(), kMargin + height_ - cell_.y() * place.y()};
   }
   [[nodiscard]] Point point_place(Index k) const {
-    return {static_cast<double>(k % chart_.grid.n_columns) + 0.5,
-            static_cast<double>(k / chart_.grid.n_columns) + 0.5};
+    const Index row = k / chart_.grid.n_columns;
+    const Index column = k % chart_.grid.n_columns;
+    return {static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5};
   }
 
   void add_cells() {
@@ -299,7 +300,8 @@ std::vector<ChartLine> chart_lines(const GridChart& chart, const std::vector<dou
       const double to = chart.values[b];
       if ((from < level) == (to < level)) continue;
       const auto place = [&](Index i) {
-        return Point(static_cast<double>(i % width) + 0.5, static_cast<double>(i / width) + 0.5);
+        const auto row = i / width;
+        return Point(static_cast<double>(i % width) + 0.5, static_cast<double>(row) + 0.5);
       };
       ends[n++] = place(a) + (level - from) / (to - from) * (place(b) - place(a));
     }

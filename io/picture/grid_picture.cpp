@@ -71,8 +71,9 @@ class Raster {
     const double left = std::floor(column - 0.5);
     const double low = std::floor(row - 0.5);
     for (int k = 0; k < 4; ++k) {
+      const int up = k / 2;
       const double c = left + k % 2;
-      const double r = low + k / 2;
+      const double r = low + up;
       const double weight = (1 - std::abs(column - 0.5 - c)) * (1 - std::abs(row - 0.5 - r));
       const Index at_column =
           std::clamp<Index>(static_cast<Index>(c), 0, chart_.grid.n_columns - 1);

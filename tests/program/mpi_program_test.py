@@ -71,6 +71,12 @@ def alike(summary):
     return strip(found)
 
 
+def said(done):
+    """What a process said, but for a warning about the few patches that scenes have here."""
+    lines = done.stderr.splitlines(keepends=True)
+    return "".join(line for line in lines if "of one patch only" not in line)
+
+
 class MpiProgram(unittest.TestCase):
     def setUp(self):
         self.folder = Path(tempfile.mkdtemp(prefix="radiosity-mpi-"))
@@ -95,7 +101,7 @@ class MpiProgram(unittest.TestCase):
                     self.folder / ("all" + output)).read_bytes()
                 self.assertTrue(same, f"{scene}, {n} ranks: {output} differs")
             self.assertEqual(alike(alone.stdout), alike(together.stdout), f"{scene}, {n} ranks")
-            self.assertEqual(together.stderr, "", f"{scene}, {n} ranks")
+            self.assertEqual(said(together), "", f"{scene}, {n} ranks")
 
     def test_solves_the_same(self):
         for scene, options, ranks in [
@@ -252,7 +258,7 @@ class MpiProgram(unittest.TestCase):
                         n, *solve, "-o", "all.csv", "--ksp", f"-ksp_type {ksp}"))
                     solved = json.loads(done.stdout)["solve"]
                     where = f"{scene}, {ksp}, {n} ranks"
-                    self.assertEqual(done.stderr, "", where)
+                    self.assertEqual(said(done), "", where)
                     self.assertTrue(solved["converged"], where)
                     self.assertEqual(solved["method"], "external")
                     self.assertLessEqual(solved["error_bound"], tolerance, where)
@@ -298,7 +304,7 @@ class MpiProgram(unittest.TestCase):
     @unittest.skipIf((os.cpu_count() or 1) < 2, "there is one core")
     def test_warns_of_cores_that_idle(self):
         command = mpirun(1, "solve", SCENES / "cornell-box.json", "--patches", "50", "--quiet")
-        self.assertEqual(self.succeed(command).stderr, "")
+        self.assertEqual(said(self.succeed(command)), "")
         bound = self.succeed([command[0], "--bind-to", "core", *command[1:]])
         self.assertIn("bound each rank to 1 of", bound.stderr)
 
